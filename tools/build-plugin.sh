@@ -1,0 +1,20 @@
+#!/bin/sh
+# Prints the folder with sphtmplugin.so for a host; builds what has changed.
+#   build-plugin.sh HOST [TARGET...]      HOST is a folder as host-plain.sh prints it; TARGET defaults to the plugin
+set -eu
+. "$(dirname -- "$0")/common.sh"
+
+host=${1:?usage: build-plugin.sh HOST [TARGET...]}
+shift
+[ $# -gt 0 ] || set -- sphtmplugin
+build=$root/build/${host##*/host-}
+mkdir -p "$build"
+lock "plugin-$(echo "$build" | cksum | cut -d ' ' -f 1)"
+if [ ! -f "$build/build.ninja" ]; then
+  say "configuring $build"
+  cmake -S "$root" -B "$build" -G Ninja -D LAMMPS_SOURCE_DIR="$(cat "$host/source")" -D LAMMPS_BUILD_DIR="$host" \
+    > "$build/configure.log" 2>&1 || { cat "$build/configure.log" >&2; rm -f "$build/build.ninja"; die "CMake failed"; }
+fi
+thin_ninja "$build/build.log" -C "$build" "$@" || die "the build failed"
+grep -h 'warning:' "$build/build.log" >&2 || true
+echo "$build"

@@ -1,0 +1,20 @@
+#!/bin/sh
+# Every src/*/tm_*.h compiles alone, without a warning:  check-headers.sh c|c++|nvcc
+set -eu
+. "$(dirname -- "$0")/common.sh"
+
+warnings='-Wall -Wextra -Wpedantic -Wno-unused-function -Werror'
+case ${1:-} in
+  c)   compile="${CC:-cc} -std=c11 $warnings -Wc++-compat -x c -fsyntax-only" ;;
+  c++) compile="${CXX:-c++} -std=c++17 $warnings -x c++ -fsyntax-only" ;;
+  nvcc)
+    PATH=$PATH:/usr/local/cuda/bin
+    command -v nvcc > /dev/null || { echo "skipped: no nvcc here"; exit 77; }
+    compile="nvcc -x cu -c -arch=sm_90 --expt-relaxed-constexpr -o /dev/null" ;;
+  *) die "check-headers.sh c|c++|nvcc" ;;
+esac
+
+cd "$root"
+folders=$(printf ' -I%s' src/*)
+ls src/*/tm_*.h | xargs -P "$jobs" -I{} sh -c "$compile $folders {} || { echo 'fails: {}'; exit 1; }"
+echo "$(ls src/*/tm_*.h | wc -l) headers compile alone with $compile"

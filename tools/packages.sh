@@ -1,0 +1,47 @@
+#!/bin/sh
+# Installs what is missing of the Debian packages that a command needs; does nothing when all are there.
+#   packages.sh demo|test|bench|all
+set -eu
+. "$(dirname -- "$0")/common.sh"
+
+demo='build-essential cmake ninja-build pkg-config libopenmpi-dev openmpi-bin libpng-dev libjpeg-dev zlib1g-dev
+  xz-utils ca-certificates debian-archive-keyring python3 python3-numpy python3-matplotlib'
+test="$demo libgtest-dev libgmock-dev libyaml-dev"
+bench="$test libeigen3-dev python3-scipy"
+all="$bench liggghts clang libclang-rt-14-dev imagemagick"    # tests that want these skip without them
+
+case ${1:-demo} in
+  demo) wanted=$demo ;;
+  test) wanted=$test ;;
+  bench) wanted=$bench ;;
+  all) wanted=$all ;;
+  *) die "packages.sh demo|test|bench|all" ;;
+esac
+
+if ! command -v apt-get > /dev/null; then
+  for tool in c++ cmake ninja mpirun /usr/bin/python3; do
+    command -v $tool > /dev/null || die "not a Debian system, and there is no $tool: install what is the like of" $wanted
+  done
+  exit 0
+fi
+
+missing=
+for package in $wanted; do
+  case $(dpkg-query -W -f '${db:Status-Abbrev}' "$package" 2> /dev/null) in
+    ii*) ;;
+    *) missing="$missing $package" ;;
+  esac
+done
+[ -n "$missing" ] || exit 0
+
+if [ "$(id -u)" = 0 ]; then sudo=
+elif command -v sudo > /dev/null; then sudo=sudo
+else die "not root, and no sudo: have these Debian packages installed, then try again:$missing"
+fi
+say "installing$missing"
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+wait='-o DPkg::Lock::Timeout=600'
+$sudo apt-get -q $wait update > "$log" 2>&1 || { tail -n 20 "$log" >&2; say "apt-get update had trouble; going on"; }
+$sudo env DEBIAN_FRONTEND=noninteractive apt-get -q -y $wait install --no-install-recommends $missing > "$log" 2>&1 ||
+  { tail -n 20 "$log" >&2; die "apt-get could not install$missing"; }
