@@ -1,0 +1,74 @@
+/* SPH-TM: artificial viscosity, artificial stress, XSPH.
+
+   Viscosity (Monaghan 1992; the Pi of F14 (6), (15), added to -sigma/rho^2):
+     Pi_ij = (-alpha c mu + beta mu^2)/rho,  mu = h v_ij.x_ij/(r^2 + 0.01 h^2)
+   for approaching pairs (v_ij.x_ij < 0), 0 otherwise. c and rho are means of the pair.
+   Balsara 1995: factor |div v|/(|div v| + |curl v| + 1e-4 c/h) keeps it out of shear.
+
+   Artificial stress, F14 (15)-(18): the pair gets (R_i + R_j) f^n, f = W(r)/W(dp).
+     principal  R = -eps/rho^2 sum_k max(sigma_k, 0) e_k e_k^T           Gray, Monaghan, Swift 2001
+     component  R_ab = -eps/rho^2 max(sigma_ab, 0)                       F14 (18)
+   The component form depends on the frame; principal axes are the default. In two dimensions only
+   the in-plane part acts; xz, yz and zz are returned as 0. F14 (18) prints no 1/rho^2, which
+   F14 (15) needs for its units. */
+#ifndef TM_ARTIFICIAL_H
+#define TM_ARTIFICIAL_H
+
+#include "tm_eigen.h"
+#include "tm_tensor.h"
+
+/* [hot] Pi_ij >= 0. vx = v_ij.x_ij, r2 = |x_ij|^2, h > 0. */
+TM_FN tm_real tm_viscosity_pair(tm_real alpha, tm_real beta, tm_real h, tm_real vx, tm_real r2,
+                                tm_real c_mean, tm_real rho_mean)
+{
+  const tm_real mu = h * tm_min(vx, 0.0) / (r2 + 0.01 * h * h);
+  return (beta * mu - alpha * c_mean) * mu / rho_mean;
+}
+
+/* Shear switch of one particle, 0..1; div and curl are of the velocity. */
+TM_FN tm_real tm_balsara(tm_real div, tm_real curl, tm_real c, tm_real h)
+{
+  const tm_real d = fabs(div);
+  return d / (d + fabs(curl) + 1e-4 * c / h);
+}
+
+/* [hot] Weight of v_j - v_i in the XSPH velocity of i, F14: m_j/rho_mean W. */
+TM_FN tm_real tm_xsph_pair(tm_real mass_j, tm_real rho_mean, tm_real w)
+{
+  return mass_j * w / rho_mean;
+}
+
+/* [hot] f^n, n = 0..15. */
+TM_FN tm_real tm_power_int(tm_real f, int n)
+{
+  const tm_real f2 = f * f, f4 = f2 * f2, f8 = f4 * f4;
+  return ((n & 1) ? f : 1.0) * ((n & 2) ? f2 : 1.0) * ((n & 4) ? f4 : 1.0) * ((n & 8) ? f8 : 1.0);
+}
+
+/* Tensile part of a plane stress tensor: c I + (a/r) [d b; b -d] with its negative principal
+   stress cut off. */
+TM_FN tm_sym3 tm_tensile_part_2d(tm_sym3 s)
+{
+  const tm_real mean = 0.5 * (s.xx + s.yy), d = 0.5 * (s.xx - s.yy), r = sqrt(d * d + s.xy * s.xy);
+  const tm_real p1 = tm_max(mean + r, 0.0), p2 = tm_max(mean - r, 0.0);
+  const tm_real c = 0.5 * (p1 + p2), k = r > 0.0 ? 0.5 * (p1 - p2) / r : 0.0;
+  return tm_sym(c + k * d, c - k * d, 0.0, k * s.xy, 0.0, 0.0);
+}
+
+/* Artificial stress of one particle in principal axes; scale = 1/rho^2. */
+TM_FN tm_sym3 tm_artificial_stress_principal(tm_sym3 sigma, tm_real eps, tm_real scale, int dim3)
+{
+  const tm_sym3 t = dim3 ? tm_sym_positive_part(sigma) : tm_tensile_part_2d(sigma);
+  return tm_sym_scale(-eps * scale, t);
+}
+
+/* Artificial stress of one particle per component, F14 (18); scale = 1/rho^2. */
+TM_FN tm_sym3 tm_artificial_stress_component(tm_sym3 sigma, tm_real eps, tm_real scale, int dim3)
+{
+  const tm_sym3 t = tm_sym(tm_max(sigma.xx, 0.0), tm_max(sigma.yy, 0.0),
+                           dim3 ? tm_max(sigma.zz, 0.0) : 0.0, tm_max(sigma.xy, 0.0),
+                           dim3 ? tm_max(sigma.xz, 0.0) : 0.0, dim3 ? tm_max(sigma.yz, 0.0) : 0.0);
+  return tm_sym_scale(-eps * scale, t);
+}
+
+#endif

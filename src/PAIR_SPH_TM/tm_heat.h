@@ -1,0 +1,91 @@
+/* SPH-TM: heat conduction, surface exchange and plastic heating.
+
+   Conduction, F15 (6) after Jubelgas 2007: particle i receives, as power per volume,
+     k laplace T = sum_j m_j/rho_j 4 k_i k_j/(k_i + k_j) (T_i - T_j) (x_ij . gradW)/r^2
+   with (x_ij . gradW)/r^2 = W'/r < 0, so the hotter particle cools. The factor is twice the
+   harmonic mean: two half distances in series. It is symmetric in i and j, so what leaves one
+   particle arrives at the other. An interface of conductance hc is a third resistance in the
+   series.
+   Convection hc (Tinf - T) and radiation sigma emissivity (Tinf^4 - T^4) are heat fluxes into the
+   body, power per area. Temperatures are absolute. */
+#ifndef TM_HEAT_H
+#define TM_HEAT_H
+
+#include "tm_material.h"
+
+#define TM_HEAT_TINY 1e-300  /* keeps 0/0 at 0 where neither side conducts */
+
+/* Value of a table at T: linear between its points, constant outside. */
+TM_FN tm_real tm_table_at(const tm_table *a, tm_real T)
+{
+  if (a->n == 0) return a->value;
+  if (!(T > a->t[0])) return a->y[0];
+  for (int i = 1; i < a->n; i++)
+    if (T < a->t[i])
+      return a->y[i - 1] + (a->y[i] - a->y[i - 1]) * (T - a->t[i - 1]) / (a->t[i] - a->t[i - 1]);
+  return a->y[a->n - 1];
+}
+
+/* k(T), power/(length temperature) */
+TM_FN tm_real tm_conductivity(const tm_material *m, tm_real T)
+{
+  return tm_table_at(&m->conductivity, T);
+}
+
+/* c_p(T), energy/(mass temperature) */
+TM_FN tm_real tm_capacity(const tm_material *m, tm_real T) { return tm_table_at(&m->capacity, T); }
+
+/* [hot] One pair of F15 (6): power per volume into particle i. vol_j = m_j/rho_j. */
+TM_FN tm_real tm_conduction_pair(tm_real ki, tm_real kj, tm_real Ti, tm_real Tj, tm_real vol_j,
+                                 tm_real dwdr_over_r)
+{
+  return 4.0 * ki * kj / (ki + kj + TM_HEAT_TINY) * (Ti - Tj) * (vol_j * dwdr_over_r);
+}
+
+/* [hot] The same through an interface of conductance hc_pair between i and j, distance r:
+   resistance r/(2 ki) + r/(2 kj) + 1/hc_pair. hc_pair = 0 insulates. For an interface whose
+   conductance per area is hc, hc_pair = tm_interface_conductance(hc, dim). */
+TM_FN tm_real tm_conduction_pair_interface(tm_real ki, tm_real kj, tm_real Ti, tm_real Tj,
+                                           tm_real vol_j, tm_real dwdr_over_r, tm_real r,
+                                           tm_real hc_pair)
+{
+  const tm_real kk = 2.0 * ki * kj, b = hc_pair * r;
+  const tm_real k = kk * b / ((ki + kj) * b + kk + TM_HEAT_TINY);
+  return 2.0 * k * (Ti - Tj) * (vol_j * dwdr_over_r);
+}
+
+/* Conductance to give to each pair so that a plane interface conducts hc per area.
+   Pairs cross it at an angle theta, with r instead of the normal distance r cos(theta). In the
+   continuum the flux of a linear profile with a jump is q = 2 int s_n |W'|/r k_pair (dT) dV over
+   s_n > 0, and is right for every hc and k when hc_pair/hc = <cos^2>/<cos> over the half sphere:
+   2/3 in 3D, pi/4 in 2D, 1 in 1D. */
+TM_FN tm_real tm_interface_conductance(tm_real hc, int dim)
+{
+  return hc * (dim == 3 ? 2.0 / 3.0 : dim == 2 ? 0.25 * TM_PI : 1.0);
+}
+
+/* Heat from plastic work, power per volume: chi Y d_eps/dt. */
+TM_FN tm_real tm_plastic_heating(const tm_material *m, tm_real yield, tm_real rate)
+{
+  return m->taylor_quinney * yield * rate;
+}
+
+/* Heat flux into the body by convection, power per area; h_c in power/(area temperature). */
+TM_FN tm_real tm_convection(tm_real h_c, tm_real T, tm_real T_inf) { return h_c * (T_inf - T); }
+
+/* Heat flux into the body by radiation, power per area; sigma_sb is the Stefan-Boltzmann constant
+   in the units of the run. */
+TM_FN tm_real tm_radiation(tm_real sigma_sb, tm_real emissivity, tm_real T, tm_real T_inf)
+{
+  const tm_real a = T * T, b = T_inf * T_inf;
+  return sigma_sb * emissivity * (b - a) * (b + a);
+}
+
+/* Time step of explicit conduction, 0.1 rho c_p h^2/k. k > 0. The largest eigenvalue of F15 (6)
+   on lattices with h from 1.0 to 2.0 spacings is below 9 k/(rho c_p h^2) for every kernel. */
+TM_FN tm_real tm_heat_time_step(tm_real rho, tm_real cp, tm_real h, tm_real k)
+{
+  return 0.1 * rho * cp * h * h / k;
+}
+
+#endif
