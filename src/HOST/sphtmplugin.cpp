@@ -1,0 +1,33 @@
+/* SPH-TM: entry point of the plugin. Refuses a LAMMPS of another version: class layouts differ
+   without a word (LAMMPS itself only prints a note). */
+#include "style_registry.h"
+
+#include "compute_sph_tm_atom.h"
+#include "fix_sph_tm.h"
+#include "pair_sph_tm.h"
+
+#include "comm.h"
+#include "error.h"
+#include "lammps.h"
+
+#include <cstring>
+
+using namespace LAMMPS_NS;
+
+extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *ptr, void *handle,
+                                                                        void *regfunc)
+{
+  auto *lmp = static_cast<LAMMPS *>(ptr);
+  if (strcmp(lmp->version, SPHTM_LAMMPS_VERSION) != 0) {
+    if (lmp->comm->me == 0)
+      lmp->error->warning(FLERR,
+                          "SPH-TM was built for LAMMPS {} and is not loaded into LAMMPS {}: build "
+                          "it against this LAMMPS with cmake -D LAMMPS_SOURCE_DIR=...",
+                          SPHTM_LAMMPS_VERSION, lmp->version);
+    return;
+  }
+  SPHTM_NS::Registry registry(ptr, handle, regfunc);
+  registry.pair<PairSPHTM>("sph/tm", "thermo-mechanical SPH of solids");
+  registry.fix<FixSPHTM>("sph/tm", "state and time integration of pair sph/tm");
+  registry.compute<ComputeSPHTMAtom>("sph/tm/atom", "per-particle values of sph/tm");
+}

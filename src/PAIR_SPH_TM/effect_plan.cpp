@@ -1,0 +1,110 @@
+#include "effect_plan.h"
+
+#include "pair_sph_tm.h"
+
+#include <map>
+
+using LAMMPS_NS::PairSPHTM;
+
+namespace SPHTM_NS {
+
+namespace {
+struct Name {
+  const char *name;
+  unsigned bit;
+};
+const Name NAMES[] = {{"viscosity", TM_FX_VISCOSITY},   {"artstress", TM_FX_ARTSTRESS},
+                      {"heat", TM_FX_HEAT},             {"conduction", TM_FX_CONDUCTION},
+                      {"plasticity", TM_FX_PLASTICITY}, {"damage", TM_FX_DAMAGE},
+                      {"correction", TM_FX_CORRECTION}, {"balsara", TM_FX_BALSARA},
+                      {"xsph", TM_FX_XSPH},             {"surface", TM_FX_SURFACE},
+                      {"internal-energy", TM_FX_ENERGY}, {"bodies", TM_FX_BODIES},
+                      {"energy", TM_FX_LEDGER}};
+}    // namespace
+
+unsigned effect_by_name(const std::string &name)
+{
+  for (const auto &n : NAMES)
+    if (name == n.name) return n.bit;
+  return 0;
+}
+
+std::string effect_names()
+{
+  std::string all;
+  for (const auto &n : NAMES) all += (all.empty() ? "" : ", ") + std::string(n.name);
+  return all;
+}
+
+std::string EffectPlan::derive(const PairSPHTM &pair, int ntypes)
+{
+  const PairSPHTM::Settings &set = pair.settings_in_use();
+  std::map<unsigned, std::string> why;
+  auto on = [&](unsigned bit, const std::string &reason) { why.emplace(bit, reason); };
+  auto of_type = [&](int t) { return "type " + std::to_string(t) + " (" + pair.material_name(t) + ")"; };
+
+  bool solid = false, softens_without_heat = false;
+  std::string conducts;
+  for (int t = 1; t <= ntypes; t++) {
+    const tm_material &m = pair.materials()[t];
+    if (m.body == TM_BODY_HEAT) on(TM_FX_HEAT, of_type(t) + " is a heat body");
+    if (m.heat && (m.conductivity.n || m.conductivity.value > 0.0) && conducts.empty())
+      conducts = of_type(t) + " has a conductivity";
+    if (m.body != TM_BODY_SOLID) continue;
+    solid = solid || m.strength != TM_STRENGTH_NONE;
+    const bool jc = m.strength == TM_STRENGTH_JOHNSON_COOK;
+    if (jc || m.strength == TM_STRENGTH_PLASTIC)
+      on(TM_FX_PLASTICITY, of_type(t) + " yields");
+    if (m.heat && m.taylor_quinney > 0.0 && jc)
+      on(TM_FX_HEAT, of_type(t) + " heats by plastic work and softens with temperature");
+    else if (m.heat && m.taylor_quinney > 0.0 && m.strength == TM_STRENGTH_PLASTIC)
+      on(TM_FX_HEAT, of_type(t) + " heats by plastic work");
+    if (jc && m.jc_m > 0.0) softens_without_heat = true;
+    if (m.damage != TM_DAMAGE_NONE) on(TM_FX_DAMAGE, of_type(t) + " has a damage law");
+    if (m.eos == TM_EOS_SHOCK) on(TM_FX_ENERGY, of_type(t) + " has a shock equation of state");
+  }
+  for (const auto &a : asked) on(a.first, a.second);
+
+  if (set.visc_alpha > 0.0 || set.visc_beta > 0.0) on(TM_FX_VISCOSITY, "pair_style viscosity is not 0");
+  if (set.art_eps > 0.0 && solid) on(TM_FX_ARTSTRESS, "pair_style artstress is not 0");
+  if (set.correction) on(TM_FX_CORRECTION, "pair_style correction yes");
+  if (set.balsara) on(TM_FX_BALSARA, "pair_style balsara yes");
+  if (set.xsph > 0.0) on(TM_FX_XSPH, "pair_style xsph is not 0");
+  if (pair.has_contact_pairs()) on(TM_FX_BODIES, "pair_coeff contact");
+  for (const auto &n : NAMES)
+    if (forced_on & n.bit) on(n.bit, "asked for in fix sph/tm");
+
+  std::string warning;
+  if ((forced_off & TM_FX_HEAT) && why.count(TM_FX_HEAT))
+    warning = "Fix sph/tm: heat is forced off, but " + why[TM_FX_HEAT];
+  else if (softens_without_heat && !why.count(TM_FX_HEAT))
+    warning = "Fix sph/tm: Johnson-Cook softening needs heat constants (pair_coeff heat); the "
+              "temperature stays uniform";
+  if ((forced_off & TM_FX_PLASTICITY) && why.count(TM_FX_PLASTICITY))
+    warning = "Fix sph/tm: plasticity is forced off, but " + why[TM_FX_PLASTICITY];
+  for (const auto &n : NAMES)
+    if (forced_off & n.bit) why.erase(n.bit);
+  if (why.count(TM_FX_HEAT) && !conducts.empty() && !(forced_off & TM_FX_CONDUCTION))
+    on(TM_FX_CONDUCTION, conducts);
+  if (!why.count(TM_FX_HEAT)) why.erase(TM_FX_CONDUCTION);
+  if (!why.count(TM_FX_VISCOSITY)) why.erase(TM_FX_BALSARA);
+
+  effects = (dimension == 3 ? unsigned(TM_FX_3D) : 0u) | ((unsigned) set.kernel << TM_FX_KERNEL_SHIFT);
+  if (set.form_f14) effects |= TM_FX_FORM_F14;
+  if (set.plane_stress) effects |= TM_FX_PLANE_STRESS;
+  for (const auto &w : why) effects |= w.first;
+
+  report.clear();
+  for (const auto &n : NAMES) {
+    const auto it = why.find(n.bit);
+    std::string line = "sph/tm effect " + std::string(n.name);
+    line.resize(30, ' ');
+    line += it != why.end() ? "on   " + it->second
+                            : std::string("off  ") +
+            ((forced_off & n.bit) ? "forced off in fix sph/tm" : "nothing in the scene calls for it");
+    report.push_back(line);
+  }
+  return warning;
+}
+
+}    // namespace SPHTM_NS

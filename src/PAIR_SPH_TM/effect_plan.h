@@ -1,0 +1,35 @@
+/* SPH-TM: which effects a scene calls for, and why. */
+#ifndef SPHTM_EFFECT_PLAN_H
+#define SPHTM_EFFECT_PLAN_H
+
+#include "tm_effects.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace LAMMPS_NS {
+class PairSPHTM;
+}
+
+namespace SPHTM_NS {
+
+unsigned effect_by_name(const std::string &name);    // 0 when unknown
+std::string effect_names();                          // for messages
+
+struct EffectPlan {
+  // in
+  int dimension = 3;
+  unsigned forced_on = 0, forced_off = 0;
+  std::vector<std::pair<unsigned, std::string>> asked;    // by other fixes, with the reason
+  // out
+  unsigned effects = 0;
+  std::vector<std::string> report;    // one line per effect: on or off, and why
+
+  // returns a warning, or an empty string
+  std::string derive(const LAMMPS_NS::PairSPHTM &pair, int ntypes);
+};
+
+}    // namespace SPHTM_NS
+
+#endif

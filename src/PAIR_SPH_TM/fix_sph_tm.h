@@ -1,0 +1,125 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SPH-TM: fix sph/tm. Owns the state of every particle, integrates it,
+   decides which effects are on, sets the time step and keeps the energy book.
+------------------------------------------------------------------------- */
+#ifndef LMP_FIX_SPH_TM_H
+#define LMP_FIX_SPH_TM_H
+
+#include "fix.h"
+#include "particle_fields.h"
+#include "tm_predict.h"
+#include "tm_update.h"
+
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class PairSPHTM;
+
+class FixSPHTM : public Fix {
+ public:
+  FixSPHTM(class LAMMPS *, int, char **);
+  ~FixSPHTM() override;
+  int setmask() override;
+  void init() override;
+  void setup_pre_force(int) override;
+  void setup(int) override;
+  void initial_integrate(int) override;
+  void pre_force(int) override;
+  void final_integrate() override;
+  void post_neighbor() override;
+  void reset_dt() override;
+  double compute_scalar() override;
+  double compute_vector(int) override;
+  int modify_param(int, char **) override;
+
+  void grow_arrays(int) override;
+  void copy_arrays(int, int, int) override;
+  void set_arrays(int) override;
+  int pack_exchange(int, double *) override;
+  int unpack_exchange(int, double *) override;
+  int pack_restart(int, double *) override;
+  void unpack_restart(int, int) override;
+  int size_restart(int) override;
+  int maxsize_restart() override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+  double memory_usage() override;
+
+  // --- for pair sph/tm, fix contact/tri, the heat fixes and the computes ---
+
+  unsigned effects() const { return fx; }
+  bool has(unsigned effect) const { return (fx & effect) != 0; }
+  // rows of one state field (tm_fields.h), or nullptr when it is off
+  double *field(int id) { return fields.data(id); }
+  tm_state state();                                // pointers valid until the next reneighbouring
+  double time_ahead() const { return dt_ahead; }   // from the state to the force point
+  double step_dt() const { return dt; }
+  double start_temperature() const { return temperature0; }
+  double temperature(int i);                       // of owned particle i, K
+  PairSPHTM *pair() { return pair_sph; }
+  // power (mass length^2/time^3) given to owned particles this step by contact and heat fixes;
+  // zeroed in pre_force, added to in post_force; nullptr when heat is off
+  double *heat_source() { return has(TM_FX_HEAT) ? source.data() : nullptr; }
+  // another fix asks for heat as a state (called from its init(), or earlier)
+  void need(unsigned effect, const std::string &reason);
+  // upper limit of the time step, already with its safety factor; valid for the next step
+  void limit_dt(double limit, int cause);
+
+  // the energy book, in mass length^2/time^2, summed over the run on this rank
+  struct Ledger {
+    double elastic = 0, plastic = 0, plastic_heat = 0, artificial = 0, heat = 0;
+    double kinetic_work = 0, internal_work = 0;
+    double contact_damping = 0;   // dissipated by contact damping
+    double friction = 0;          // friction work that did not go into particles
+    double friction_heat = 0;     // friction work given to particles as heat
+    double heat_exchanged = 0;    // other heat given to particles (conduction from tools, fluxes)
+    double contact_work = 0;      // work of contact forces on particles
+    double tool_work = 0;         // work of the tool drives on the particles and contacts
+  };
+  Ledger ledger;
+  double contact_spring = 0.0;    // energy stored in contact springs now, on this rank
+
+ private:
+  SPHTM_NS::ParticleFields fields;
+  PairSPHTM *pair_sph = nullptr;
+  unsigned fx = 0;                 // effects in use
+  unsigned forced_on = 0, forced_off = 0;
+  unsigned asked = 0;              // by other fixes
+  std::vector<std::pair<unsigned, std::string>> asked_reasons;
+  bool reported = false;           // the effects were printed
+  struct Preset {
+    int bit;
+    double temperature;
+  };
+  std::vector<Preset> preset;      // temperatures of groups, applied at the next set-up
+  double temperature0 = 293.15;
+  bool temperature_given = false;
+  double courant = 0.3;
+  double fixed_dt = 0.0;           // > 0: the user's constant time step
+  double dt_max = 0.0;             // 0: no limit
+  double dt = 0.0, dt_ahead = 0.0;
+  double dt_limits[TM_DT_CAUSES];  // of this rank, since the last reduction
+  double dt_next = 0.0;
+  int dt_cause = TM_DT_SOUND;
+  bool started = false;            // the first step has been taken (also after a restart)
+  std::vector<double> source;
+  double energy_now[12];
+  bigint energy_step = -1;
+
+  void derive_effects();
+  void initialise_fields(int, unsigned);
+  void initialise_particles();
+  void seed_history(int, double);
+  void reduce_dt();
+  void setup_dt();
+  void apply_dt(double);
+  tm_update_args update_args();
+  void stop_on(int, const tm_update_result &);
+  void sum_energies();
+};
+
+}    // namespace LAMMPS_NS
+
+#endif

@@ -1,0 +1,84 @@
+#include "particle_fields.h"
+
+#include <algorithm>
+
+namespace SPHTM_NS {
+
+unsigned ParticleFields::enable(unsigned effects, int nmax)
+{
+  unsigned mask = 0;
+  for (int id = 0; id < TM_F_COUNT; id++)
+    if (!tm_field_table[id].effects || (tm_field_table[id].effects & effects)) mask |= 1u << id;
+  enable_mask(mask, nmax);
+  return mask;
+}
+
+void ParticleFields::enable_mask(unsigned mask, int nmax)
+{
+  used = mask;
+  width = 0;
+  for (int id = 0; id < TM_F_COUNT; id++) {
+    if (!(used & (1u << id))) {
+      std::vector<double>().swap(values[id]);
+      continue;
+    }
+    width += tm_field_table[id].columns;
+  }
+  grow(std::max(nmax, 1));
+}
+
+void ParticleFields::grow(int nmax)
+{
+  rows = std::max(rows, nmax);
+  for (int id = 0; id < TM_F_COUNT; id++)
+    if (used & (1u << id)) values[id].resize((size_t) rows * tm_field_table[id].columns, 0.0);
+}
+
+void ParticleFields::copy(int from, int to)
+{
+  for (int id = 0; id < TM_F_COUNT; id++) {
+    if (!(used & (1u << id))) continue;
+    const size_t n = tm_field_table[id].columns;
+    std::copy_n(&values[id][from * n], n, &values[id][to * n]);
+  }
+}
+
+void ParticleFields::zero(int i)
+{
+  for (int id = 0; id < TM_F_COUNT; id++) {
+    if (!(used & (1u << id))) continue;
+    const size_t n = tm_field_table[id].columns;
+    std::fill_n(&values[id][i * n], n, 0.0);
+  }
+}
+
+int ParticleFields::pack(int i, double *buf) const
+{
+  int m = 0;
+  for (int id = 0; id < TM_F_COUNT; id++) {
+    if (!(used & (1u << id))) continue;
+    const size_t n = tm_field_table[id].columns;
+    std::copy_n(&values[id][i * n], n, buf + m);
+    m += (int) n;
+  }
+  return m;
+}
+
+int ParticleFields::unpack(int i, const double *buf)
+{
+  int m = 0;
+  for (int id = 0; id < TM_F_COUNT; id++) {
+    if (!(used & (1u << id))) continue;
+    const size_t n = tm_field_table[id].columns;
+    std::copy_n(buf + m, n, &values[id][i * n]);
+    m += (int) n;
+  }
+  return m;
+}
+
+double ParticleFields::bytes() const
+{
+  return (double) rows * width * sizeof(double);
+}
+
+}    // namespace SPHTM_NS

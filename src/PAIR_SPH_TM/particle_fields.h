@@ -1,0 +1,35 @@
+/* SPH-TM: storage of the state fields of tm_fields.h. What no effect calls for has no memory. */
+#ifndef SPHTM_PARTICLE_FIELDS_H
+#define SPHTM_PARTICLE_FIELDS_H
+
+#include "tm_fields.h"
+
+#include <vector>
+
+namespace SPHTM_NS {
+
+class ParticleFields {
+ public:
+  // allocate what the effects call for, free the rest; returns the mask of fields in use
+  unsigned enable(unsigned effects, int nmax);
+  // allocate exactly the fields of a mask (a restart file's)
+  void enable_mask(unsigned mask, int nmax);
+  void grow(int nmax);
+  double *data(int id) { return values[id].empty() ? nullptr : values[id].data(); }
+  unsigned mask() const { return used; }
+  int columns() const { return width; }    // doubles per particle over all fields in use
+  void copy(int from, int to);
+  void zero(int i);
+  int pack(int i, double *buf) const;
+  int unpack(int i, const double *buf);
+  double bytes() const;
+
+ private:
+  std::vector<double> values[TM_F_COUNT];
+  unsigned used = 0;
+  int width = 0, rows = 0;
+};
+
+}    // namespace SPHTM_NS
+
+#endif

@@ -1,0 +1,53 @@
+#include "rate_loops.h"
+
+#include <cstdlib>
+#include <cstring>
+
+namespace SPHTM_NS {
+
+namespace {
+enum Isa { ISA_DEFAULT, ISA_AVX2, ISA_AVX512 };
+
+Isa detect()
+{
+#if defined(SPHTM_X86_ISAS)
+  __builtin_cpu_init();
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512vl"))
+    return ISA_AVX512;
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return ISA_AVX2;
+#endif
+  return ISA_DEFAULT;
+}
+
+// SPHTM_ISA=default|avx2|avx512 lowers the choice, for tests and comparisons
+Isa chosen()
+{
+  static const Isa isa = [] {
+    const Isa best = detect();
+    const char *want = getenv("SPHTM_ISA");
+    if (want && !strcmp(want, "default")) return ISA_DEFAULT;
+    if (want && !strcmp(want, "avx2") && best >= ISA_AVX2) return ISA_AVX2;
+    return best;
+  }();
+  return isa;
+}
+}    // namespace
+
+const char *rate_loop_isa()
+{
+  static const char *const names[] = {"default", "avx2", "avx512"};
+  return names[chosen()];
+}
+
+rate_loop_t rate_loop(unsigned effects)
+{
+  const int index = rate_loop_index(effects);
+#if defined(SPHTM_X86_ISAS)
+  if (chosen() == ISA_AVX512) return isa_avx512::table[index];
+  if (chosen() == ISA_AVX2) return isa_avx2::table[index];
+#endif
+  return isa_default::table[index];
+}
+
+}    // namespace SPHTM_NS

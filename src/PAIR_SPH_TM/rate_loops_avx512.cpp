@@ -1,0 +1,3 @@
+// SPH-TM: the rate loops for the instruction set "avx512"; the flags are set in CMakeLists.txt.
+#define SPHTM_ISA isa_avx512
+#include "rate_loops_table.h"

@@ -1,0 +1,91 @@
+/* SPH-TM: contact between particle bodies that do not share a continuum.
+
+   The law of F15 (9)-(16) between two particles instead of a particle and a triangle: penetration
+   delta = dp - r of two spheres of diameter dp (one particle spacing), normal along the line of
+   centres, stiffness F15 (10)  k = PFAC E_i E_j dp/(E_i + E_j)  (per unit thickness in 2D: without
+   dp), damping F15 (11) with DFAC = 1 critical for the pair, 2 sqrt(k m_eff); the damping adds to
+   the spring while closing and the sum is never tensile. Coulomb friction acts on
+   v_T = v_ij - (v_ij.n) n and may not reverse the sliding of the pair within one step. Its heat
+   is shared by effusivity sqrt(k rho c_p). Forces of the two sides are equal and opposite, and
+   central but for friction. */
+#ifndef TM_BODY_CONTACT_H
+#define TM_BODY_CONTACT_H
+
+#include "tm_rates.h"
+
+typedef struct {
+  tm_real friction;    /* Coulomb coefficient, >= 0 */
+  tm_real penalty;     /* PFAC, > 0 */
+  tm_real damping;     /* DFAC, share of critical, >= 0 */
+} tm_body_law;
+
+typedef struct {
+  const tm_body_law *law;   /* per type pair, index i * (ntypes + 1) + j */
+  const int *contact;       /* nonzero where a type pair meets by contact */
+  const tm_real *young;     /* per type */
+  const tm_real *effusivity;/* per type, sqrt(k rho c_p) at the reference temperature */
+  tm_real spacing;          /* dp */
+  tm_real dt;
+  tm_real *source;          /* heat power of particle i, added to, or NULL */
+} tm_body_contact_args;
+
+typedef struct {
+  tm_real spring;           /* elastic energy, half of each pair */
+  tm_real damping_power, friction_power;
+  int contacts;
+} tm_body_contact_result;
+
+TM_FN tm_body_contact_result tm_body_contact(int i, const tm_rates_args *a,
+                                             const tm_body_contact_args *b, unsigned effects)
+{
+  const int dim3 = (effects & TM_FX_3D) != 0;
+  const ptrdiff_t begin = (ptrdiff_t) a->rows.mechanical[i] + a->rows.thermal[i];
+  const ptrdiff_t end = begin + a->rows.contact[i];
+  const int *row = a->rows.index + a->rows.first[i];
+  const tm_real *ri = a->rec.main + (ptrdiff_t) i * TM_REC;
+  tm_vec3 force = tm_vec(0, 0, 0);
+  tm_body_contact_result out;
+  out.spring = out.damping_power = out.friction_power = 0.0;
+  out.contacts = 0;
+  tm_real heat = 0.0;
+
+  for (ptrdiff_t k = begin; k < end; k++) {
+    const ptrdiff_t j = row[k * a->rows.stride];
+    const tm_real *rj = a->rec.main + j * TM_REC;
+    const tm_vec3 d = tm_vec(ri[0] - rj[0], ri[1] - rj[1], dim3 ? ri[2] - rj[2] : 0.0);
+    const tm_real r2 = tm_vec_dot(d, d);
+    const int pair = a->type[i] * (a->ntypes + 1) + a->type[j];
+    if (r2 >= b->spacing * b->spacing || r2 == 0.0 || !b->contact[pair]) continue;
+    const tm_body_law *law = b->law + pair;
+    const tm_real r = sqrt(r2), delta = b->spacing - r;
+    const tm_vec3 n = tm_vec_scale(1.0 / r, d);
+    const tm_real ei = b->young[a->type[i]], ej = b->young[a->type[j]];
+    const tm_real mi = ri[TM_REC_M], mj = rj[TM_REC_M], meff = mi * mj / (mi + mj);
+    const tm_real stiff = law->penalty * ei * ej / (ei + ej) * (dim3 ? b->spacing : 1.0);
+    const tm_vec3 v = tm_vec(ri[4] - rj[4], ri[5] - rj[5], dim3 ? ri[6] - rj[6] : 0.0);
+    const tm_real vn = tm_vec_dot(v, n);
+    const tm_real spring = stiff * delta;
+    const tm_real fn = tm_max(spring - law->damping * 2.0 * sqrt(stiff * meff) * vn, 0.0);
+    const tm_vec3 vt = tm_vec_axpy(v, -vn, n);
+    const tm_real speed = tm_vec_norm(vt);
+    /* several pairs may act on one particle: each takes a quarter of what would stop it */
+    const tm_real ft = tm_min(law->friction * fn, 0.25 * meff * speed / b->dt);
+    force = tm_vec_axpy(force, fn, n);
+    if (speed > 0.0) force = tm_vec_axpy(force, -ft / speed, vt);
+    out.spring += 0.25 * stiff * delta * delta;
+    out.damping_power += 0.5 * (spring - fn) * vn;
+    out.friction_power += 0.5 * ft * speed;
+    out.contacts++;
+    if (b->source) {
+      const tm_real si = b->effusivity[a->type[i]], sj = b->effusivity[a->type[j]];
+      heat += si + sj > 0.0 ? ft * speed * si / (si + sj) : 0.5 * ft * speed;
+    }
+  }
+  a->force[3 * (ptrdiff_t) i] += a->force_unit * force.x;
+  a->force[3 * (ptrdiff_t) i + 1] += a->force_unit * force.y;
+  a->force[3 * (ptrdiff_t) i + 2] += a->force_unit * force.z;
+  if (b->source) b->source[i] += heat;
+  return out;
+}
+
+#endif

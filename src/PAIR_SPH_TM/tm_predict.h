@@ -1,0 +1,102 @@
+/* SPH-TM: prediction of one particle to the half step, written into its record.
+
+   The state itself stays at the full step; only the record, which the rates read, is ahead. */
+#ifndef TM_PREDICT_H
+#define TM_PREDICT_H
+
+#include "tm_artificial.h"
+#include "tm_damage.h"
+#include "tm_eos.h"
+#include "tm_heat.h"
+#include "tm_state.h"
+
+typedef struct {
+  tm_state state;
+  tm_records rec;
+  tm_real dt_ahead;      /* time from the state to the force point: dt/2, or 0 at set-up */
+  tm_real art_eps;       /* artificial stress epsilon, 0..1 */
+  int art_component;     /* nonzero: F14 (18) per component instead of principal axes */
+} tm_predict_args;
+
+/* Velocity of particle i at the force point. */
+TM_FN tm_vec3 tm_predict_velocity(int i, const tm_predict_args *a)
+{
+  const tm_real c1 = (1.0 + 2.0 * TM_PREDICT_BETA) * a->dt_ahead;
+  const tm_real c2 = -2.0 * TM_PREDICT_BETA * a->dt_ahead;
+  const double *v = a->state.v + 3 * (ptrdiff_t) i;
+  const tm_real *h1 = tm_field_row(&a->state, TM_F_HISTORY, i), *h2 = h1 + TM_H_STEP;
+  return tm_vec(v[0] + c1 * h1[0] + c2 * h2[0], v[1] + c1 * h1[1] + c2 * h2[1],
+                v[2] + c1 * h1[2] + c2 * h2[2]);
+}
+
+TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
+{
+  const tm_state *s = &a->state;
+  const tm_material *m = s->material + s->type[i];
+  const int dim3 = (effects & TM_FX_3D) != 0;
+  const tm_real c1 = (1.0 + 2.0 * TM_PREDICT_BETA) * a->dt_ahead;
+  const tm_real c2 = -2.0 * TM_PREDICT_BETA * a->dt_ahead;
+  const tm_real *h1 = tm_field_row(s, TM_F_HISTORY, i), *h2 = h1 + TM_H_STEP;
+
+  const tm_vec3 v = tm_predict_velocity(i, a);
+  const tm_real rho = *tm_field_row(s, TM_F_RHO, i) + c1 * h1[TM_H_RHO] + c2 * h2[TM_H_RHO];
+  tm_sym3 dev = tm_sym_load(tm_field_row(s, TM_F_STRESS, i));
+  dev = tm_sym_axpy(dev, c1, tm_sym_load(h1 + TM_H_S));
+  dev = tm_sym_axpy(dev, c2, tm_sym_load(h2 + TM_H_S));
+
+  tm_real e = 0.0, p = 0.0, c = 0.0;
+  if (effects & TM_FX_ENERGY) e = *tm_field_row(s, TM_F_ENERGY, i);
+  if (m->body == TM_BODY_SOLID) {
+    p = tm_eos_pressure(m, rho, e);
+    c = tm_eos_sound_speed(m, rho, e);
+  }
+  if (effects & TM_FX_DAMAGE) {
+    const int failed = tm_field_row(s, TM_F_DAMAGE, i)[1] > 0.5;
+    p = tm_damage_pressure(p, failed);
+    if (failed) dev = tm_sym(0, 0, 0, 0, 0, 0);
+  }
+  if (effects & TM_FX_PLANE_STRESS) p = -dev.zz * -1.0;  /* sigma_zz = s_zz - p = 0 */
+
+  /* plane stress: sums run over areas, so density and stress count times the thickness */
+  const tm_real lz = (effects & TM_FX_PLANE_STRESS) ? *tm_field_row(s, TM_F_THICKNESS, i) : 1.0;
+  const tm_real rho_sum = rho * lz;
+  const tm_real scale = (effects & TM_FX_FORM_F14) ? lz : lz / (rho_sum * rho_sum);
+  const tm_sym3 sigma = tm_sym_add_iso(dev, -p);
+  const tm_sym3 P = tm_sym_scale(scale, sigma);
+
+  tm_real *r = a->rec.main + (ptrdiff_t) i * TM_REC;
+  const double *x = s->x + 3 * (ptrdiff_t) i;
+  r[0] = x[0]; r[1] = x[1]; r[2] = x[2];
+  r[TM_REC_M] = tm_particle_mass(s, i);
+  r[4] = v.x; r[5] = v.y; r[6] = v.z;
+  r[TM_REC_RHO] = rho_sum;
+  tm_sym_store(r + TM_REC_P, P);
+  r[TM_REC_C] = c;
+  r[TM_REC_BALSARA] = (effects & TM_FX_BALSARA) ? *tm_field_row(s, TM_F_BALSARA, i) : 1.0;
+
+  if (effects & TM_FX_ARTSTRESS) {
+    const tm_real inv_rho2 = lz / (rho_sum * rho_sum);
+    const tm_sym3 q = a->art_component
+        ? tm_artificial_stress_component(sigma, a->art_eps, inv_rho2, dim3)
+        : tm_artificial_stress_principal(sigma, a->art_eps, inv_rho2, dim3);
+    tm_sym_store(a->rec.stress + (ptrdiff_t) i * TM_REC_STRESS, q);
+  }
+  if (effects & TM_FX_HEAT) {
+    const tm_real *t = tm_field_row(s, TM_F_TEMP, i);
+    const tm_real T = t[0] + c1 * t[1] + c2 * t[2];
+    tm_real *rt = a->rec.heat + (ptrdiff_t) i * TM_REC_HEAT;
+    rt[TM_REC_T] = T;
+    rt[TM_REC_K] = tm_conductivity(m, T);
+  }
+  if (effects & TM_FX_CORRECTION) {
+    const tm_real *K = tm_field_row(s, TM_F_CORRECTION, i);
+    tm_real *rc = a->rec.correction + (ptrdiff_t) i * TM_REC_CORRECTION;
+    for (int c3 = 0; c3 < 3; c3++) {
+      rc[c3] = P.xx * K[c3] + P.xy * K[3 + c3] + P.xz * K[6 + c3];
+      rc[3 + c3] = P.xy * K[c3] + P.yy * K[3 + c3] + P.yz * K[6 + c3];
+      rc[6 + c3] = P.xz * K[c3] + P.yz * K[3 + c3] + P.zz * K[6 + c3];
+    }
+  }
+}
+
+#endif

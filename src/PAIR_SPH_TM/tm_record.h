@@ -1,0 +1,35 @@
+/* SPH-TM: what a particle shows to its neighbours, packed for the gather.
+
+   The main record is 16 reals, two cache lines. The others exist only with their effect.
+
+   P is what the momentum sum needs of one particle: sigma / rho^2 in the form F15 (4), sigma in
+   the form F14 (6). With gradient correction the sums use TM_REC_C instead: the nine components
+   of (sigma / rho^2) K, K the correction matrix (Bonet and Lok 1999), so that pair forces stay
+   equal and opposite. */
+#ifndef TM_RECORD_H
+#define TM_RECORD_H
+
+#include "tm_effects.h"
+
+enum {
+  TM_REC_X = 0,        /* position x y z */
+  TM_REC_M = 3,        /* mass */
+  TM_REC_V = 4,        /* velocity x y z */
+  TM_REC_RHO = 7,      /* density (plane stress: density times relative thickness) */
+  TM_REC_P = 8,        /* xx yy zz xy xz yz */
+  TM_REC_C = 14,       /* longitudinal sound speed */
+  TM_REC_BALSARA = 15, /* shear switch 0..1 */
+  TM_REC = 16
+};
+enum { TM_REC_STRESS = 6 };                            /* artificial stress, xx yy zz xy xz yz */
+enum { TM_REC_T = 0, TM_REC_K = 1, TM_REC_HEAT = 2 };  /* temperature, conductivity */
+enum { TM_REC_CORRECTION = 9 };                        /* P K, row major */
+
+typedef struct {
+  tm_real *main;        /* TM_REC per particle, owned and ghost */
+  tm_real *stress;      /* TM_REC_STRESS, or NULL */
+  tm_real *heat;        /* TM_REC_HEAT, or NULL */
+  tm_real *correction;  /* TM_REC_CORRECTION, or NULL */
+} tm_records;
+
+#endif

@@ -1,0 +1,50 @@
+/* SPH-TM: the state of all particles as raw pointers, and what the point functions share. */
+#ifndef TM_STATE_H
+#define TM_STATE_H
+
+#include "tm_fields.h"
+#include "tm_material.h"
+#include "tm_record.h"
+#include "tm_tensor.h"
+
+/* Weight of the older rate in the prediction of the half step,
+     y(n+1/2) = y(n) + dt ((1/2 + beta) r1 - beta r2),  r1, r2 = rates of the last two steps.
+   Second order for every beta. beta = 0 is the modified Euler scheme that takes the last rate; on
+   the imaginary axis (elastic waves) it grows by (omega dt)^4/4 a step whatever dt is. beta = 1/4
+   decays by (omega dt)^4/8 and is stable up to omega dt = 0.78; on the negative real axis
+   (viscosity, conduction) up to 0.70. */
+#define TM_PREDICT_BETA 0.25
+
+typedef struct {
+  /* per particle, see tm_fields.h; NULL when the field is off */
+  tm_real *field[TM_F_COUNT];
+  double *x, *v, *force;
+  const int *type;
+  const tm_material *material;  /* indexed by type */
+  const double *mass;           /* per type (index type), or NULL */
+  const double *rmass;          /* per particle, or NULL */
+} tm_state;
+
+TM_FN tm_real *tm_field_row(const tm_state *s, int id, int i)
+{
+  return s->field[id] + (ptrdiff_t) i * tm_field_table[id].columns;
+}
+TM_FN tm_real tm_particle_mass(const tm_state *s, int i)
+{
+  return s->rmass ? s->rmass[i] : s->mass[s->type[i]];
+}
+TM_FN tm_sym3 tm_sym_load(const tm_real *p) { return tm_sym(p[0], p[1], p[2], p[3], p[4], p[5]); }
+TM_FN void tm_sym_store(tm_real *p, tm_sym3 s)
+{
+  p[0] = s.xx; p[1] = s.yy; p[2] = s.zz; p[3] = s.xy; p[4] = s.xz; p[5] = s.yz;
+}
+TM_FN tm_mat3 tm_mat_load(const tm_real *p)
+{
+  tm_mat3 m;
+  m.xx = p[0]; m.xy = p[1]; m.xz = p[2];
+  m.yx = p[3]; m.yy = p[4]; m.yz = p[5];
+  m.zx = p[6]; m.zy = p[7]; m.zz = p[8];
+  return m;
+}
+
+#endif

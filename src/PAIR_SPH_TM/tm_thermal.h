@@ -1,0 +1,38 @@
+/* SPH-TM: heat between one particle and the neighbours that are no mechanical ones.
+
+   F15's NeibTherm: particles of a tool, or of another body. F15 (6) as it stands is perfect
+   contact. A finite interface conductance hc of the type pair acts in series with the two halves
+   of the particle distance, so that what leaves one side arrives at the other. */
+#ifndef TM_THERMAL_H
+#define TM_THERMAL_H
+
+#include "tm_rates.h"
+
+TM_FN void tm_thermal(int i, const tm_rates_args *a, unsigned effects)
+{
+  const int kernel = tm_fx_kernel(effects), dim3 = (effects & TM_FX_3D) != 0;
+  const ptrdiff_t begin = a->rows.mechanical[i], end = begin + a->rows.thermal[i];
+  const int *row = a->rows.index + a->rows.first[i];
+  const tm_real *ri = a->rec.main + (ptrdiff_t) i * TM_REC;
+  const tm_real *hi = a->rec.heat + (ptrdiff_t) i * TM_REC_HEAT;
+  tm_real heat = 0.0;
+  for (ptrdiff_t k = begin; k < end; k++) {
+    const ptrdiff_t j = row[k * a->rows.stride];
+    const tm_real *rj = a->rec.main + j * TM_REC, *hj = a->rec.heat + j * TM_REC_HEAT;
+    const tm_real dx = ri[0] - rj[0], dy = ri[1] - rj[1], dz = dim3 ? ri[2] - rj[2] : 0.0;
+    const tm_real r2 = dx * dx + dy * dy + dz * dz;
+    if (r2 >= a->reach2) continue;
+    const tm_real r = sqrt(r2);
+    const tm_real g = a->norm / a->h * tm_kernel_slope(kernel, r / a->h) / r;
+    const tm_real vol = rj[TM_REC_M] / rj[TM_REC_RHO];
+    const tm_real hc =
+        a->conductance ? a->conductance[a->type[i] * (a->ntypes + 1) + a->type[j]] : 0.0;
+    heat += hc > 0.0
+        ? tm_conduction_pair_interface(hi[TM_REC_K], hj[TM_REC_K], hi[TM_REC_T], hj[TM_REC_T], vol,
+                                       g, r, hc)
+        : tm_conduction_pair(hi[TM_REC_K], hj[TM_REC_K], hi[TM_REC_T], hj[TM_REC_T], vol, g);
+  }
+  a->heat[i] += heat;
+}
+
+#endif

@@ -1,0 +1,285 @@
+/* SPH-TM: one particle from step n to n+1, from its rates at the half step.
+
+     v(n+1)   = v(n) + dt a(n+1/2)
+     x(n+1)   = x(n+1/2) + dt/2 v(n+1),  x(n+1/2) = x(n) + dt/2 v(n)
+     rho(n+1) = rho(n) - dt rho(n+1/2) tr L                                   F15 (2)
+     s        : Jaumann rate (F14 (9)) to the trial stress, radial return (F14 (11)-(14))
+     T        : rho c_p dT/dt = conduction + chi Y deps_p/dt + sources         F15 (5)
+     e        : rho de/dt = sigma : L + artificial heating (shock equation of state only)
+
+   The rates of this step and the last are kept for the prediction of the next half step. */
+#ifndef TM_UPDATE_H
+#define TM_UPDATE_H
+
+#include "tm_damage.h"
+#include "tm_eigen.h"
+#include "tm_eos.h"
+#include "tm_heat.h"
+#include "tm_state.h"
+#include "tm_strength.h"
+
+enum tm_status {
+  TM_OK = 0,
+  TM_BAD_NAN = 1,          /* a state value is not finite */
+  TM_BAD_DENSITY = 2,      /* density not positive */
+  TM_BAD_VELOCITY = 3,     /* faster than ten times the speed of sound */
+  TM_BAD_TEMPERATURE = 4   /* temperature not positive */
+};
+enum tm_dt_cause {
+  TM_DT_SOUND = 0, TM_DT_FORCE = 1, TM_DT_CONDUCTION = 2, TM_DT_CONTACT = 3, TM_DT_MOTION = 4,
+  TM_DT_MAXIMUM = 5, TM_DT_CAUSES = 6
+};
+
+typedef struct {
+  tm_state state;
+  tm_records rec;
+  const tm_real *gradient, *heat, *moment, *xsph_v, *artificial;
+  const double *force_internal;  /* force of the pair style alone, with the ledger */
+  const tm_real *source;         /* heat given to the particle by contact and fluxes (power) */
+  const int *mask;               /* LAMMPS group bits */
+  int group;                     /* x and v are integrated for these */
+  tm_real dt, h, visc_alpha;
+  tm_real accel_unit;            /* force of the unit style / mass -> acceleration */
+  tm_real temperature;           /* of every particle where heat is off */
+  tm_real min_det;               /* gradient correction is dropped below this determinant */
+} tm_update_args;
+
+typedef struct {
+  int status;                    /* enum tm_status */
+  tm_real dt[3];                 /* limits by sound, force, conduction (without safety factor) */
+  tm_real elastic, plastic, plastic_heat, artificial, kinetic_work, internal_work, heat;
+} tm_update_result;
+
+typedef struct {
+  tm_sym3 s;
+  tm_real p, rho, d_eps, yield;
+} tm_point;
+
+/* Density, pressure and deviator at the end of a step with velocity gradient L. */
+TM_FN tm_point tm_constitutive(const tm_material *m, tm_real rho, tm_real rho_half, tm_sym3 s,
+                               tm_sym3 s_half, tm_mat3 L, tm_real e, tm_real eps_p, tm_real T,
+                               tm_real dt, int plastic)
+{
+  tm_point out;
+  out.rho = rho - dt * rho_half * tm_mat_trace(L);
+  out.p = tm_eos_pressure(m, out.rho, e);
+  out.d_eps = 0.0;
+  out.yield = 0.0;
+  if (m->strength == TM_STRENGTH_NONE) {
+    out.s = tm_sym(0, 0, 0, 0, 0, 0);
+    return out;
+  }
+  out.s = tm_sym_axpy(s, dt, tm_jaumann_rate(s_half, L, m->shear));
+  if (plastic) {
+    const tm_return_result r = tm_radial_return(m, out.s, eps_p, T, dt);
+    out.s = r.s;
+    out.d_eps = r.d_eps;
+    out.yield = r.yield;
+  }
+  return out;
+}
+
+/* Plane stress: the thickness rate L.zz for which sigma_zz vanishes at the end of the step. */
+TM_FN tm_real tm_plane_stress_rate(const tm_material *m, tm_real rho, tm_real rho_half, tm_sym3 s,
+                                   tm_sym3 s_half, tm_mat3 L, tm_real e, tm_real eps_p, tm_real T,
+                                   tm_real dt, int plastic)
+{
+  const tm_real stiff = dt * (m->bulk + 4.0 / 3.0 * m->shear);
+  const tm_real tol = 1e-10 * m->young * 1e-3;
+  tm_real l0 = -(L.xx + L.yy) * m->poisson / (1.0 - m->poisson), f0, l1, f1;
+  L.zz = l0;
+  tm_point q = tm_constitutive(m, rho, rho_half, s, s_half, L, e, eps_p, T, dt, plastic);
+  f0 = q.s.zz - q.p;
+  l1 = l0 - f0 / stiff;
+  for (int it = 0; it < 25; it++) {
+    L.zz = l1;
+    q = tm_constitutive(m, rho, rho_half, s, s_half, L, e, eps_p, T, dt, plastic);
+    f1 = q.s.zz - q.p;
+    if (fabs(f1) < tol || f1 == f0) break;
+    const tm_real next = l1 - f1 * (l1 - l0) / (f1 - f0);
+    l0 = l1;
+    f0 = f1;
+    l1 = next;
+  }
+  return l1;
+}
+
+/* x and v; returns the acceleration. */
+TM_FN tm_vec3 tm_update_motion(int i, const tm_update_args *a, unsigned effects,
+                               tm_update_result *out)
+{
+  const tm_state *s = &a->state;
+  double *x = s->x + 3 * (ptrdiff_t) i, *v = s->v + 3 * (ptrdiff_t) i;
+  const double *f = s->force + 3 * (ptrdiff_t) i;
+  const tm_real mass = tm_particle_mass(s, i), c = a->accel_unit / mass;
+  const tm_vec3 acc = tm_vec(c * f[0], c * f[1], c * f[2]);
+  const tm_vec3 v0 = tm_vec(v[0], v[1], v[2]);
+  v[0] += a->dt * acc.x;
+  v[1] += a->dt * acc.y;
+  if (effects & TM_FX_3D) v[2] += a->dt * acc.z;
+  const tm_real half = 0.5 * a->dt;
+  x[0] += half * v[0];
+  x[1] += half * v[1];
+  if (effects & TM_FX_3D) x[2] += half * v[2];
+  if (effects & TM_FX_XSPH) {
+    tm_real *u = tm_field_row(s, TM_F_XSPH, i);
+    const tm_real *n = a->xsph_v + 3 * (ptrdiff_t) i;
+    for (int d = 0; d < 3; d++) {
+      x[d] += half * n[d];
+      u[d] = n[d];
+    }
+  }
+  if (effects & TM_FX_LEDGER) {
+    const tm_vec3 mean = tm_vec(0.5 * (v0.x + v[0]), 0.5 * (v0.y + v[1]), 0.5 * (v0.z + v[2]));
+    const double *fi = a->force_internal + 3 * (ptrdiff_t) i;
+    out->kinetic_work = mass * a->dt * tm_vec_dot(acc, mean);
+    out->internal_work =
+        a->dt * a->accel_unit * (fi[0] * mean.x + fi[1] * mean.y + fi[2] * mean.z);
+  }
+  return acc;
+}
+
+/* Temperature at the end of the step; returns the heat taken up. */
+TM_FN tm_real tm_update_temperature(int i, const tm_update_args *a, const tm_material *m,
+                                    tm_real rho, tm_real plastic_power, unsigned effects)
+{
+  tm_real *t = tm_field_row(&a->state, TM_F_TEMP, i);
+  const tm_real mass = tm_particle_mass(&a->state, i);
+  tm_real power = plastic_power * m->taylor_quinney * mass / rho;
+  if (effects & TM_FX_CONDUCTION) power += a->heat[i] * mass / a->rec.main[(ptrdiff_t) i * TM_REC + TM_REC_RHO];
+  if (a->source) power += a->source[i];
+  const tm_real rate = power / (mass * tm_capacity(m, t[0]));
+  t[0] += a->dt * rate;
+  t[2] = t[1];
+  t[1] = rate;
+  return a->dt * power;
+}
+
+/* Correction matrix K = M^-T of the moment M; the identity where M is close to singular. */
+TM_FN void tm_update_correction(int i, const tm_update_args *a, int dim3)
+{
+  int ok;
+  const tm_mat3 k = tm_mat_inverse_guarded(tm_mat_load(a->moment + (ptrdiff_t) i * 9), dim3,
+                                           a->min_det, &ok);
+  tm_real *K = tm_field_row(&a->state, TM_F_CORRECTION, i);
+  const tm_mat3 c = ok ? k : tm_mat_identity();
+  K[0] = c.xx; K[1] = c.yx; K[2] = c.zx;
+  K[3] = c.xy; K[4] = c.yy; K[5] = c.zy;
+  K[6] = c.xz; K[7] = c.yz; K[8] = c.zz;
+}
+
+TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effects)
+{
+  const tm_state *s = &a->state;
+  const tm_material *m = s->material + s->type[i];
+  const tm_real *rec = a->rec.main + (ptrdiff_t) i * TM_REC;
+  const int dim3 = (effects & TM_FX_3D) != 0;
+  tm_update_result out;
+  out.status = TM_OK;
+  out.elastic = out.plastic = out.plastic_heat = out.artificial = 0.0;
+  out.kinetic_work = out.internal_work = out.heat = 0.0;
+  out.dt[0] = out.dt[1] = out.dt[2] = 1e300;
+
+  tm_vec3 acc = tm_vec(0, 0, 0);
+  if (a->mask[i] & a->group) acc = tm_update_motion(i, a, effects, &out);
+
+  const tm_real mass = rec[TM_REC_M];
+  if (m->body == TM_BODY_SOLID) {
+    tm_mat3 L = tm_mat_load(a->gradient + (ptrdiff_t) i * 9);
+    if (effects & TM_FX_CORRECTION) {
+      tm_update_correction(i, a, dim3);
+      const tm_real *K = tm_field_row(s, TM_F_CORRECTION, i);
+      const tm_mat3 k = tm_mat_load(K);
+      tm_mat3 kt = k;
+      kt.xy = k.yx; kt.xz = k.zx; kt.yx = k.xy; kt.yz = k.zy; kt.zx = k.xz; kt.zy = k.yz;
+      L = tm_mat_mul(L, kt);
+    }
+    tm_real *rho = tm_field_row(s, TM_F_RHO, i), *dev = tm_field_row(s, TM_F_STRESS, i);
+    tm_real *h1 = tm_field_row(s, TM_F_HISTORY, i), *h2 = h1 + TM_H_STEP;
+    tm_real *lz = (effects & TM_FX_PLANE_STRESS) ? tm_field_row(s, TM_F_THICKNESS, i) : NULL;
+    tm_real *pl = (effects & TM_FX_PLASTICITY) ? tm_field_row(s, TM_F_PSTRAIN, i) : NULL;
+    tm_real *dmg = (effects & TM_FX_DAMAGE) ? tm_field_row(s, TM_F_DAMAGE, i) : NULL;
+    tm_real *e = (effects & TM_FX_ENERGY) ? tm_field_row(s, TM_F_ENERGY, i) : NULL;
+    const tm_real T =
+        (effects & TM_FX_HEAT) ? tm_field_row(s, TM_F_TEMP, i)[0] : a->temperature;
+    const tm_sym3 s0 = tm_sym_load(dev);
+    const tm_real c1 = (1.0 + 2.0 * TM_PREDICT_BETA) * 0.5 * a->dt;
+    const tm_real c2 = -2.0 * TM_PREDICT_BETA * 0.5 * a->dt;
+    const tm_real rho_half = lz ? rec[TM_REC_RHO] / *lz : rec[TM_REC_RHO];
+    tm_sym3 s_half = tm_sym_axpy(s0, c1, tm_sym_load(h1 + TM_H_S));
+    s_half = tm_sym_axpy(s_half, c2, tm_sym_load(h2 + TM_H_S));
+    const tm_real eps_p = pl ? pl[0] : 0.0, energy = e ? *e : 0.0;
+    const int failed = dmg && dmg[1] > 0.5;
+
+    if (lz)
+      L.zz = tm_plane_stress_rate(m, *rho, rho_half, s0, s_half, L, energy, eps_p, T, a->dt,
+                                  pl != NULL);
+    tm_point q = tm_constitutive(m, *rho, rho_half, s0, s_half, L, energy, eps_p, T, a->dt,
+                                 pl != NULL && !failed);
+    if (failed) q.s = tm_sym(0, 0, 0, 0, 0, 0);
+
+    /* work of the stress that acted, per mass: sigma(n+1/2) : L */
+    const tm_real p_half = tm_eos_pressure(m, rho_half, energy);
+    const tm_sym3 sigma =
+        tm_sym_add_iso(failed ? q.s : s_half, -tm_damage_pressure(p_half, failed));
+    const tm_real work = a->dt / rho_half * tm_sym_ddot(sigma, tm_mat_symmetric(L));
+    const tm_real plastic = q.yield * q.d_eps / q.rho;
+
+    for (int k = 0; k < TM_H_STEP; k++) h2[k] = h1[k];
+    const tm_real inv_dt = 1.0 / a->dt;
+    h1[TM_H_V] = acc.x; h1[TM_H_V + 1] = acc.y; h1[TM_H_V + 2] = dim3 ? acc.z : 0.0;
+    h1[TM_H_RHO] = (q.rho - *rho) * inv_dt;
+    tm_sym_store(h1 + TM_H_S, tm_sym_scale(inv_dt, tm_sym_axpy(q.s, -1.0, s0)));
+    *rho = q.rho;
+    tm_sym_store(dev, q.s);
+    if (lz) *lz += a->dt * *lz * L.zz;
+    if (pl) {
+      pl[0] += q.d_eps;
+      pl[1] = q.d_eps * inv_dt;
+      pl[2] = q.yield;
+    }
+    if (e) *e += work + (a->artificial ? a->dt * a->artificial[i] / mass : 0.0);
+    if (dmg && !failed) {
+      const tm_real p = tm_eos_pressure(m, q.rho, energy);
+      dmg[0] += tm_damage_increment(m, -p, tm_sym_mises(q.s), q.d_eps, q.d_eps * inv_dt, T);
+      dmg[1] = tm_damage_failed(m, dmg[0], pl ? pl[0] : 0.0) ? 1.0 : 0.0;
+    }
+    if (effects & TM_FX_BALSARA) {
+      const tm_vec3 curl = tm_vec(L.zy - L.yz, L.xz - L.zx, L.yx - L.xy);
+      *tm_field_row(s, TM_F_BALSARA, i) =
+          tm_balsara(tm_mat_trace(L), tm_vec_norm(curl), rec[TM_REC_C], a->h);
+    }
+    if (effects & TM_FX_HEAT)
+      out.heat = tm_update_temperature(i, a, m, q.rho, q.yield * q.d_eps * inv_dt, effects);
+    if (effects & TM_FX_LEDGER) {
+      out.plastic = mass * plastic;
+      out.plastic_heat = (effects & TM_FX_HEAT) ? m->taylor_quinney * mass * plastic : 0.0;
+      out.elastic = mass * work - out.plastic;
+      if (a->artificial) out.artificial = a->dt * a->artificial[i];
+    }
+
+    out.dt[TM_DT_SOUND] = a->h / (rec[TM_REC_C] * (1.0 + 0.6 * a->visc_alpha));
+    const tm_real a2 = tm_vec_dot(acc, acc);
+    if (a2 > 0.0) out.dt[TM_DT_FORCE] = sqrt(a->h / sqrt(a2));
+    const double *v = s->v + 3 * (ptrdiff_t) i;
+    const tm_real v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    const tm_real check = q.rho + q.s.xx + q.s.xy + q.s.yz + v2;
+    if (!(check - check == 0.0)) out.status = TM_BAD_NAN;
+    else if (!(q.rho > 0.0)) out.status = TM_BAD_DENSITY;
+    else if (v2 > 100.0 * rec[TM_REC_C] * rec[TM_REC_C]) out.status = TM_BAD_VELOCITY;
+  } else if (effects & TM_FX_HEAT) {
+    out.heat = tm_update_temperature(i, a, m, m->rho0, 0.0, effects);
+  }
+  if (effects & TM_FX_HEAT) {
+    const tm_real T = tm_field_row(s, TM_F_TEMP, i)[0];
+    if (effects & TM_FX_CONDUCTION) {
+      const tm_real k = tm_conductivity(m, T);
+      if (k > 0.0) out.dt[TM_DT_CONDUCTION] = tm_heat_time_step(*tm_field_row(s, TM_F_RHO, i), tm_capacity(m, T), a->h, k);
+    }
+    if (!(T - T == 0.0)) out.status = TM_BAD_NAN;
+    else if (!(T > 0.0)) out.status = TM_BAD_TEMPERATURE;
+  }
+  return out;
+}
+
+#endif

@@ -1,0 +1,45 @@
+/* SPH-TM: the effects a scene can ask for, as bits of one unsigned.
+
+   Particle functions take these bits as their last argument. The launchers pass literals, so
+   that an effect which is off leaves no branch, no load and no array in the machine code. The
+   bits of TM_FX_RATE_MASK are literal in every rate loop; those of TM_FX_EXTENDED_MASK are
+   tested at run time inside the one "extended" instantiation per kernel and dimension, and are
+   absent from all the others. */
+#ifndef TM_EFFECTS_H
+#define TM_EFFECTS_H
+
+#include "tm_real.h"
+
+enum tm_effect {
+  TM_FX_3D = 1 << 0,            /* three dimensions */
+  TM_FX_VISCOSITY = 1 << 1,     /* Monaghan artificial viscosity */
+  TM_FX_ARTSTRESS = 1 << 2,     /* artificial stress against the tensile instability */
+  TM_FX_CONDUCTION = 1 << 3,    /* heat conduction between particles */
+  TM_FX_EXTENDED = 1 << 4,      /* this instantiation reads the bits below at run time */
+
+  TM_FX_FORM_F14 = 1 << 5,      /* momentum form F14 (6) instead of F15 (4) */
+  TM_FX_CORRECTION = 1 << 6,    /* kernel-gradient correction */
+  TM_FX_BALSARA = 1 << 7,       /* shear switch of the artificial viscosity */
+  TM_FX_XSPH = 1 << 8,          /* positions move with a smoothed velocity */
+  TM_FX_SURFACE = 1 << 9,       /* free surface area and normal per particle */
+
+  TM_FX_HEAT = 1 << 10,         /* temperature is a state */
+  TM_FX_PLASTICITY = 1 << 11,   /* plastic strain is a state */
+  TM_FX_DAMAGE = 1 << 12,       /* damage is a state */
+  TM_FX_ENERGY = 1 << 13,       /* specific internal energy is a state (shock equation of state) */
+  TM_FX_PLANE_STRESS = 1 << 14, /* 2D with free thickness */
+  TM_FX_BODIES = 1 << 15,       /* contact between particle bodies */
+  TM_FX_LEDGER = 1 << 16,       /* energy bookkeeping */
+
+  TM_FX_KERNEL_SHIFT = 20       /* three bits of enum tm_kernel */
+};
+
+#define TM_FX_RATE_MASK \
+  ((unsigned) (TM_FX_3D | TM_FX_VISCOSITY | TM_FX_ARTSTRESS | TM_FX_CONDUCTION))
+#define TM_FX_EXTENDED_MASK \
+  ((unsigned) (TM_FX_FORM_F14 | TM_FX_CORRECTION | TM_FX_BALSARA | TM_FX_XSPH | TM_FX_SURFACE))
+#define TM_FX_KERNEL_MASK (7u << TM_FX_KERNEL_SHIFT)
+
+TM_FN int tm_fx_kernel(unsigned fx) { return (int) ((fx >> TM_FX_KERNEL_SHIFT) & 7u); }
+
+#endif

@@ -1,0 +1,37 @@
+/* SPH-TM: scalar type and the one qualifier of every physics function.
+
+   Everything in tm_*.h is the common subset of C11, C++17 and CUDA: no designated
+   initialisers, no variable-length arrays, no compound literals, no globals. */
+#ifndef TM_REAL_H
+#define TM_REAL_H
+
+#include <math.h>
+#include <stddef.h>
+
+/* TM_FN: forced inline on the host, host + device and forced inline under CUDA. */
+#if defined(__CUDACC__)
+#define TM_FN static __host__ __device__ __forceinline__
+#elif defined(__GNUC__)
+#define TM_FN static inline __attribute__((always_inline))
+#else
+#define TM_FN static inline
+#endif
+
+/* A pointer that no other pointer of the same loop aliases. */
+#if defined(__cplusplus) || defined(__CUDACC__)
+#define TM_RESTRICT __restrict__
+#else
+#define TM_RESTRICT restrict
+#endif
+
+/* Precision of particle state and of pair arithmetic. */
+typedef double tm_real;
+
+#define TM_PI 3.14159265358979323846
+
+/* fmin/fmax honour NaN and signed zero and so do not vectorise; these do. */
+TM_FN tm_real tm_min(tm_real a, tm_real b) { return a < b ? a : b; }
+TM_FN tm_real tm_max(tm_real a, tm_real b) { return a > b ? a : b; }
+TM_FN tm_real tm_clamp(tm_real x, tm_real lo, tm_real hi) { return tm_min(tm_max(x, lo), hi); }
+
+#endif

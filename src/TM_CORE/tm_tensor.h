@@ -1,0 +1,115 @@
+/* SPH-TM: vectors and tensors of three dimensions as plain structs, passed by value.
+
+   tm_sym3 holds a symmetric tensor as xx yy zz xy xz yz. In two dimensions xz = yz = 0
+   (plane strain and plane stress both keep zz). tm_mat3 is row major: m.xy = row x, column y;
+   for a velocity gradient L, L.xy = d v_x / d y. */
+#ifndef TM_TENSOR_H
+#define TM_TENSOR_H
+
+#include "tm_real.h"
+
+typedef struct { tm_real x, y, z; } tm_vec3;
+typedef struct { tm_real xx, yy, zz, xy, xz, yz; } tm_sym3;
+typedef struct { tm_real xx, xy, xz, yx, yy, yz, zx, zy, zz; } tm_mat3;
+
+/* --- vectors --------------------------------------------------------------------------- */
+
+TM_FN tm_vec3 tm_vec(tm_real x, tm_real y, tm_real z)
+{
+  tm_vec3 v;
+  v.x = x; v.y = y; v.z = z;
+  return v;
+}
+TM_FN tm_vec3 tm_vec_add(tm_vec3 a, tm_vec3 b) { return tm_vec(a.x + b.x, a.y + b.y, a.z + b.z); }
+TM_FN tm_vec3 tm_vec_sub(tm_vec3 a, tm_vec3 b) { return tm_vec(a.x - b.x, a.y - b.y, a.z - b.z); }
+TM_FN tm_vec3 tm_vec_scale(tm_real s, tm_vec3 a) { return tm_vec(s * a.x, s * a.y, s * a.z); }
+/* a + s b */
+TM_FN tm_vec3 tm_vec_axpy(tm_vec3 a, tm_real s, tm_vec3 b)
+{
+  return tm_vec(a.x + s * b.x, a.y + s * b.y, a.z + s * b.z);
+}
+TM_FN tm_real tm_vec_dot(tm_vec3 a, tm_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+TM_FN tm_vec3 tm_vec_cross(tm_vec3 a, tm_vec3 b)
+{
+  return tm_vec(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+}
+TM_FN tm_real tm_vec_norm(tm_vec3 a) { return sqrt(tm_vec_dot(a, a)); }
+
+/* --- symmetric tensors ----------------------------------------------------------------- */
+
+TM_FN tm_sym3 tm_sym(tm_real xx, tm_real yy, tm_real zz, tm_real xy, tm_real xz, tm_real yz)
+{
+  tm_sym3 s;
+  s.xx = xx; s.yy = yy; s.zz = zz; s.xy = xy; s.xz = xz; s.yz = yz;
+  return s;
+}
+TM_FN tm_sym3 tm_sym_scale(tm_real k, tm_sym3 a)
+{
+  return tm_sym(k * a.xx, k * a.yy, k * a.zz, k * a.xy, k * a.xz, k * a.yz);
+}
+/* a + k b */
+TM_FN tm_sym3 tm_sym_axpy(tm_sym3 a, tm_real k, tm_sym3 b)
+{
+  return tm_sym(a.xx + k * b.xx, a.yy + k * b.yy, a.zz + k * b.zz, a.xy + k * b.xy,
+                a.xz + k * b.xz, a.yz + k * b.yz);
+}
+TM_FN tm_real tm_sym_trace(tm_sym3 a) { return a.xx + a.yy + a.zz; }
+/* a + k I */
+TM_FN tm_sym3 tm_sym_add_iso(tm_sym3 a, tm_real k)
+{
+  return tm_sym(a.xx + k, a.yy + k, a.zz + k, a.xy, a.xz, a.yz);
+}
+/* double contraction a : b, off-diagonal components counted twice */
+TM_FN tm_real tm_sym_ddot(tm_sym3 a, tm_sym3 b)
+{
+  return a.xx * b.xx + a.yy * b.yy + a.zz * b.zz
+       + 2.0 * (a.xy * b.xy + a.xz * b.xz + a.yz * b.yz);
+}
+TM_FN tm_vec3 tm_sym_mul_vec(tm_sym3 a, tm_vec3 b)
+{
+  return tm_vec(a.xx * b.x + a.xy * b.y + a.xz * b.z, a.xy * b.x + a.yy * b.y + a.yz * b.z,
+                a.xz * b.x + a.yz * b.y + a.zz * b.z);
+}
+TM_FN tm_sym3 tm_sym_deviator(tm_sym3 a) { return tm_sym_add_iso(a, -tm_sym_trace(a) / 3.0); }
+/* von Mises equivalent of a deviator s: sqrt(3/2 s:s) */
+TM_FN tm_real tm_sym_mises(tm_sym3 s) { return sqrt(1.5 * tm_sym_ddot(s, s)); }
+
+/* --- general tensors ------------------------------------------------------------------- */
+
+/* symmetric part: rate of deformation of a velocity gradient */
+TM_FN tm_sym3 tm_mat_symmetric(tm_mat3 l)
+{
+  return tm_sym(l.xx, l.yy, l.zz, 0.5 * (l.xy + l.yx), 0.5 * (l.xz + l.zx), 0.5 * (l.yz + l.zy));
+}
+TM_FN tm_real tm_mat_trace(tm_mat3 l) { return l.xx + l.yy + l.zz; }
+TM_FN tm_mat3 tm_mat_identity(void)
+{
+  tm_mat3 m;
+  m.xx = 1.0; m.xy = 0.0; m.xz = 0.0;
+  m.yx = 0.0; m.yy = 1.0; m.yz = 0.0;
+  m.zx = 0.0; m.zy = 0.0; m.zz = 1.0;
+  return m;
+}
+TM_FN tm_mat3 tm_mat_scale(tm_real k, tm_mat3 a)
+{
+  a.xx *= k; a.xy *= k; a.xz *= k;
+  a.yx *= k; a.yy *= k; a.yz *= k;
+  a.zx *= k; a.zy *= k; a.zz *= k;
+  return a;
+}
+TM_FN tm_mat3 tm_mat_mul(tm_mat3 a, tm_mat3 b)
+{
+  tm_mat3 c;
+  c.xx = a.xx * b.xx + a.xy * b.yx + a.xz * b.zx;
+  c.xy = a.xx * b.xy + a.xy * b.yy + a.xz * b.zy;
+  c.xz = a.xx * b.xz + a.xy * b.yz + a.xz * b.zz;
+  c.yx = a.yx * b.xx + a.yy * b.yx + a.yz * b.zx;
+  c.yy = a.yx * b.xy + a.yy * b.yy + a.yz * b.zy;
+  c.yz = a.yx * b.xz + a.yy * b.yz + a.yz * b.zz;
+  c.zx = a.zx * b.xx + a.zy * b.yx + a.zz * b.zx;
+  c.zy = a.zx * b.xy + a.zy * b.yy + a.zz * b.zy;
+  c.zz = a.zx * b.xz + a.zy * b.yz + a.zz * b.zz;
+  return c;
+}
+
+#endif
