@@ -182,7 +182,7 @@ void PairSPHTM::coeff(int narg, char **arg)
                                    [&](const char *m) { return strcmp(arg[2], m) == 0; }) &&
       !(strcmp(arg[2], "heat") == 0 && ilo == jlo && ihi == jhi && ilo == ihi);
   if (meeting) {
-    parse_meeting(0, 0, narg, arg);
+    parse_meeting(narg, arg);
     return;
   }
   const tm_material m = read_material(lmp, "Pair sph/tm coeff", narg - 2, arg + 2);
@@ -195,13 +195,20 @@ void PairSPHTM::coeff(int narg, char **arg)
       material[i] = m;
       scale_material(material[i], unit);
       names[i] = material_title(narg - 2, arg + 2);
+      if (!atom->rmass_flag && !atom->mass_setflag[i]) atom->set_mass(FLERR, i, particle_mass(i));
     }
   if (count == 0) error->all(FLERR, "Pair sph/tm coeff: no type pair in {} {}", arg[0], arg[1]);
 }
 
+// from density and spacing; in 2D of a plate of unit thickness
+double PairSPHTM::particle_mass(int type) const
+{
+  return material[type].rho0 * pow(set.spacing, domain->dimension);
+}
+
 // how two types meet: bond | none | heat [conductance hc] | contact [friction mu] [penalty PFAC]
 // [damping DFAC] [conductance hc]
-void PairSPHTM::parse_meeting(int, int, int narg, char **arg)
+void PairSPHTM::parse_meeting(int narg, char **arg)
 {
   int ilo, ihi, jlo, jhi;
   utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
@@ -292,17 +299,11 @@ void PairSPHTM::init_style()
   if (set.plane_stress && domain->dimension != 2)
     error->all(FLERR, "Pair style sph/tm plane stress needs dimension 2");
 
-  // mass of a particle from density and spacing (unit thickness in 2D), unless per-atom masses exist
-  if (!atom->rmass_flag) {
-    const double volume = pow(set.spacing, domain->dimension);
-    for (int i = 1; i <= atom->ntypes; i++) {
-      const double m = material[i].rho0 * volume;
-      if (!atom->mass_setflag[i]) atom->set_mass(FLERR, i, m);
-      else if (fabs(atom->mass[i] - m) > 1e-6 * m && comm->me == 0)
+  if (!atom->rmass_flag && comm->me == 0)
+    for (int i = 1; i <= atom->ntypes; i++)
+      if (fabs(atom->mass[i] - particle_mass(i)) > 1e-6 * particle_mass(i))
         error->warning(FLERR, "Pair sph/tm: mass of type {} is {:.8g}, density times spacing gives "
-                              "{:.8g}; the mass is kept", i, atom->mass[i], m);
-    }
-  }
+                              "{:.8g}; the mass is kept", i, atom->mass[i], particle_mass(i));
 
   // the skin of the unit style's default is meant for molecules: take a tenth of the reach
   const double reach = tm_kernel_support(set.kernel) * set.h;

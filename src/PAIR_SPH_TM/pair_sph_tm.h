@@ -109,7 +109,8 @@ class PairSPHTM : public Pair {
   void forward_records();
   void body_contact();
   void tally_virial_energy(int, int);
-  void parse_meeting(int, int, int, char **);
+  void parse_meeting(int, char **);
+  double particle_mass(int) const;
   void set_law(int, int, const PairLaw &);
   void complete_laws();
 };
