@@ -194,7 +194,7 @@ struct Words {
 
 class MaterialReader {
  public:
-  MaterialReader(LAMMPS *l, const char *s) : error(l->error), lmp(l), style(s) {}
+  MaterialReader(LAMMPS *l, const char *s) : error(l->error), style(s) {}
 
   // source names the place for messages: empty for the input script
   void read(const std::vector<std::string> &list, const std::string &source);
@@ -208,7 +208,6 @@ class MaterialReader {
     tm_real value;
   };
   Error *error;
-  LAMMPS *lmp;
   std::string style, where;
   tm_material m = {};
   std::set<std::string> seen, ever;
@@ -229,7 +228,7 @@ double MaterialReader::number(Words &w, const std::string &what, Range range)
   if (!utils::is_double(text))
     error->all(FLERR, "{}: {} must be a number, got '{}'{}", where, what, text,
                is_keyword(text) ? ": too few values" : "");
-  const double x = utils::numeric(FLERR, text, false, lmp);
+  const double x = std::strtod(text.c_str(), nullptr);
   if (!std::isfinite(x) || !in_range(range, x))
     error->all(FLERR, "{}: {} must be {}, got {}", where, what, RANGE_TEXT[range], text);
   w.at++;
@@ -255,8 +254,8 @@ void MaterialReader::table(Words &w, const std::string &what, const Constant &c)
     const std::string which = fmt::format("{} of {}", i + 1, t.n);
     t.t[i] = number(w, fmt::format("{} table temperature {}", what, which), NOT_NEGATIVE);
     if (i > 0 && t.t[i] <= t.t[i - 1])
-      error->all(FLERR, "{}: {} table temperatures must increase, got {} after {}", where, what,
-                 t.t[i], t.t[i - 1]);
+      error->all(FLERR, "{}: {} table/{} takes {} pairs T y with T increasing, got {} after {}",
+                 where, what, t.n, t.n, t.t[i], t.t[i - 1]);
     t.y[i] = number(w, fmt::format("{} table value {}", what, which), c.range);
   }
   m.*c.table = t;
@@ -315,7 +314,7 @@ void MaterialReader::change(Words &w)
                known_constants());
   for (const Change &old : changes)
     if (old.constant == c) error->all(FLERR, "{}: set {} is given twice", where, name);
-  changes.push_back({c, number(w, "set " + name, c->range)});
+  changes.push_back({c, number(w, "set " + name + " value", c->range)});
 }
 
 void MaterialReader::read(const std::vector<std::string> &list, const std::string &source)
