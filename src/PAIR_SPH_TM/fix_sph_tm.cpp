@@ -75,6 +75,13 @@ FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
       value(1);
       dt_max = number(arg[iarg + 1], 0.0, 1e300);
       iarg += 2;
+    } else if (key == "lost") {
+      value(1);
+      const std::string what = arg[iarg + 1];
+      if (what != "error" && what != "ignore")
+        error->all(FLERR, "Fix sph/tm lost must be error or ignore, got {}", what);
+      stop_on_lost = what == "error";
+      iarg += 2;
     } else if (key == "energy") {
       value(1);
       if (utils::logical(FLERR, arg[iarg + 1], false, lmp)) forced_on |= TM_FX_LEDGER;
@@ -95,7 +102,7 @@ FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
       iarg += 3;
     } else
       error->all(FLERR, "Unknown fix sph/tm keyword {}: known are temperature, courant, dt, dt/max, "
-                        "energy, effects", key);
+                        "energy, lost, effects", key);
   }
 
   std::fill(dt_limits, dt_limits + TM_DT_CAUSES, 1e300);
@@ -344,6 +351,33 @@ void FixSPHTM::initial_integrate(int)
     if (!(atom->mask[i] & groupbit)) continue;
     for (int k = 0; k < domain->dimension; k++) x[i][k] += dt_ahead * (v[i][k] + (xsph ? u[3 * (size_t) i + k] : 0.0));
   }
+  if (stop_on_lost) check_inside_box();
+}
+
+// a particle beyond a fixed boundary would be deleted at the next reneighbouring
+void FixSPHTM::check_inside_box()
+{
+  const int(*b)[2] = domain->boundary;
+  enum { FIXED = 1 };
+  bool fixed[3][2], any = false;
+  for (int d = 0; d < 3; d++)
+    for (int side = 0; side < 2; side++) {
+      fixed[d][side] = b[d][side] == FIXED && (d < 2 || domain->dimension == 3);
+      any = any || fixed[d][side];
+    }
+  if (!any || domain->triclinic) return;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int d = 0; d < 3; d++) {
+      const double x = atom->x[i][d];
+      if ((!fixed[d][0] || x >= domain->boxlo[d]) && (!fixed[d][1] || x <= domain->boxhi[d])) continue;
+      const double *v = atom->v[i];
+      error->one(FLERR, "Fix sph/tm stops at step {}: particle {} (type {}) at {:.6g} {:.6g} {:.6g} with "
+                        "velocity {:.6g} {:.6g} {:.6g} leaves the box through its {} {} boundary. Likely "
+                        "cause: a box too small for the motion, or a particle shot out by an unstable "
+                        "contact. Make the box larger, use boundary m or s, or 'lost ignore' to let it go",
+                 update->ntimestep, atom->tag[i], atom->type[i], atom->x[i][0], atom->x[i][1],
+                 atom->x[i][2], v[0], v[1], v[2], "xyz"[d], x < domain->boxlo[d] ? "lower" : "upper");
+    }
 }
 
 void FixSPHTM::post_neighbor() { initialise_particles(); }

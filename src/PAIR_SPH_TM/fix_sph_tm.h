@@ -99,6 +99,7 @@ class FixSPHTM : public Fix {
   double courant = 0.3;
   double fixed_dt = 0.0;           // > 0: the user's constant time step
   double dt_max = 0.0;             // 0: no limit
+  bool stop_on_lost = true;        // a particle beyond a fixed boundary stops the run
   double dt = 0.0, dt_ahead = 0.0;
   double dt_limits[TM_DT_CAUSES];  // of this rank, since the last reduction
   double dt_next = 0.0;
@@ -117,6 +118,7 @@ class FixSPHTM : public Fix {
   void apply_dt(double);
   tm_update_args update_args();
   void stop_on(int, const tm_update_result &);
+  void check_inside_box();
   void sum_energies();
 };
 
