@@ -96,7 +96,7 @@ class FixSPHTM : public Fix {
   std::vector<Preset> preset;      // temperatures of groups, applied at the next set-up
   double temperature0 = 293.15;
   bool temperature_given = false;
-  double courant = 0.3;
+  double courant = 0.4;      // of h/c; 0.7 is the limit measured without viscosity
   double fixed_dt = 0.0;           // > 0: the user's constant time step
   double dt_max = 0.0;             // 0: no limit
   bool stop_on_lost = true;        // a particle beyond a fixed boundary stops the run
