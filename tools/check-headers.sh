@@ -3,14 +3,14 @@
 set -eu
 . "$(dirname -- "$0")/common.sh"
 
-warnings='-Wall -Wextra -Wpedantic -Wno-unused-function -Werror'
+warnings='-fopenmp-simd -Wall -Wextra -Wpedantic -Wno-unused-function -Werror'
 case ${1:-} in
   c)   compile="${CC:-cc} -std=c11 $warnings -Wc++-compat -x c -fsyntax-only" ;;
   c++) compile="${CXX:-c++} -std=c++17 $warnings -x c++ -fsyntax-only" ;;
   nvcc)
     PATH=$PATH:/usr/local/cuda/bin
     command -v nvcc > /dev/null || { echo "skipped: no nvcc here"; exit 77; }
-    compile="nvcc -x cu -c -arch=sm_90 --expt-relaxed-constexpr -o /dev/null" ;;
+    compile="nvcc -x cu -ptx -arch=sm_90 -diag-suppress 177 -Werror all-warnings -o /dev/null" ;;
   *) die "check-headers.sh c|c++|nvcc" ;;
 esac
 

@@ -5,7 +5,7 @@ set -eu
 . "$(dirname -- "$0")/common.sh"
 
 cd "$root"
-standard='assert|ctype|errno|float|inttypes|limits|math|stdarg|stdbool|stddef|stdint|stdio|stdlib|string|time'
+standard='assert|ctype|errno|float|inttypes|limits|locale|math|stdarg|stdbool|stddef|stdint|stdio|stdlib|string|time'
 files=$(ls src/*/tm_*.h src/*/*.c 2> /dev/null) || true
 bad=$(grep -nE '^[[:space:]]*#[[:space:]]*include' $files /dev/null | grep -vE "<($standard)\.h>" |
   while IFS= read -r line; do
