@@ -2,6 +2,7 @@
 # Progress goes to stderr, so that a script's answer can stand alone on stdout.
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 cache=${SPHTM_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/sphtm}
+case $cache in /*) ;; *) cache=$PWD/$cache ;; esac
 jobs=${SPHTM_JOBS:-$(getconf _NPROCESSORS_ONLN)}
 
 say() { echo "sphtm: $*" >&2; }

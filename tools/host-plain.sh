@@ -24,7 +24,8 @@ host=$cache/host-$variant-$key
 lock "host-$variant"
 [ -x "$host/lmp" ] && { echo "$host"; exit 0; }
 
-work=$(mktemp -d "$cache/build.XXXXXX")
+rm -rf "$cache/build-$variant".*    # what an interrupted build left
+work=$(mktemp -d "$cache/build-$variant.XXXXXX")
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
 say "building the $variant LAMMPS host once (about 5 minutes on two cores); later calls reuse it"

@@ -23,7 +23,8 @@ lock source
 command -v apt-get > /dev/null ||
   die "no apt-get here: unpack LAMMPS 4 Feb 2025 yourself and set SPHTM_LAMMPS_SOURCE to its folder"
 
-work=$(mktemp -d "$cache/source.XXXXXX")
+rm -rf "$cache"/unpack.*    # what an interrupted call left
+work=$(mktemp -d "$cache/unpack.XXXXXX")
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
 
