@@ -55,7 +55,7 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
     p = tm_damage_pressure(p, failed);
     if (failed) dev = tm_sym(0, 0, 0, 0, 0, 0);
   }
-  if (effects & TM_FX_PLANE_STRESS) p = -dev.zz * -1.0;  /* sigma_zz = s_zz - p = 0 */
+  if (effects & TM_FX_PLANE_STRESS) p = dev.zz;  /* sigma_zz = s_zz - p = 0 */
 
   /* plane stress: sums run over areas, so density and stress count times the thickness */
   const tm_real lz = (effects & TM_FX_PLANE_STRESS) ? *tm_field_row(s, TM_F_THICKNESS, i) : 1.0;
