@@ -70,8 +70,8 @@ static bool in_range(Range range, double x)
     default: return true;
   }
 }
-static const char *const RANGE_TEXT[] = {"a finite number", "> 0", ">= 0", "from 0 to 1",
-                                         "above -1 and below 0.5"};
+static const char *const RANGE_TEXT[] = {"finite", "finite and > 0", "finite and >= 0",
+                                         "from 0 to 1", "above -1 and below 0.5"};
 
 // every constant: its name for 'set' and messages, where it goes, its unit and its range
 struct Constant {

@@ -1,0 +1,111 @@
+/* Eigenvalues, tensile part and guarded inverse, on random and degenerate tensors. */
+#include "tm_eigen.h"
+#include "ut.h"
+
+static tm_sym3 random_sym(double size)
+{
+  return tm_sym(ut_random(-size, size), ut_random(-size, size), ut_random(-size, size),
+                ut_random(-size, size), ut_random(-size, size), ut_random(-size, size));
+}
+/* Q diag(a,b,c) Q^T with a random rotation Q */
+static tm_sym3 with_eigenvalues(double a, double b, double c)
+{
+  const tm_eigen e = tm_sym_eigen(random_sym(1));
+  tm_sym3 s = tm_sym(0, 0, 0, 0, 0, 0);
+  s = tm_sym_add_dyad(s, a, e.vector[0]);
+  s = tm_sym_add_dyad(s, b, e.vector[1]);
+  return tm_sym_add_dyad(s, c, e.vector[2]);
+}
+static double distance(tm_sym3 a, tm_sym3 b)
+{
+  const tm_sym3 d = tm_sym_axpy(a, -1, b);
+  return sqrt(tm_sym_ddot(d, d));
+}
+
+/* A v = lambda v, vectors orthonormal, A recomposed */
+static void check(tm_sym3 a, double size)
+{
+  const tm_eigen e = tm_sym_eigen(a);
+  tm_sym3 sum = tm_sym(0, 0, 0, 0, 0, 0);
+  for (int i = 0; i < 3; i++) {
+    const tm_vec3 v = e.vector[i];
+    const tm_vec3 r = tm_vec_axpy(tm_sym_mul_vec(a, v), -e.value[i], v);
+    UT_WITHIN(tm_vec_norm(r), 0, 1e-14 * size);
+    for (int j = 0; j <= i; j++) UT_WITHIN(tm_vec_dot(v, e.vector[j]), i == j, 1e-14);
+    sum = tm_sym_add_dyad(sum, e.value[i], v);
+  }
+  UT_WITHIN(distance(sum, a), 0, 1e-14 * size);
+}
+
+/* P >= 0, P - A >= 0, and P (P - A) = 0 hold for the positive part and for nothing else */
+static void check_positive_part(tm_sym3 a, double size)
+{
+  const tm_sym3 p = tm_sym_positive_part(a), n = tm_sym_axpy(p, -1, a);
+  const tm_eigen ep = tm_sym_eigen(p), en = tm_sym_eigen(n);
+  for (int k = 0; k < 3; k++) {
+    UT_TRUE(ep.value[k] >= -2e-14 * size);
+    UT_TRUE(en.value[k] >= -2e-14 * size);
+  }
+  UT_WITHIN(tm_sym_ddot(p, n), 0, 1e-13 * size * size);
+}
+
+static void check_inverse(int dim3)
+{
+  tm_mat3 a = tm_mat_identity();
+  a.xx = ut_random(-1, 1); a.xy = ut_random(-1, 1); a.yx = ut_random(-1, 1);
+  a.yy = ut_random(-1, 1);
+  if (dim3) {
+    a.xz = ut_random(-1, 1); a.yz = ut_random(-1, 1); a.zx = ut_random(-1, 1);
+    a.zy = ut_random(-1, 1); a.zz = ut_random(-1, 1);
+  }
+  int ok;
+  const tm_mat3 b = tm_mat_inverse_guarded(a, dim3, 1e-3, &ok);
+  const tm_mat3 c = ok ? tm_mat_mul(a, b) : b;
+  const tm_real v[9] = {c.xx - 1, c.xy, c.xz, c.yx, c.yy - 1, c.yz, c.zx, c.zy, c.zz - 1};
+  for (int k = 0; k < 9; k++) UT_WITHIN(v[k], 0, 1e-11);
+}
+
+int main(void)
+{
+  for (int k = 0; k < 2000; k++) {
+    const double size = pow(10, ut_random(-12, 12));
+    check(random_sym(size), size * 3);
+    check_positive_part(random_sym(size), size * 3);
+    tm_sym3 flat = random_sym(size);
+    flat.xz = flat.yz = 0;
+    check(flat, size * 3);
+    check_inverse(0);
+    check_inverse(1);
+  }
+  for (int k = 0; k < 200; k++) {
+    const double gap = pow(10, ut_random(-18, 0));
+    check(with_eigenvalues(1, 1 + gap, -2), 2);
+    check_positive_part(with_eigenvalues(1, 1 + gap, -2), 2);
+    check_positive_part(with_eigenvalues(gap, -gap, -2), 2);
+    check_positive_part(with_eigenvalues(3, gap, -gap), 3);
+    check(with_eigenvalues(1, 1, 1), 1);
+    check(with_eigenvalues(0, 0, 1), 1);
+    check(tm_sym_axpy(tm_sym(1, 1, 1, 0, 0, 0), gap, random_sym(1)), 2);
+  }
+  check(tm_sym(0, 0, 0, 0, 0, 0), 0);
+  check(tm_sym(0, 0, 0, 1, 1, 1), 2);
+  check(tm_sym(1, 2, 3, 0, 0, 0), 3);
+  check(tm_sym(0, 0, 0, 0, 0, 5), 5);
+
+  /* known values: 2 -1 0 / -1 2 -1 / 0 -1 2 has 2, 2 +- sqrt 2 */
+  const tm_eigen e = tm_sym_eigen(tm_sym(2, 2, 2, -1, 0, -1));
+  const double sum = e.value[0] + e.value[1] + e.value[2];
+  const double low = tm_min(e.value[0], tm_min(e.value[1], e.value[2]));
+  UT_NEAR(sum, 6, 1e-14);
+  UT_NEAR(low, 2 - sqrt(2.0), 1e-14);
+  UT_NEAR(tm_sym_positive_part(tm_sym(-1, -2, -3, 0, 0, 0)).xx + 1, 1, 0);
+
+  int ok;
+  const tm_mat3 one = tm_mat_inverse_guarded(tm_mat_scale(1e-3, tm_mat_identity()), 1, 1e-8, &ok);
+  UT_TRUE(!ok && one.xx == 1 && one.xy == 0 && one.zz == 1);
+  const tm_mat3 half = tm_mat_inverse_guarded(tm_mat_scale(2, tm_mat_identity()), 0, 1e-8, &ok);
+  UT_TRUE(ok && half.xx == 0.5 && half.yy == 0.5 && half.zz == 1);
+  tm_mat_inverse_guarded(tm_mat_scale(NAN, tm_mat_identity()), 1, 1e-8, &ok);
+  UT_TRUE(!ok);
+  return ut_summary();
+}
