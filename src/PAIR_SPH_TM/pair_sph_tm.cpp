@@ -35,7 +35,8 @@ PairSPHTM::PairSPHTM(LAMMPS *lmp) : Pair(lmp)
   manybody_flag = 1;    // forces depend on the state, not on pair distance alone
   no_virial_fdotr_compute = 1;
   centroidstressflag = CENTROID_NOTAVAIL;
-  comm_forward = TM_REC - 3;
+  // the most a record can hold: Comm::init() sizes its buffers by it, before the effects are known
+  comm_forward = TM_REC - 3 + TM_REC_STRESS + TM_REC_HEAT + TM_REC_CORRECTION;
 }
 
 PairSPHTM::~PairSPHTM()
@@ -462,9 +463,9 @@ void PairSPHTM::predict()
 
 void PairSPHTM::forward_records()
 {
-  comm_forward = TM_REC - 3 + (rec.stress ? TM_REC_STRESS : 0) + (rec.heat ? TM_REC_HEAT : 0) +
+  const int width = TM_REC - 3 + (rec.stress ? TM_REC_STRESS : 0) + (rec.heat ? TM_REC_HEAT : 0) +
       (rec.correction ? TM_REC_CORRECTION : 0);
-  comm->forward_comm(this, comm_forward);
+  comm->forward_comm(this, width);
   double **x = atom->x;
   for (int i = atom->nlocal; i < atom->nlocal + atom->nghost; i++)
     std::copy_n(x[i], 3, rec.main + (size_t) i * TM_REC);
