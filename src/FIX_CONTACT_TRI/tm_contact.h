@@ -1,0 +1,103 @@
+/* SPH-TM: laws of contact between a particle and a rigid surface.
+
+   Penetration F15 (9): delta = r - d, r = dp/2 the particle's radius, d the distance of its centre.
+   Stiffness F15 (10): k = PFAC E_i E_j dp/(E_i + E_j), against a rigid body PFAC E_i dp (per unit
+   thickness in 2D: without dp).
+   Damping F15 (11) with the particle's own mass: c = DFAC 2 sqrt(k m), so DFAC = 1 is critical
+   against a rigid body. The printed factor contains m_i + m_j, which has no rigid limit.
+   Normal force F15 (12): f = k delta + c ddelta/dt, ddelta/dt > 0 while closing (the printed minus
+   would feed energy in), and never tensile. F15's approach test drops all of it while separating.
+   Friction F15 (13): |f_t| <= min(mu(T) f_n, m Y/sqrt(3) A): Coulomb's law up to the shear flow
+   stress of the particle's material (Zorev; m = 1 sticking, 0 leaves the limit out). F15 prints
+   mu(sigma_y, T) without a form; this one has the same arguments. Up to that limit friction is
+   the force that brings the sliding to rest at the end of the step, so it never reverses it.
+   Heat: friction power is shared by effusivity e = sqrt(k rho c_p), the exact split between two
+   half-spaces. A conductance h acts in series with the half spacing of the particle. */
+#ifndef TM_CONTACT_H
+#define TM_CONTACT_H
+
+#include "tm_heat.h"
+#include "tm_tensor.h"
+
+/* Contact of the particles of one type. */
+typedef struct {
+  int active;             /* 0: this type does not touch the surface */
+  tm_real radius;         /* dp/2 (length) */
+  tm_real stiffness;      /* k (force/length) */
+  tm_real damping;        /* DFAC, share of critical damping, >= 0 */
+  tm_real area;           /* area a particle shows to the surface: dp^2, in 2D dp */
+  tm_table friction;      /* mu(T), >= 0 */
+  tm_real shear;          /* m: friction <= m Y/sqrt(3) A; 0: no such limit */
+  tm_real share;          /* of friction heat into the particle, 0..1; negative: by effusivity */
+  tm_real tool_effusivity;/* of the surface, power time^(1/2)/(area temperature) */
+  tm_real conductance;    /* to the surface, power/(area temperature); 0: none, negative: perfect */
+} tm_contact_law;
+
+/* F15 (10); Ej = 0 stands for a rigid body. */
+TM_FN tm_real tm_contact_stiffness(tm_real pfac, tm_real Ei, tm_real Ej, tm_real dp, int dim3)
+{
+  return pfac * (Ej > 0.0 ? Ei * Ej / (Ei + Ej) : Ei) * (dim3 ? dp : 1.0);
+}
+
+/* F15 (11), corrected. */
+TM_FN tm_real tm_contact_damping(tm_real dfac, tm_real k, tm_real mass)
+{
+  return dfac * 2.0 * sqrt(k * mass);
+}
+
+/* F15 (12), corrected; `closing` is ddelta/dt. */
+TM_FN tm_real tm_contact_normal(tm_real k, tm_real delta, tm_real c, tm_real closing, int approach)
+{
+  if (approach && !(closing > 0.0)) return 0.0;
+  return tm_max(k * delta + c * closing, 0.0);
+}
+
+/* Largest friction force at normal force fn, temperature T and flow stress Y (0: not known). */
+TM_FN tm_real tm_contact_friction_limit(const tm_contact_law *w, tm_real fn, tm_real T, tm_real Y)
+{
+  const tm_real coulomb = tm_table_at(&w->friction, T) * fn;
+  if (!(w->shear > 0.0 && Y > 0.0)) return coulomb;
+  return tm_min(coulomb, w->shear * Y * w->area * 0.57735026918962576);
+}
+
+/* Friction on a particle that would slide at v_end relative to the surface (tangential) at the end
+   of the step if nothing held it: what stops it, at most `limit`. */
+TM_FN tm_vec3 tm_contact_friction(tm_vec3 v_end, tm_real mass, tm_real dt, tm_real limit)
+{
+  const tm_real stop = mass / dt * tm_vec_norm(v_end);
+  const tm_real part = stop > limit ? limit / stop : 1.0;
+  return tm_vec_scale(-part * mass / dt, v_end);
+}
+
+/* Part of the friction heat that goes into the particle. */
+TM_FN tm_real tm_contact_share(const tm_contact_law *w, tm_real effusivity)
+{
+  if (w->share >= 0.0) return w->share;
+  const tm_real sum = effusivity + w->tool_effusivity;
+  return sum > 0.0 ? effusivity / sum : 0.5;
+}
+
+/* Conductance from the surface to the centre of a particle with conductivity k. */
+TM_FN tm_real tm_contact_conductance(const tm_contact_law *w, tm_real k)
+{
+  const tm_real inside = k / w->radius;
+  if (w->conductance < 0.0) return inside;
+  return w->conductance > 0.0 ? w->conductance * inside / (w->conductance + inside) : 0.0;
+}
+
+/* Mean power into a particle of heat capacity m c_p over dt through conductance times area hA: the
+   exact relaxation towards the surface temperature, so never past it. */
+TM_FN tm_real tm_contact_heat(tm_real hA, tm_real T_surface, tm_real T, tm_real capacity,
+                              tm_real dt)
+{
+  return -capacity / dt * expm1(-hA * dt / capacity) * (T_surface - T);
+}
+
+/* Largest stable step of one particle on its contact spring with damping ratio z, central
+   differences with lagging damping velocity: 2/w (sqrt(1 + z^2) - z). */
+TM_FN tm_real tm_contact_time_step(tm_real k, tm_real mass, tm_real z)
+{
+  return 2.0 * sqrt(mass / k) * (sqrt(1.0 + z * z) - z);
+}
+
+#endif

@@ -1,0 +1,284 @@
+/* SPH-TM: contact of one particle with a rigid triangle mesh.
+
+   The particle is taken into the mesh's frame (tm_motion.h), its contacts are found there
+   (tm_touch.h), and the laws of tm_contact.h act between its velocity and that of the tool's
+   material point it touches. Normal forces of all contacts come first, so that the friction of
+   each sees all that acts on the particle this step.
+
+   Positions and velocities are those of the force point (x, rate_v); `v` is the velocity at the
+   start of the step, from which the step ends at v + dt F/m. Energies use the mean of both ends,
+   as the integrator's kinetic energy does, so that over any step
+     work of the tool = work on the particles + damping + friction + change of spring energy,
+   the first four to round-off of each other's powers, the spring to the order of the integrator.
+
+   Units are mass, length and time of the style; forces leave through force_unit. */
+#ifndef TM_CONTACT_TRI_H
+#define TM_CONTACT_TRI_H
+
+#include "tm_contact.h"
+#include "tm_material.h"
+#include "tm_motion.h"
+#include "tm_touch.h"
+
+/* Effects of the contact loop. */
+enum tm_contact_effect {
+  TM_CT_3D = 1 << 0,        /* z moves */
+  TM_CT_HEAT = 1 << 1,      /* friction heat and conduction into the particles */
+  TM_CT_FRICTION = 1 << 2,
+  TM_CT_APPROACH = 1 << 3,  /* no force while separating (F15's test) */
+  TM_CT_F15 = 1 << 4,       /* F15's inside-outside test per triangle */
+  TM_CT_TWO_SIDED = 1 << 5, /* the surface has no inside */
+  TM_CT_OUTPUT = 1 << 6     /* add to the per-triangle arrays */
+};
+
+typedef struct tm_contact_args {
+  tm_tri_view mesh;
+  tm_grid_view grid;
+  tm_pose pose;
+  tm_vec3 reference;             /* torques are about this point */
+  tm_real deep;                  /* how far behind the surface a centre is still pushed out */
+  tm_real dt;
+  tm_real force_unit;            /* mass times acceleration -> force of the unit style */
+  tm_real tool_temperature;
+  const tm_contact_law *law;     /* per type, index type */
+
+  const int *mask;               /* particles with (mask & group) are in contact; NULL: all */
+  int group;
+  const int *type;
+  const double *x, *v, *rate_v;  /* position, velocity at the start and at the force point */
+  double *f;                     /* forces so far in, contact added */
+  ptrdiff_t x_stride, v_stride, rate_v_stride, f_stride;
+  const double *mass, *rmass;    /* per type; per particle or NULL */
+
+  /* with TM_CT_HEAT */
+  const tm_material *material;   /* per type, for conductivity and capacity */
+  const tm_real *temperature;
+  ptrdiff_t temperature_stride;
+  tm_real *source;               /* power into the particle, added to */
+
+  const tm_real *yield;          /* flow stress, or NULL */
+  ptrdiff_t yield_stride;
+  tm_real *tool_heat;            /* power into the tool through each particle, set; or NULL */
+
+  /* with TM_CT_OUTPUT, added to; each may be NULL */
+  double *tri_force;             /* 3 nt, on the tool, world frame, unit style */
+  double *tri_heat;              /* nt, power into the tool */
+  int *tri_count;                /* nt */
+} tm_contact_args;
+
+/* Sums over particles, but for the depth; all in mass-length-time units. */
+typedef struct {
+  tm_vec3 force, torque;         /* on the tool */
+  tm_real friction_power;        /* dissipated by friction */
+  tm_real friction_heat;         /* of it, into the particles */
+  tm_real conducted;             /* heat from the tool into the particles besides */
+  tm_real heat_tool;             /* into the tool: friction_power - friction_heat - conducted */
+  tm_real spring;                /* energy of the contact springs */
+  tm_real damping_power;         /* dissipated by damping */
+  tm_real particle_power;        /* work of contact forces on particles, per time */
+  tm_real tool_power;            /* work done by the tool's motion, per time */
+  tm_real depth;                 /* deepest penetration */
+  tm_real inner;                 /* deepest centre behind the surface, 0: none */
+  int contacts;
+} tm_contact_result;
+
+TM_FN tm_contact_result tm_contact_nothing(void)
+{
+  tm_contact_result r;
+  r.force = r.torque = tm_vec(0, 0, 0);
+  r.friction_power = r.friction_heat = r.conducted = r.heat_tool = r.spring = 0.0;
+  r.damping_power = r.particle_power = r.tool_power = r.depth = r.inner = 0.0;
+  r.contacts = 0;
+  return r;
+}
+
+TM_FN void tm_contact_sum(tm_contact_result *a, const tm_contact_result *b)
+{
+  a->force = tm_vec_add(a->force, b->force);
+  a->torque = tm_vec_add(a->torque, b->torque);
+  a->friction_power += b->friction_power;
+  a->friction_heat += b->friction_heat;
+  a->conducted += b->conducted;
+  a->heat_tool += b->heat_tool;
+  a->spring += b->spring;
+  a->damping_power += b->damping_power;
+  a->particle_power += b->particle_power;
+  a->tool_power += b->tool_power;
+  a->depth = tm_max(a->depth, b->depth);
+  a->inner = tm_max(a->inner, b->inner);
+  a->contacts += b->contacts;
+}
+
+/* Sums of several threads into one place. */
+TM_FN void tm_contact_add(double *sum, double value)
+{
+#if defined(__CUDA_ARCH__)
+  atomicAdd(sum, value);
+#else
+#if defined(_OPENMP)
+#pragma omp atomic
+#endif
+  *sum += value;
+#endif
+}
+TM_FN void tm_contact_count(int *sum)
+{
+#if defined(__CUDA_ARCH__)
+  atomicAdd(sum, 1);
+#else
+#if defined(_OPENMP)
+#pragma omp atomic
+#endif
+  *sum += 1;
+#endif
+}
+
+/* One contact of one particle, in the world frame. */
+typedef struct {
+  tm_vec3 point, normal, tool_v, normal_force, friction;
+  tm_real fn, delta;
+} tm_contact_point;
+
+/* Who the particle is, and what acts on it while its contacts are worked through. */
+typedef struct {
+  const tm_contact_law *law;
+  tm_vec3 v, rate_v, force;      /* force: all of this step so far */
+  tm_real mass, dt, temperature, yield;
+} tm_contact_body;
+
+TM_FN tm_contact_body tm_contact_load(int i, const tm_contact_args *a, unsigned effects)
+{
+  tm_contact_body b;
+  b.law = a->law + a->type[i];
+  b.mass = a->rmass ? a->rmass[i] : a->mass[a->type[i]];
+  b.dt = a->dt;
+  b.v = tm_load3(a->v + i * a->v_stride);
+  b.rate_v = tm_load3(a->rate_v + i * a->rate_v_stride);
+  b.force = tm_vec_scale(1.0 / a->force_unit, tm_load3(a->f + i * a->f_stride));
+  if (!(effects & TM_CT_3D)) b.force.z = 0.0;
+  b.temperature = (effects & TM_CT_HEAT) ? a->temperature[i * a->temperature_stride] : 0.0;
+  b.yield = a->yield ? a->yield[i * a->yield_stride] : 0.0;
+  return b;
+}
+
+/* Normal force of a touch; added to the body's force. */
+TM_FN tm_contact_point tm_contact_press(tm_contact_body *b, const tm_touch *t, const tm_pose *pose,
+                                        unsigned effects)
+{
+  const tm_contact_law *w = b->law;
+  tm_contact_point c;
+  c.point = tm_pose_to_world(pose, t->point);
+  c.normal = tm_mat_mul_vec(pose->turn, t->normal);
+  if (!(effects & TM_CT_3D)) c.normal.z = 0.0;
+  c.tool_v = tm_pose_velocity_at(pose, c.point);
+  c.delta = w->radius - t->distance;
+  const tm_real closing = tm_vec_dot(tm_vec_sub(c.tool_v, b->rate_v), c.normal);
+  c.fn = tm_contact_normal(w->stiffness, c.delta,
+                           tm_contact_damping(w->damping, w->stiffness, b->mass), closing,
+                           (effects & TM_CT_APPROACH) != 0);
+  c.normal_force = tm_vec_scale(c.fn, c.normal);
+  c.friction = tm_vec(0, 0, 0);
+  b->force = tm_vec_add(b->force, c.normal_force);
+  return c;
+}
+
+/* Friction of a contact: against the sliding that the step would end with. */
+TM_FN void tm_contact_rub(tm_contact_body *b, tm_contact_point *c)
+{
+  const tm_vec3 end = tm_vec_sub(tm_vec_axpy(b->v, b->dt / b->mass, b->force), c->tool_v);
+  const tm_vec3 slide = tm_vec_axpy(end, -tm_vec_dot(end, c->normal), c->normal);   /* F15 (14) */
+  const tm_real limit = tm_contact_friction_limit(b->law, c->fn, b->temperature, b->yield);
+  c->friction = tm_contact_friction(slide, b->mass, b->dt, limit);
+  b->force = tm_vec_add(b->force, c->friction);
+}
+
+/* Heat of one contact: into the particle from friction and, through the contact, from the tool. */
+TM_FN void tm_contact_warm(int i, const tm_contact_args *a, const tm_contact_body *b,
+                           tm_real friction_power, tm_real fn, tm_contact_result *r)
+{
+  const tm_material *m = a->material + a->type[i];
+  const tm_real T = b->temperature, k = tm_conductivity(m, T), cp = tm_capacity(m, T);
+  r->friction_heat += friction_power * tm_contact_share(b->law, sqrt(k * m->rho0 * cp));
+  if (fn > 0.0 && b->law->conductance != 0.0)
+    r->conducted += tm_contact_heat(tm_contact_conductance(b->law, k) * b->law->area,
+                                    a->tool_temperature, T, b->mass * cp, b->dt);
+}
+
+/* Powers, torque and energy of a contact once all forces on the particle are known. */
+TM_FN void tm_contact_account(int i, const tm_contact_args *a, const tm_contact_body *b,
+                              const tm_contact_point *c, unsigned effects, tm_contact_result *r)
+{
+  const tm_vec3 mean = tm_vec_axpy(b->v, 0.5 * b->dt / b->mass, b->force);
+  const tm_vec3 slip = tm_vec_sub(mean, c->tool_v);
+  const tm_vec3 F = tm_vec_add(c->normal_force, c->friction);
+  const tm_real friction_power = -tm_vec_dot(c->friction, slip);
+  const tm_real spring_force = b->law->stiffness * c->delta;
+  r->force = tm_vec_sub(r->force, F);
+  r->torque = tm_vec_sub(r->torque, tm_vec_cross(tm_vec_sub(c->point, a->reference), F));
+  r->friction_power += friction_power;
+  r->damping_power += (spring_force - c->fn) * tm_vec_dot(c->normal, slip);
+  r->particle_power += tm_vec_dot(F, mean);
+  r->tool_power += tm_vec_dot(F, c->tool_v);
+  r->spring += 0.5 * spring_force * c->delta;
+  r->depth = tm_max(r->depth, c->delta);
+  r->inner = tm_max(r->inner, c->delta - b->law->radius);
+  r->contacts += c->fn > 0.0;
+  if (effects & TM_CT_HEAT) tm_contact_warm(i, a, b, friction_power, c->fn, r);
+}
+
+/* Force, heat and count of one contact on its triangle; heat is what this contact added. */
+TM_FN void tm_contact_output(const tm_contact_args *a, const tm_contact_point *c, int t,
+                             tm_real heat)
+{
+  const tm_vec3 F = tm_vec_scale(-a->force_unit, tm_vec_add(c->normal_force, c->friction));
+  if (a->tri_force) {
+    tm_contact_add(a->tri_force + 3 * (ptrdiff_t) t, F.x);
+    tm_contact_add(a->tri_force + 3 * (ptrdiff_t) t + 1, F.y);
+    tm_contact_add(a->tri_force + 3 * (ptrdiff_t) t + 2, F.z);
+  }
+  if (a->tri_heat) tm_contact_add(a->tri_heat + t, heat);
+  if (a->tri_count && c->fn > 0.0) tm_contact_count(a->tri_count + t);
+}
+
+TM_FN tm_contact_result tm_contact_tri(int i, const tm_contact_args *a, unsigned effects)
+{
+  tm_contact_result r = tm_contact_nothing();
+  if (a->tool_heat) a->tool_heat[i] = 0.0;
+  if (a->mask && !(a->mask[i] & a->group)) return r;
+  const tm_contact_law *w = a->law + a->type[i];
+  if (!w->active) return r;
+
+  const tm_vec3 p = tm_pose_to_local(&a->pose, tm_load3(a->x + i * a->x_stride));
+  tm_touch touch[TM_TOUCH_MAX];
+  const int n = (effects & TM_CT_F15)
+      ? tm_touch_find_f15(&a->mesh, &a->grid, p, w->radius, touch)
+      : tm_touch_find(&a->mesh, &a->grid, p, w->radius, a->deep, (effects & TM_CT_TWO_SIDED) != 0,
+                      touch);
+  if (n == 0) return r;
+
+  tm_contact_body b = tm_contact_load(i, a, effects);
+  tm_contact_point c[TM_TOUCH_MAX];
+  for (int k = 0; k < n; k++) c[k] = tm_contact_press(&b, touch + k, &a->pose, effects);
+  if (effects & TM_CT_FRICTION)
+    for (int k = 0; k < n; k++) tm_contact_rub(&b, c + k);
+
+  for (int k = 0; k < n; k++) {
+    const tm_real before = r.friction_power - r.friction_heat - r.conducted;
+    tm_contact_account(i, a, &b, c + k, effects, &r);
+    r.heat_tool = (effects & TM_CT_HEAT) ? r.friction_power - r.friction_heat - r.conducted : 0.0;
+    if (effects & TM_CT_OUTPUT)
+      tm_contact_output(a, c + k, touch[k].triangle,
+                        (effects & TM_CT_HEAT) ? r.heat_tool - before : 0.0);
+  }
+  double *f = a->f + i * a->f_stride;
+  f[0] -= a->force_unit * r.force.x;
+  f[1] -= a->force_unit * r.force.y;
+  if (effects & TM_CT_3D) f[2] -= a->force_unit * r.force.z;
+  if (effects & TM_CT_HEAT) {
+    a->source[i] += r.friction_heat + r.conducted;
+    if (a->tool_heat) a->tool_heat[i] = r.heat_tool;
+  }
+  return r;
+}
+
+#endif

@@ -1,0 +1,187 @@
+/* SPH-TM: where does a particle touch a mesh?
+
+   A particle is pushed once per smooth patch, at the patch's nearest point: so triangles of one
+   patch are never counted twice, and a plane or a rounding in many triangles is one surface. Of
+   the patches, those count whose nearest point is a minimum of distance for the whole surface: a
+   point on a border between patches is none when the patch across the border comes nearer. At a
+   convex edge that leaves one push, across face, edge and vertex regions without a gap; in a
+   concave corner it leaves one push per wall.
+
+   Side: the pseudo-normal of the feature tells it. A centre behind the surface is pushed out by the
+   shortest way only, through the one nearest point of all; its penetration r + d goes on smoothly
+   from r - d outside. It is seen up to `deep` (one spacing) behind the surface. Open rims have no
+   inside. Corners sharper than the particle within one patch count as one contact.
+
+   The inside-outside test of F15 (7)-(9) is here for comparison: every triangle for itself, faces
+   only, unsigned distance, push along the face normal. It leaves gaps at convex edges and counts
+   twice where prisms over faces overlap. */
+#ifndef TM_TOUCH_H
+#define TM_TOUCH_H
+
+#include "tm_closest.h"
+#include "tm_tri_grid.h"
+
+#define TM_TOUCH_MAX 6   /* patches or, with F15's test, triangles that one particle may touch */
+
+typedef struct {
+  tm_vec3 point;          /* on the surface */
+  tm_vec3 normal;         /* unit, the direction of the push */
+  tm_real distance;       /* of the centre from the surface along normal, negative behind it */
+  int triangle;
+} tm_touch;
+
+/* Nearest point of one patch. */
+typedef struct {
+  tm_closest near;
+  int triangle, patch;
+} tm_candidate;
+
+/* Relative size under which directions and places count as equal: coordinates on a lattice meet
+   vertices and edges exactly, and rounding must not decide whether they are felt. */
+#define TM_TOUCH_EPS 1e-7
+
+/* Is the point of an edge or vertex also nearest among the patches across the border? */
+TM_FN int tm_touch_is_minimum(const tm_tri_view *m, const tm_candidate *c, tm_vec3 p)
+{
+  if (c->near.feature == TM_FACE) return 1;
+  const tm_vec3 q = c->near.point, d = tm_vec_sub(p, q);
+  const tm_real slack2 = TM_TOUCH_EPS * TM_TOUCH_EPS * c->near.dist2;
+  if (c->near.feature >= TM_VERTEX_0) {
+    const int v = m->tri[3 * (ptrdiff_t) c->triangle + c->near.feature - TM_VERTEX_0];
+    for (int s = m->spoke_first[v]; s < m->spoke_first[v + 1]; s++) {
+      const tm_vec3 w = tm_vec_sub(tm_load3(m->vertex + 3 * (ptrdiff_t) m->spoke[s]), q);
+      const tm_real climb = tm_vec_dot(d, w);
+      if (climb > 0.0 && climb * climb > slack2 * tm_vec_dot(w, w)) return 0;
+    }
+    return 1;
+  }
+  const int h = 3 * c->triangle + c->near.feature - TM_EDGE_0;
+  for (int g = m->twin[h]; g >= 0 && g != h; g = m->twin[g]) {
+    if (m->patch[g / 3] == c->patch) continue;
+    const double *apex = m->corner + 9 * (ptrdiff_t) (g / 3) + 3 * ((g % 3 + 2) % 3);
+    const tm_vec3 w = tm_vec_sub(tm_load3(apex), q);   /* d is square to the edge */
+    const tm_real climb = tm_vec_dot(d, w);
+    if (climb > 0.0 && climb * climb > slack2 * tm_vec_dot(w, w)) return 0;
+  }
+  return 1;
+}
+
+/* Pseudo-normal of the nearest feature; zero on an open rim. */
+TM_FN tm_vec3 tm_touch_pseudo_normal(const tm_tri_view *m, const tm_candidate *c)
+{
+  const ptrdiff_t t = c->triangle;
+  const int f = c->near.feature;
+  if (f == TM_FACE) return tm_load3(m->normal + 3 * t);
+  if (f < TM_VERTEX_0) return tm_load3(m->edge_normal + 9 * t + 3 * (f - TM_EDGE_0));
+  return tm_load3(m->vertex_normal + 3 * (ptrdiff_t) m->tri[3 * t + f - TM_VERTEX_0]);
+}
+
+/* Side, distance and direction of the push at a candidate. */
+TM_FN tm_touch tm_touch_at(const tm_tri_view *m, const tm_candidate *c, tm_vec3 p, tm_real radius,
+                           int two_sided)
+{
+  const tm_vec3 d = tm_vec_sub(p, c->near.point), np = tm_touch_pseudo_normal(m, c);
+  const tm_real r = sqrt(c->near.dist2);
+  const int behind = !two_sided && tm_vec_dot(d, np) < 0.0;
+  tm_touch t;
+  t.point = c->near.point;
+  t.triangle = c->triangle;
+  t.distance = behind ? -r : r;
+  if (c->near.feature == TM_FACE)
+    t.normal = two_sided && tm_vec_dot(d, np) < 0.0 ? tm_vec_scale(-1.0, np) : np;
+  else if (r > 1e-6 * radius)
+    t.normal = tm_vec_scale((behind ? -1.0 : 1.0) / r, d);
+  else
+    t.normal = tm_vec_dot(np, np) > 0.0 ? np : tm_load3(m->normal + 3 * (ptrdiff_t) c->triangle);
+  return t;
+}
+
+/* Keep the nearest candidate of each patch; when there are too many patches, the nearest ones. */
+TM_FN int tm_touch_offer(tm_candidate *list, int n, tm_closest near, int triangle, int patch)
+{
+  int slot = n, farthest = 0;
+  for (int k = 0; k < n; k++) {
+    if (list[k].patch == patch) slot = k;
+    if (list[k].near.dist2 > list[farthest].near.dist2) farthest = k;
+  }
+  if (slot == TM_TOUCH_MAX) slot = farthest;
+  if (slot < n && !(near.dist2 < list[slot].near.dist2)) return n;
+  list[slot].near = near;
+  list[slot].triangle = triangle;
+  list[slot].patch = patch;
+  return slot < n ? n : n + 1;
+}
+
+/* Nearest points of the patches within reach of p, the nearest of all first; their number. */
+TM_FN int tm_touch_candidates(const tm_tri_view *m, const tm_grid_view *g, tm_vec3 p, tm_real reach,
+                              tm_candidate *list)
+{
+  int length, n = 0, best = 0;
+  const int *near = tm_grid_query(g, p, &length);
+  for (int k = 0; k < length; k++) {
+    const ptrdiff_t t = near[k];
+    const tm_vec3 a = tm_vec_sub(p, tm_load3(m->corner + 9 * t));
+    const tm_real h = tm_vec_dot(a, tm_load3(m->normal + 3 * t));
+    if (!(fabs(h) < reach)) continue;   /* no point of the plane is near enough */
+    const tm_closest c = tm_closest_on_facet(p, m, (int) t);
+    if (c.dist2 < reach * reach) n = tm_touch_offer(list, n, c, (int) t, m->patch[t]);
+  }
+  for (int k = 1; k < n; k++)
+    if (list[k].near.dist2 < list[best].near.dist2) best = k;
+  if (best > 0) {
+    const tm_candidate c = list[0];
+    list[0] = list[best];
+    list[best] = c;
+  }
+  return n;
+}
+
+/* Contacts of a particle at p in the mesh's frame; their number. */
+TM_FN int tm_touch_find(const tm_tri_view *m, const tm_grid_view *g, tm_vec3 p, tm_real radius,
+                        tm_real deep, int two_sided, tm_touch *out)
+{
+  tm_candidate list[TM_TOUCH_MAX];
+  const tm_real reach = two_sided ? radius : tm_max(radius, deep);
+  const int n = tm_touch_candidates(m, g, p, reach, list);
+  int found = 0;
+  for (int k = 0; k < n; k++) {
+    if (k > 0 && !tm_touch_is_minimum(m, list + k, p)) continue;
+    const tm_touch t = tm_touch_at(m, list + k, p, radius, two_sided);
+    /* behind the surface: true of the nearest point only, others may be the far side of a blade */
+    int keep = t.distance < 0.0 ? k == 0 : t.distance < radius;
+    for (int j = 0; j < found && t.distance >= 0.0; j++) {
+      const tm_vec3 e = tm_vec_sub(out[j].point, t.point);
+      if (out[j].distance >= 0.0 && tm_vec_dot(e, e) < 1e-12 * radius * radius) keep = 0;
+    }
+    if (keep) out[found++] = t;
+  }
+  return found;
+}
+
+/* The same by F15 (7)-(9). */
+TM_FN int tm_touch_find_f15(const tm_tri_view *m, const tm_grid_view *g, tm_vec3 p, tm_real radius,
+                            tm_touch *out)
+{
+  int length, found = 0;
+  const int *near = tm_grid_query(g, p, &length);
+  for (int k = 0; k < length && found < TM_TOUCH_MAX; k++) {
+    const ptrdiff_t t = near[k];
+    const double *c = m->corner + 9 * t;
+    const tm_vec3 A = tm_load3(c), B = tm_load3(c + 3), C = tm_load3(c + 6);
+    const tm_vec3 n = tm_load3(m->normal + 3 * t);
+    const tm_real h = tm_vec_dot(n, tm_vec_sub(p, A));
+    if (!(fabs(h) < radius)) continue;
+    const tm_vec3 Q = tm_vec_axpy(p, -h, n);
+    if (tm_vec_dot(tm_vec_cross(tm_vec_sub(B, A), tm_vec_sub(Q, A)), n) < 0.0
+        || tm_vec_dot(tm_vec_cross(tm_vec_sub(C, B), tm_vec_sub(Q, B)), n) < 0.0
+        || tm_vec_dot(tm_vec_cross(tm_vec_sub(A, C), tm_vec_sub(Q, C)), n) < 0.0)
+      continue;
+    out[found].point = Q;
+    out[found].normal = n;
+    out[found].distance = fabs(h);
+    out[found++].triangle = (int) t;
+  }
+  return found;
+}
+
+#endif

@@ -1,0 +1,186 @@
+/* SPH-TM: building the broad-phase grid; see tm_tri_grid.h.
+
+   Each triangle descends into the box of cells it may touch, halving it along its longest side and
+   dropping halves whose centre is too far away: the work is that of the cells near the surface, not
+   of the volume. Three descents: mark blocks, count, fill. */
+#include "tm_tri_grid.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "tm_closest.h"
+
+enum pass { MARK, COUNT, FILL };
+
+typedef struct {
+  tm_tri_grid *grid;
+  tm_tri_view mesh;
+  enum pass pass;
+  int unit;               /* cells per smallest box of this pass: a block to mark, else 1 */
+} descent;
+
+static ptrdiff_t block_index(const tm_grid_view *v, const int *cell)
+{
+  return ((ptrdiff_t) (cell[2] >> TM_GRID_SHIFT) * v->blocks[1] + (cell[1] >> TM_GRID_SHIFT))
+      * v->blocks[0] + (cell[0] >> TM_GRID_SHIFT);
+}
+
+static void visit(const descent *d, const int *cell, int t)
+{
+  tm_tri_grid *g = d->grid;
+  int *block = g->block + block_index(&g->view, cell);
+  if (d->pass == MARK) {
+    *block = 0;
+    return;
+  }
+  if (*block < 0) return;   /* only through rounding of the distance at its limit */
+  const int m = TM_GRID_EDGE - 1;
+  int *first = g->first + (ptrdiff_t) *block * TM_GRID_CELLS
+      + ((((cell[2] & m) << TM_GRID_SHIFT) + (cell[1] & m)) << TM_GRID_SHIFT) + (cell[0] & m);
+  if (d->pass == COUNT) first[0]++;
+  else g->list[first[0]++] = t;
+}
+
+/* Cells lo..hi-1 of triangle t. */
+static void descend(const descent *d, int t, const int *lo, const int *hi)
+{
+  const tm_grid_view *v = &d->grid->view;
+  const double cell = d->grid->cell;
+  double size[3], mid[3];
+  int axis = 0;
+  for (int k = 0; k < 3; k++) {
+    size[k] = cell * (hi[k] - lo[k]);
+    mid[k] = v->lo[k] + 0.5 * cell * (hi[k] + lo[k]);
+    if (hi[k] - lo[k] > hi[axis] - lo[axis]) axis = k;
+  }
+  const double radius = 0.5 * sqrt(size[0] * size[0] + size[1] * size[1] + size[2] * size[2]);
+  const double far = (v->reach + radius) * (1.0 + 1e-9);
+  if (tm_closest_on_facet(tm_load3(mid), &d->mesh, t).dist2 > far * far) return;
+  if (hi[axis] - lo[axis] <= d->unit) {
+    visit(d, lo, t);
+    return;
+  }
+  int cut_hi[3] = {hi[0], hi[1], hi[2]}, cut_lo[3] = {lo[0], lo[1], lo[2]};
+  const int units = (hi[axis] - lo[axis]) / d->unit;
+  cut_hi[axis] = cut_lo[axis] = lo[axis] + units / 2 * d->unit;
+  descend(d, t, lo, cut_hi);
+  descend(d, t, cut_lo, hi);
+}
+
+static void descend_all(tm_tri_grid *g, const tm_mesh *mesh, enum pass pass)
+{
+  descent d;
+  d.grid = g;
+  d.mesh = tm_mesh_view(mesh);
+  d.pass = pass;
+  d.unit = pass == MARK ? TM_GRID_EDGE : 1;
+  for (int t = 0; t < mesh->nt; t++) {
+    const double *c = mesh->corner + 9 * (ptrdiff_t) t;
+    int lo[3], hi[3];
+    for (int k = 0; k < 3; k++) {
+      const double a = tm_min(c[k], tm_min(c[3 + k], c[6 + k])) - g->view.reach;
+      const double b = tm_max(c[k], tm_max(c[3 + k], c[6 + k])) + g->view.reach;
+      const int top = g->view.blocks[k] * TM_GRID_EDGE;
+      lo[k] = (int) tm_clamp(floor((a - g->view.lo[k]) * g->view.inv_cell), 0.0, top - 1);
+      hi[k] = 1 + (int) tm_clamp(floor((b - g->view.lo[k]) * g->view.inv_cell), 0.0, top - 1);
+      lo[k] -= lo[k] % d.unit;
+      hi[k] += (d.unit - hi[k] % d.unit) % d.unit;
+    }
+    descend(&d, t, lo, hi);
+  }
+}
+
+/* Entries expected with a cell edge: volume of the points whose cell centre comes near enough, by
+   Steiner's formula 2 r A + pi/2 r^2 P + 4/3 pi r^3 per triangle. */
+static double expected_entries(const tm_mesh *m, double reach, double cell)
+{
+  const double r = reach + 0.866 * cell;
+  double volume = 0.0;
+  for (ptrdiff_t t = 0; t < m->nt; t++) {
+    const double *c = m->corner + 9 * t;
+    const tm_vec3 a = tm_load3(c), b = tm_load3(c + 3), e = tm_load3(c + 6);
+    const double perimeter = tm_vec_norm(tm_vec_sub(a, b)) + tm_vec_norm(tm_vec_sub(b, e))
+        + tm_vec_norm(tm_vec_sub(e, a));
+    volume += r * (2.0 * m->area[t] + TM_PI * r * (0.5 * perimeter + 4.0 / 3.0 * r));
+  }
+  return volume / (cell * cell * cell);
+}
+
+/* Grid corner and extent for a cell edge; the number of blocks in the dense table. */
+static double lay_out(tm_tri_grid *g, const tm_mesh *m)
+{
+  double n = 1.0;
+  const double edge = TM_GRID_EDGE * g->cell;
+  for (int k = 0; k < 3; k++) {
+    g->view.lo[k] = m->lo[k] - g->view.reach * (1.0 + 1e-9);
+    const double blocks = ceil((m->hi[k] - m->lo[k] + 2.0 * g->view.reach) * (1.0 + 1e-9) / edge);
+    g->view.blocks[k] = blocks < 1e8 ? (int) tm_max(blocks, 1.0) : 100000000;
+    n *= tm_max(blocks, 1.0);
+  }
+  g->view.inv_cell = 1.0 / g->cell;
+  return n;
+}
+
+static int number_blocks(tm_tri_grid *g, size_t table)
+{
+  g->nblocks = 0;
+  for (size_t b = 0; b < table; b++)
+    if (g->block[b] == 0) g->block[b] = g->nblocks++;
+  g->first = (int *) calloc((size_t) g->nblocks * TM_GRID_CELLS + 1, sizeof(int));
+  return g->first != NULL;
+}
+
+/* Counts become where each list begins. */
+static int prefix_sums(tm_tri_grid *g)
+{
+  const ptrdiff_t cells = (ptrdiff_t) g->nblocks * TM_GRID_CELLS;
+  g->entries = 0;
+  for (ptrdiff_t c = 0; c <= cells; c++) {
+    const int n = g->first[c];
+    g->first[c] = (int) g->entries;
+    g->entries += n;
+    if (g->entries > 2000000000) return 0;
+  }
+  g->list = (int *) malloc(sizeof(int) * ((size_t) g->entries + 1));
+  return g->list != NULL;
+}
+
+int tm_tri_grid_build(tm_tri_grid *g, const tm_mesh *mesh, double reach, double budget)
+{
+  memset(g, 0, sizeof *g);
+  g->view.reach = reach;
+  g->cell = reach;
+  double table = lay_out(g, mesh);
+  while (expected_entries(mesh, reach, g->cell) > budget || table > budget) {
+    g->cell *= 1.26;
+    table = lay_out(g, mesh);
+    if (g->cell > 1e6 * reach && table <= 1.0) break;   /* more triangles than the budget */
+  }
+  g->block = (int *) malloc(sizeof(int) * (size_t) table);
+  if (!g->block) return TM_MESH_TOO_LARGE;
+  memset(g->block, 0xff, sizeof(int) * (size_t) table);
+  descend_all(g, mesh, MARK);
+  int ok = number_blocks(g, (size_t) table);
+  if (ok) descend_all(g, mesh, COUNT);
+  ok = ok && prefix_sums(g);
+  if (!ok) {
+    tm_tri_grid_free(g);
+    return TM_MESH_TOO_LARGE;
+  }
+  descend_all(g, mesh, FILL);
+  const ptrdiff_t cells = (ptrdiff_t) g->nblocks * TM_GRID_CELLS;
+  for (ptrdiff_t c = cells; c > 0; c--) g->first[c] = g->first[c - 1];
+  g->first[0] = 0;
+  g->view.block = g->block;
+  g->view.first = g->first;
+  g->view.list = g->list;
+  return TM_MESH_OK;
+}
+
+void tm_tri_grid_free(tm_tri_grid *g)
+{
+  free(g->block);
+  free(g->first);
+  free(g->list);
+  memset(g, 0, sizeof *g);
+}

@@ -1,0 +1,69 @@
+/* SPH-TM: broad phase. Which triangles can lie within `reach` of a point?
+
+   Cubic cells in the mesh's own frame; each cell lists every triangle within reach of any of its
+   points, so one look-up answers a query and triangles far away cost nothing. Cells are kept in
+   blocks of 4^3, and only blocks that some triangle comes near exist: a dense table of block
+   numbers (-1: empty), then cells, then the lists. Built once; rigid motion moves the query point
+   into the mesh's frame. All arrays are plain and can be copied to a device as they are. */
+#ifndef TM_TRI_GRID_H
+#define TM_TRI_GRID_H
+
+#include "tm_mesh.h"
+
+#define TM_GRID_SHIFT 2                        /* cells per block edge: 4 */
+#define TM_GRID_EDGE (1 << TM_GRID_SHIFT)
+#define TM_GRID_CELLS (TM_GRID_EDGE * TM_GRID_EDGE * TM_GRID_EDGE)
+
+typedef struct {
+  tm_real lo[3];          /* corner of the grid */
+  tm_real inv_cell;       /* 1 / cell edge */
+  tm_real reach;          /* lists are complete up to this distance */
+  int blocks[3];          /* extent in blocks */
+  const int *block;       /* number of an existing block, or -1 */
+  const int *first;       /* TM_GRID_CELLS per block, + 1: where the list of a cell begins */
+  const int *list;        /* triangle indices */
+} tm_grid_view;
+
+/* List of the cell that holds p: *n triangles, indices returned; n = 0 far from the mesh. */
+TM_FN const int *tm_grid_query(const tm_grid_view *g, tm_vec3 p, int *n)
+{
+  const tm_real s[3] = {(p.x - g->lo[0]) * g->inv_cell, (p.y - g->lo[1]) * g->inv_cell,
+                        (p.z - g->lo[2]) * g->inv_cell};
+  *n = 0;
+  for (int d = 0; d < 3; d++)   /* written so that NaN is outside */
+    if (!(s[d] >= 0.0 && s[d] < (tm_real) (g->blocks[d] * TM_GRID_EDGE))) return g->list;
+  const int i = (int) s[0], j = (int) s[1], k = (int) s[2];
+  const int b = g->block[((ptrdiff_t) (k >> TM_GRID_SHIFT) * g->blocks[1] + (j >> TM_GRID_SHIFT))
+                             * g->blocks[0] + (i >> TM_GRID_SHIFT)];
+  if (b < 0) return g->list;
+  const int m = TM_GRID_EDGE - 1;
+  const int *first = g->first + (ptrdiff_t) b * TM_GRID_CELLS
+      + ((((k & m) << TM_GRID_SHIFT) + (j & m)) << TM_GRID_SHIFT) + (i & m);
+  *n = first[1] - first[0];
+  return g->list + first[0];
+}
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct {
+  tm_grid_view view;      /* points into the arrays below */
+  int *block, *first, *list;
+  double cell;            /* cell edge: reach, or more where memory would exceed the budget */
+  int nblocks;            /* existing blocks */
+  ptrdiff_t entries;      /* triangles in all lists */
+} tm_tri_grid;
+
+/* Most list entries (and half as many blocks' cells) before cells are made larger. */
+#define TM_GRID_BUDGET 8000000.0
+
+/* 0, or TM_MESH_TOO_LARGE without memory. */
+int tm_tri_grid_build(tm_tri_grid *grid, const tm_mesh *mesh, double reach, double budget);
+void tm_tri_grid_free(tm_tri_grid *grid);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

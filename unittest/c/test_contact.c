@@ -1,0 +1,298 @@
+/* Contact laws and the particle loop: closed forms, a particle that bounces, friction that holds
+   and never reverses, and the books of momentum, energy and heat. */
+#include "ut_contact.h"
+
+/* --- laws ------------------------------------------------------------------------------------ */
+
+static void laws(void)
+{
+  UT_NEAR(tm_contact_stiffness(0.5, 100.0, 300.0, 0.1, 1), 0.5 * 75.0 * 0.1, 1e-15);
+  UT_NEAR(tm_contact_stiffness(0.5, 100.0, 1e30, 0.1, 1), 0.5 * 100.0 * 0.1, 1e-15);
+  UT_NEAR(tm_contact_stiffness(0.5, 100.0, 0.0, 0.1, 1), 0.5 * 100.0 * 0.1, 1e-15);
+  UT_NEAR(tm_contact_stiffness(0.5, 100.0, 0.0, 0.1, 0), 0.5 * 100.0, 1e-15);
+
+  UT_NEAR(tm_contact_normal(10.0, 0.1, 2.0, 0.3, 0), 1.6, 1e-15);    /* closing: damping adds */
+  UT_NEAR(tm_contact_normal(10.0, 0.1, 2.0, -0.3, 0), 0.4, 1e-15);
+  UT_TRUE(tm_contact_normal(10.0, 0.1, 2.0, -1.0, 0) == 0.0);        /* never tensile */
+  UT_TRUE(tm_contact_normal(10.0, 0.1, 2.0, -0.3, 1) == 0.0);        /* F15: separating, dropped */
+  UT_NEAR(tm_contact_normal(10.0, 0.1, 2.0, 0.3, 1), 1.6, 1e-15);
+
+  tm_contact_law w;
+  memset(&w, 0, sizeof w);
+  w.radius = 0.5; w.area = 1.0; w.friction.value = 0.4;
+  UT_NEAR(tm_contact_friction_limit(&w, 10.0, 300.0, 3.0), 4.0, 1e-15);
+  w.shear = 1.0;
+  UT_NEAR(tm_contact_friction_limit(&w, 10.0, 300.0, 3.0), sqrt(3.0), 1e-15);   /* Y/sqrt3 A */
+  UT_NEAR(tm_contact_friction_limit(&w, 1.0, 300.0, 3.0), 0.4, 1e-15);
+  w.friction.n = 2;
+  w.friction.t[0] = 300; w.friction.y[0] = 0.4;
+  w.friction.t[1] = 900; w.friction.y[1] = 0.1;
+  UT_NEAR(tm_contact_friction_limit(&w, 1.0, 600.0, 0.0), 0.25, 1e-15);
+
+  /* aluminium 500 C on steel, REFERENCE.md 3: fraction 0.5507 of friction heat */
+  w.share = -1.0;
+  w.tool_effusivity = sqrt(50.7 * 7870 * 486);
+  UT_NEAR(tm_contact_share(&w, sqrt(120.0 * 2700 * 899)), 0.5507, 1e-4);
+  w.share = 0.3;
+  UT_NEAR(tm_contact_share(&w, 1.0), 0.3, 1e-15);
+
+  w.conductance = -1.0;   /* perfect: the half spacing alone */
+  UT_NEAR(tm_contact_conductance(&w, 7.0), 14.0, 1e-15);
+  w.conductance = 14.0;
+  UT_NEAR(tm_contact_conductance(&w, 7.0), 7.0, 1e-15);
+  UT_NEAR(tm_contact_heat(1e-6, 500, 300, 2.0, 0.1), 2e-4, 1e-6);     /* small: h A dT */
+  UT_NEAR(tm_contact_heat(1e9, 500, 300, 2.0, 0.1), 4000.0, 1e-12);   /* large: not past T_tool */
+  UT_NEAR(tm_contact_time_step(100.0, 0.25, 0.0), 2.0 * 0.05, 1e-15);
+}
+
+/* Critical damping: no overshoot with DFAC 1, an overshoot with less. */
+static void critical_damping(void)
+{
+  for (int k = 0; k < 2; k++) {
+    const double mass = 0.7, stiff = 13.0, c = tm_contact_damping(k ? 1.0 : 0.7, stiff, mass);
+    double y = 1.0, v = 0.0, least = 1.0;   /* a spring both ways */
+    for (int n = 0; n < 200000; n++) {
+      v -= 1e-4 / mass * (stiff * y + c * v);
+      y += 1e-4 * v;
+      least = fmin(least, y);
+    }
+    UT_TRUE(k ? least > -1e-6 : least < -1e-3);
+  }
+}
+
+/* --- one particle and a floor --------------------------------------------------------------- */
+
+static const double dp = 0.02, r = 0.01;
+static ut_scene s;
+
+static void floor_scene(void)
+{
+  tm_soup soup = ut_soup(2 * 20 * 20);
+  ut_sheet(&soup, tm_vec(-1, -1, 0), tm_vec(2, 0, 0), tm_vec(0, 2, 0), 20, 20);
+  ut_arrange(&s, &soup, dp);
+}
+
+/* One step of the state fix's scheme: half a drift, forces, kick, half a drift. */
+static tm_contact_result step(int i, tm_vec3 weight, unsigned effects)
+{
+  double *x = s.x + 3 * i, *v = s.v + 3 * i, *f = s.f + 3 * i;
+  for (int d = 0; d < 3; d++) x[d] += 0.5 * s.args.dt * v[d];
+  f[0] = weight.x; f[1] = weight.y; f[2] = weight.z;
+  const tm_contact_result out = tm_contact_tri(i, &s.args, effects | TM_CT_3D);
+  for (int d = 0; d < 3; d++) {
+    v[d] += s.args.dt / s.mass[1] * f[d];
+    x[d] += 0.5 * s.args.dt * v[d];
+  }
+  return out;
+}
+
+/* 1000 bounces under gravity without damping: the energy of flight must not grow. */
+static void bounce(void)
+{
+  floor_scene();
+  s.law[1].stiffness = 1.0e4;       /* w = 100, contact lasts about 0.03 */
+  s.args.dt = 0.04 / 100.0 * 1.37;  /* 57 steps per contact, in no ratio to the bounce */
+  const double g = 9.81, height = 0.013;
+  ut_put(&s, 0, tm_vec(0.013, 0.017, r + height), tm_vec(0, 0, 0));
+  double highest = 0.0, lowest = 1.0, top = 0.0;
+  int bounces = 0, was_up = 0, touched = 1;
+  while (bounces < 1000) {
+    const tm_contact_result out = step(0, tm_vec(0, 0, -g), 0);
+    const int up = s.v[2] > 0.0;
+    if (out.contacts) touched = 1;
+    if (was_up && !up && touched) {    /* top of the flight */
+      top = g * (s.x[2] - r) + 0.5 * s.v[2] * s.v[2];
+      highest = fmax(highest, top);
+      if (bounces > 0) lowest = fmin(lowest, top);
+      touched = 0;
+      bounces++;
+    }
+    was_up = up;
+  }
+  printf("1000 bounces: energy between %.6f and %.6f, at the end %.6f of that at the start\n",
+         lowest / (g * height), highest / (g * height), top / (g * height));
+  UT_TRUE(highest < 1.002 * g * height);
+  UT_TRUE(lowest > 0.998 * g * height);
+
+  s.law[1].damping = 0.1;           /* with damping every bounce is lower, the rest is at rest */
+  ut_put(&s, 0, tm_vec(0.013, 0.017, r + height), tm_vec(0, 0, 0));
+  for (int n = 0; n < 40000; n++) step(0, tm_vec(0, 0, -g), 0);
+  UT_NEAR(s.x[2], r - g / 1.0e4, 1e-6);
+  UT_WITHIN(s.v[2], 0.0, 1e-6);
+  ut_clear(&s);
+}
+
+/* A block on a slope: below the friction angle it stays where it is, above it slides with
+   g (sin a - mu cos a). Gravity is turned instead of the floor. */
+static void slope(void)
+{
+  floor_scene();
+  s.law[1].stiffness = 1.0e3;
+  s.law[1].damping = 0.5;
+  s.law[1].friction.value = 0.3;
+  s.args.dt = 1e-3;
+  const double g = 9.81;
+  for (int k = 0; k < 2; k++) {
+    const double angle = atan(0.3) * (k ? 1.3 : 0.99);
+    const tm_vec3 weight = tm_vec(g * sin(angle), 0, -g * cos(angle));
+    ut_put(&s, 0, tm_vec(-0.9, 0.1, r - g * cos(angle) / 1.0e3), tm_vec(0, 0, 0));
+    for (int n = 0; n < 500; n++) step(0, weight, TM_CT_FRICTION);
+    const double a = g * (sin(angle) - 0.3 * cos(angle));
+    if (k) UT_NEAR(s.v[0], a * 0.5, 1e-6);
+    else UT_WITHIN(s.x[0] + 0.9, 0.0, 1e-15);
+  }
+  /* sliding is brought to rest in v/(mu g), exactly at rest, and not turned round */
+  ut_put(&s, 0, tm_vec(-0.5, 0, r - g / 1.0e3), tm_vec(0.4, 0.3, 0));
+  double least = 1.0;
+  for (int n = 0; n < 400; n++) {
+    step(0, tm_vec(0, 0, -g), TM_CT_FRICTION);
+    least = fmin(least, fmin(s.v[0], s.v[1]));
+  }
+  UT_TRUE(least >= -1e-16);
+  UT_TRUE(s.v[0] < 1e-15 && s.v[1] < 1e-15);
+  UT_NEAR(hypot(s.x[0] + 0.5, s.x[1]), 0.25 / (2 * 0.3 * g), 5e-3);
+  ut_clear(&s);
+}
+
+/* --- books ----------------------------------------------------------------------------------- */
+
+/* A box that moves and turns among particles thrown at it: force and torque on the tool, powers
+   and heat against sums made here from what the particles feel. */
+static void books(void)
+{
+  tm_soup soup = ut_soup(12 * 9);
+  ut_box(&soup, tm_vec(-.05, -.05, -.05), tm_vec(.05, .05, .05), 3);
+  ut_arrange(&s, &soup, dp);
+  static double tri_force[3 * 108], tri_heat[108], rate_v[3 * UT_PARTICLES];
+  static int tri_count[108];
+  memset(tri_force, 0, sizeof tri_force);
+  memset(tri_heat, 0, sizeof tri_heat);
+  memset(tri_count, 0, sizeof tri_count);
+  tm_contact_args *a = &s.args;
+  tm_contact_law *w = s.law + 1;
+  w->stiffness = 50.0; w->damping = 0.2; w->friction.value = 0.25;
+  w->tool_effusivity = 9.0; w->conductance = 4.0;
+  s.mass[1] = 0.3;
+  a->force_unit = 7.0;
+  a->pose.turn = tm_rotation(tm_vec(1, 2, 3), 0.7);
+  a->pose.shift = tm_vec(0.3, 0.1, -0.2);
+  a->pose.velocity = tm_vec(-1, 0.2, 0.1);
+  a->pose.omega = tm_vec(3, 5, -4);
+  a->pose.center = tm_vec(0.2, 0, 0);
+  a->reference = tm_vec(0.5, -0.4, 0.1);
+  a->tool_temperature = 450.0;
+  a->rate_v = rate_v;
+  a->tri_force = tri_force; a->tri_heat = tri_heat; a->tri_count = tri_count;
+  const unsigned fx = TM_CT_3D | TM_CT_HEAT | TM_CT_FRICTION | TM_CT_OUTPUT;
+  tm_contact_result sum = tm_contact_nothing();
+  double power = 0.0, heat = 0.0;
+  tm_vec3 force = tm_vec(0, 0, 0);
+  for (int i = 0; i < UT_PARTICLES; i++) {
+    const tm_vec3 p = ut_point(-0.055, 0.055);
+    ut_put(&s, i, tm_pose_to_world(&a->pose, p), ut_point(-1, 1));
+    const tm_vec3 before = ut_point(-5, 5);
+    s.f[3 * i] = before.x; s.f[3 * i + 1] = before.y; s.f[3 * i + 2] = before.z;
+    for (int d = 0; d < 3; d++) rate_v[3 * i + d] = s.v[3 * i + d] + ut_random(-0.1, 0.1);
+    s.temperature[i] = ut_random(300, 400);
+    s.source[i] = 2.0;
+    const tm_contact_result one = tm_contact_tri(i, a, fx);
+    tm_contact_sum(&sum, &one);
+    const tm_vec3 F =
+        tm_vec_scale(1 / a->force_unit, tm_vec_sub(tm_load3(s.f + 3 * i), before));
+    force = tm_vec_add(force, F);
+    const double c = 0.5 * a->dt / (s.mass[1] * a->force_unit);
+    power += tm_vec_dot(F, tm_vec_axpy(tm_load3(s.v + 3 * i), c, tm_load3(s.f + 3 * i)));
+    heat += s.source[i] - 2.0;
+  }
+  UT_TRUE(sum.contacts > 10);
+  UT_WITHIN(tm_vec_norm(tm_vec_add(force, sum.force)), 0.0, 1e-12);
+  UT_NEAR(sum.particle_power, power, 1e-11);
+  UT_NEAR(sum.friction_heat + sum.conducted, heat, 1e-12);
+  UT_NEAR(sum.heat_tool + sum.friction_heat + sum.conducted, sum.friction_power, 1e-12);
+  UT_TRUE(sum.friction_power > 0.0 && sum.friction_heat > 0.0 && sum.conducted > 0.0);
+  double on_tri[3] = {0, 0, 0}, heat_tri = 0.0;
+  int count = 0;
+  for (int t = 0; t < 108; t++) {
+    for (int d = 0; d < 3; d++) on_tri[d] += tri_force[3 * t + d];
+    heat_tri += tri_heat[t];
+    count += tri_count[t];
+  }
+  UT_NEAR(on_tri[0], a->force_unit * sum.force.x, 1e-12);
+  UT_NEAR(on_tri[1], a->force_unit * sum.force.y, 1e-12);
+  UT_NEAR(on_tri[2], a->force_unit * sum.force.z, 1e-12);
+  UT_NEAR(heat_tri, sum.heat_tool, 1e-12);
+  UT_TRUE(count == sum.contacts);
+  ut_clear(&s);
+}
+
+/* Energy over a run: work of the tool = kinetic energy gained + spring + damping + friction. The
+   floor oscillates and drags; particles bounce and rub on it. */
+static void energy_closes(void)
+{
+  floor_scene();
+  tm_contact_law *w = s.law + 1;
+  w->stiffness = 1.0e4; w->damping = 0.05; w->friction.value = 0.2;
+  double error[2];
+  for (int k = 0; k < 2; k++) {
+    s.args.dt = k ? 5e-5 : 1e-4;
+    tm_motion m;
+    memset(&m, 0, sizeof m);
+    m.kind = TM_MOTION_WIGGLE;
+    m.v = tm_vec(0.01, 0, 0.002);
+    m.period = 0.11;
+    const tm_pose rest = tm_pose_rest();
+    ut_put(&s, 0, tm_vec(0, 0, 0.013), tm_vec(0.3, 0.1, -0.2));
+    const double kinetic0 = 0.5 * (0.09 + 0.01 + 0.04);
+    double gone = 0.0, tool = 0.0, spring = 0.0, friction = 0.0;
+    const double weight = -9.81, z0 = s.x[2];
+    double t = 0.0;
+    for (int n = 0; t < 1.0; n++, t += s.args.dt) {
+      s.args.pose = tm_motion_pose(&m, &rest, t + 0.5 * s.args.dt);
+      const tm_contact_result out = step(0, tm_vec(0, 0, weight), TM_CT_FRICTION);
+      gone += s.args.dt * (out.damping_power + out.friction_power);
+      tool += s.args.dt * out.tool_power;
+      friction += s.args.dt * out.friction_power;
+      spring = out.spring;
+    }
+    const double kinetic =
+        0.5 * (s.v[0] * s.v[0] + s.v[1] * s.v[1] + s.v[2] * s.v[2]);
+    error[k] = kinetic - kinetic0 + spring + gone - tool - weight * (s.x[2] - z0);
+    printf("energy: dissipated %.4e (friction %.4e), tool work %.4e, left over %.2e\n", gone,
+           friction, tool, error[k]);
+    UT_WITHIN(error[k], 0.0, 2e-3 * gone);
+  }
+  ut_clear(&s);
+}
+
+/* Yield-limited friction and the conducted heat reach the particle through the loop. */
+static void limits_in_the_loop(void)
+{
+  floor_scene();
+  s.law[1].friction.value = 0.5;
+  s.law[1].shear = 1.0;
+  s.args.yield = s.yield;
+  s.yield[0] = 2.0;
+  s.args.dt = 1e-6;
+  ut_put(&s, 0, tm_vec(0.1, 0.1, -0.5 * r), tm_vec(1, 0, 0));
+  s.law[1].stiffness = 1.0;
+  tm_contact_tri(0, &s.args, TM_CT_3D | TM_CT_FRICTION);
+  UT_NEAR(s.f[0], -2.0 / sqrt(3.0) * dp * dp, 1e-12);
+  UT_NEAR(s.f[2], 1.5 * r, 1e-12);
+  s.args.mask = s.type;   /* group bit 2 is not set: no contact */
+  s.args.group = 2;
+  ut_put(&s, 0, tm_vec(0.1, 0.1, -0.5 * r), tm_vec(1, 0, 0));
+  UT_TRUE(tm_contact_tri(0, &s.args, TM_CT_3D).contacts == 0 && s.f[2] == 0.0);
+  ut_clear(&s);
+}
+
+int main(void)
+{
+  laws();
+  critical_damping();
+  bounce();
+  slope();
+  books();
+  energy_closes();
+  limits_in_the_loop();
+  return ut_summary();
+}
