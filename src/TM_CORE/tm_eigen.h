@@ -1,4 +1,4 @@
-/* SPH-TM: eigenvalues and eigenvectors of symmetric tensors, tensile part, guarded inverse.
+/* SPH-TM: eigenvalues and eigenvectors of symmetric tensors, positive part, guarded inverse.
 
    Jacobi rotations (Golub and Van Loan, section 8.5): unconditionally stable, orthonormal
    vectors to round-off also for equal eigenvalues. A tensor with xz = yz = 0 is diagonal after
@@ -82,13 +82,76 @@ TM_FN tm_sym3 tm_sym_add_dyad(tm_sym3 a, tm_real k, tm_vec3 v)
                 a.xy + k * v.x * v.y, a.xz + k * v.x * v.z, a.yz + k * v.y * v.z);
 }
 
-/* sum_k max(lambda_k, 0) e_k e_k^T */
+/* --- positive part: sum_k max(lambda_k, 0) e_k e_k^T, without eigenvectors where possible ---- */
+
+/* Of the xx, yy, xy block; the rest is returned as 0. */
+TM_FN tm_sym3 tm_sym_positive_part_2d(tm_sym3 a)
+{
+  const tm_real mean = 0.5 * (a.xx + a.yy), d = 0.5 * (a.xx - a.yy), r = sqrt(d * d + a.xy * a.xy);
+  const tm_real p1 = tm_max(mean + r, 0.0), p2 = tm_max(mean - r, 0.0);
+  const tm_real c = 0.5 * (p1 + p2), k = r > 0.0 ? 0.5 * (p1 - p2) / r : 0.0;
+  return tm_sym(c + k * d, c - k * d, 0.0, k * a.xy, 0.0, 0.0);
+}
+
+/* cos(acos(r)/3) for r in [0, 1]: Newton for 4c^3 - 3c = r from a start within 5e-4 */
+TM_FN tm_real tm_cos_third(tm_real r)
+{
+  tm_real c = 0.86602540378443865 + r * (0.161 - 0.02702540378443865 * r);
+  for (int i = 0; i < 3; i++) c -= ((4.0 * c * c - 3.0) * c - r) / (12.0 * c * c - 3.0);
+  return c;
+}
+
+/* Unit null vector of a symmetric matrix of rank 2: the longest cross product of two rows. */
+TM_FN tm_vec3 tm_sym_null_vector(tm_sym3 a)
+{
+  const tm_vec3 x = tm_vec(a.xx, a.xy, a.xz), y = tm_vec(a.xy, a.yy, a.yz);
+  const tm_vec3 z = tm_vec(a.xz, a.yz, a.zz);
+  const tm_vec3 c1 = tm_vec_cross(x, y), c2 = tm_vec_cross(y, z), c3 = tm_vec_cross(z, x);
+  const tm_real n1 = tm_vec_dot(c1, c1), n2 = tm_vec_dot(c2, c2), n3 = tm_vec_dot(c3, c3);
+  tm_vec3 c = n1 >= n2 ? c1 : c2;
+  c = n3 >= tm_max(n1, n2) ? c3 : c;
+  return tm_vec_scale(1.0 / sqrt(tm_max(n1, tm_max(n2, n3))), c);
+}
+
+TM_FN tm_real tm_sym_det(tm_sym3 s)
+{
+  return s.xx * (s.yy * s.zz - s.yz * s.yz) - s.xy * (s.xy * s.zz - s.yz * s.xz)
+       + s.xz * (s.xy * s.yz - s.yy * s.xz);
+}
+/* a : (u v^T) */
+TM_FN tm_real tm_sym_between(tm_vec3 u, tm_sym3 a, tm_vec3 v)
+{
+  return tm_vec_dot(u, tm_sym_mul_vec(a, v));
+}
+
+/* In three dimensions, after Scherzinger and Dohrmann 2008: the eigenvalue farthest from the two
+   others (mean +- 2p cos(phi), well conditioned) and its vector, then the plane across it in
+   closed form, which takes equal eigenvalues as they come. */
 TM_FN tm_sym3 tm_sym_positive_part(tm_sym3 a)
 {
-  const tm_eigen e = tm_sym_eigen(a);
-  tm_sym3 p = tm_sym(0, 0, 0, 0, 0, 0);
-  for (int k = 0; k < 3; k++) p = tm_sym_add_dyad(p, tm_max(e.value[k], 0.0), e.vector[k]);
-  return p;
+  const tm_real mean = tm_sym_trace(a) / 3.0;
+  const tm_sym3 dev = tm_sym_add_iso(a, -mean);
+  const tm_real p = sqrt(tm_sym_ddot(dev, dev) / 6.0);
+  if (mean >= 2.0 * p) return a;
+  if (mean <= -2.0 * p) return tm_sym(0, 0, 0, 0, 0, 0);
+
+  const tm_sym3 s = tm_sym_scale(1.0 / p, dev);  /* eigenvalues 2 cos(phi), phi + 2 pi/3 ... */
+  const tm_real half = 0.5 * tm_sym_det(s);
+  const tm_real c = 2.0 * tm_cos_third(tm_min(fabs(half), 1.0));
+  const tm_vec3 v = tm_sym_null_vector(tm_sym_add_iso(s, half < 0.0 ? c : -c));
+
+  /* u, w across v: Duff et al. 2017 */
+  const tm_real sign = v.z < 0.0 ? -1.0 : 1.0, f = -1.0 / (sign + v.z), g = v.x * v.y * f;
+  const tm_vec3 u = tm_vec(1.0 + sign * v.x * v.x * f, sign * g, -sign * v.x);
+  const tm_vec3 w = tm_vec(g, sign + v.y * v.y * f, -v.y);
+  const tm_sym3 plane = tm_sym_positive_part_2d(tm_sym(
+      tm_sym_between(u, a, u), tm_sym_between(w, a, w), 0, tm_sym_between(u, a, w), 0, 0));
+  const tm_vec3 pu = tm_vec_axpy(tm_vec_scale(plane.xx, u), plane.xy, w);
+  const tm_vec3 pw = tm_vec_axpy(tm_vec_scale(plane.xy, u), plane.yy, w);
+  const tm_vec3 pv = tm_vec_scale(tm_max(tm_sym_between(v, a, v), 0.0), v);
+  return tm_sym(pu.x * u.x + pw.x * w.x + pv.x * v.x, pu.y * u.y + pw.y * w.y + pv.y * v.y,
+                pu.z * u.z + pw.z * w.z + pv.z * v.z, pu.x * u.y + pw.x * w.y + pv.x * v.y,
+                pu.x * u.z + pw.x * w.z + pv.x * v.z, pu.y * u.z + pw.y * w.z + pv.y * v.z);
 }
 
 /* Inverse of a; in two dimensions that of its upper left 2x2 block, with zz = 1. ok = 0 and the

@@ -37,6 +37,14 @@ static void check(tm_sym3 a, double size)
   UT_WITHIN(distance(sum, a), 0, 1e-14 * size);
 }
 
+static tm_sym3 positive_part_by_vectors(tm_sym3 a)
+{
+  const tm_eigen e = tm_sym_eigen(a);
+  tm_sym3 p = tm_sym(0, 0, 0, 0, 0, 0);
+  for (int k = 0; k < 3; k++) p = tm_sym_add_dyad(p, tm_max(e.value[k], 0), e.vector[k]);
+  return p;
+}
+
 /* P >= 0, P - A >= 0, and P (P - A) = 0 hold for the positive part and for nothing else */
 static void check_positive_part(tm_sym3 a, double size)
 {
@@ -47,6 +55,7 @@ static void check_positive_part(tm_sym3 a, double size)
     UT_TRUE(en.value[k] >= -2e-14 * size);
   }
   UT_WITHIN(tm_sym_ddot(p, n), 0, 1e-13 * size * size);
+  UT_WITHIN(distance(p, positive_part_by_vectors(a)), 0, 2e-14 * size);
 }
 
 static void check_inverse(int dim3)
@@ -74,6 +83,12 @@ int main(void)
     tm_sym3 flat = random_sym(size);
     flat.xz = flat.yz = 0;
     check(flat, size * 3);
+    flat.zz = 0;
+    check_positive_part(flat, size * 3);
+    const tm_sym3 plane = tm_sym_positive_part_2d(flat);
+    UT_WITHIN(distance(tm_sym_positive_part(flat), plane), 0, 2e-14 * size);
+    const double r = ut_random(0, 1);
+    UT_WITHIN(tm_cos_third(r), cos(acos(r) / 3), 4e-16);
     check_inverse(0);
     check_inverse(1);
   }
@@ -83,6 +98,10 @@ int main(void)
     check_positive_part(with_eigenvalues(1, 1 + gap, -2), 2);
     check_positive_part(with_eigenvalues(gap, -gap, -2), 2);
     check_positive_part(with_eigenvalues(3, gap, -gap), 3);
+    check_positive_part(with_eigenvalues(3, 3 + gap, -1), 3);
+    check_positive_part(with_eigenvalues(-3, 1, 1 + gap), 3);
+    check_positive_part(with_eigenvalues(2, -1, -1), 2);
+    check_positive_part(with_eigenvalues(gap, gap, gap), gap);
     check(with_eigenvalues(1, 1, 1), 1);
     check(with_eigenvalues(0, 0, 1), 1);
     check(tm_sym_axpy(tm_sym(1, 1, 1, 0, 0, 0), gap, random_sym(1)), 2);

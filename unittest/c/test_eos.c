@@ -64,7 +64,8 @@ int main(void)
           1e-5);
   double last = -1e300;
   for (double x = 0.01; x < 50; x *= 1.01) {
-    const double p = tm_eos_pressure(&shock, x * 8960, 0), c = tm_eos_sound_speed(&shock, x * 8960, 0);
+    const double p = tm_eos_pressure(&shock, x * 8960, 0);
+    const double c = tm_eos_sound_speed(&shock, x * 8960, 0);
     UT_TRUE(isfinite(p) && p > last);
     UT_TRUE(isfinite(c) && c > 0);
     last = p;

@@ -151,6 +151,11 @@ static void check_returns(tm_material m)
     m.jc_n = k % 7 ? ut_random(0.05, 1.5) : 1;
     check_return(&m, random_deviator(size * (k % 11 ? 0.4 : 40)), eps, T, dt);
   }
+  /* eps = 0 and a small n: the increment is about 1e-65 */
+  m.jc_c = 0;
+  m.jc_n = 0.02;
+  const tm_sym3 shear = tm_sym(0, 0, 0, 1.05 * m.jc_a / sqrt(3.0), 0, 0);
+  check_return(&m, tm_sym_scale(tm_flow_stress(&m, 1e-65, 0, 0) / (1.05 * m.jc_a), shear), 0, 0, 1);
   /* a step of cutting: trial just outside, 1e4..1e6 per second */
   most_iterations = 0;
   sum_iterations = returns = 0;
