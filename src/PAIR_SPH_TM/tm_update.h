@@ -11,6 +11,7 @@
 #ifndef TM_UPDATE_H
 #define TM_UPDATE_H
 
+#include "tm_artificial.h"
 #include "tm_damage.h"
 #include "tm_eigen.h"
 #include "tm_eos.h"
