@@ -20,9 +20,9 @@ thin_ninja() {
   log=$1; shift
   { NINJA_STATUS='[%f/%t] ' nice -n 5 ninja -j "$jobs" "$@" 2>&1; echo "exit $?"; } | tee "$log" |
     awk 'function left() { return (n ? int((systime() - t0) * (a[2] - n) / n) : 0) }
-         BEGIN { t0 = systime(); shown = -5 }
+         BEGIN { t0 = systime(); shown = 0 }
          /^\[[0-9]+\/[0-9]+\]/ { split(substr($1, 2), a, /[\/\]]/); n = a[1]; p = int(100 * n / a[2])
-           if (p >= shown + 5) { shown = p; printf "  %3d%%  %d of %d, about %d s left\n", p, n, a[2], left()
+           if (n > 0 && p >= shown + 5) { shown = p; printf "  %3d%%  %d of %d, about %d s left\n", p, n, a[2], left()
              fflush() } }' >&2
   case $(tail -n 1 "$log") in
     'exit 0') return 0 ;;
