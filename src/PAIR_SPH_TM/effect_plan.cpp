@@ -29,6 +29,13 @@ unsigned effect_by_name(const std::string &name)
   return 0;
 }
 
+std::string effect_name(unsigned bits)
+{
+  for (const auto &n : NAMES)
+    if (bits & n.bit) return n.name;
+  return "";
+}
+
 std::string effect_names()
 {
   std::string all;
@@ -36,7 +43,7 @@ std::string effect_names()
   return all;
 }
 
-std::string EffectPlan::derive(const PairSPHTM &pair, int ntypes)
+void EffectPlan::derive(const PairSPHTM &pair, int ntypes)
 {
   const PairSPHTM::Settings &set = pair.settings_in_use();
   std::map<unsigned, std::string> why;
@@ -74,20 +81,31 @@ std::string EffectPlan::derive(const PairSPHTM &pair, int ntypes)
   for (const auto &n : NAMES)
     if (forced_on & n.bit) on(n.bit, "asked for in fix sph/tm");
 
-  std::string warning;
-  if ((forced_off & TM_FX_HEAT) && why.count(TM_FX_HEAT))
-    warning = "Fix sph/tm: heat is forced off, but " + why[TM_FX_HEAT];
-  else if (softens_without_heat && !why.count(TM_FX_HEAT))
-    warning = "Fix sph/tm: Johnson-Cook softening needs heat constants (pair_coeff heat); the "
-              "temperature stays uniform";
-  if ((forced_off & TM_FX_PLASTICITY) && why.count(TM_FX_PLASTICITY))
-    warning = "Fix sph/tm: plasticity is forced off, but " + why[TM_FX_PLASTICITY];
+  // forced off, but a material or a fix has a use for it
+  const unsigned needed = unsigned(TM_FX_HEAT) | TM_FX_PLASTICITY | TM_FX_DAMAGE | TM_FX_ENERGY | TM_FX_BODIES;
+  warnings.clear();
+  for (const auto &n : NAMES)
+    if ((forced_off & needed & n.bit) && why.count(n.bit))
+      warnings.push_back(std::string("Fix sph/tm: ") + n.name + " is forced off, but " + why[n.bit]);
+  if (softens_without_heat && !why.count(TM_FX_HEAT))
+    warnings.push_back("Fix sph/tm: Johnson-Cook softening needs heat constants (pair_coeff heat); the "
+                       "temperature stays uniform");
   for (const auto &n : NAMES)
     if (forced_off & n.bit) why.erase(n.bit);
   if (why.count(TM_FX_HEAT) && !conducts.empty() && !(forced_off & TM_FX_CONDUCTION))
     on(TM_FX_CONDUCTION, conducts);
+
+  // forced on, but what it acts on is off
+  contradiction.clear();
+  if ((forced_on & TM_FX_CONDUCTION) && !why.count(TM_FX_HEAT))
+    contradiction = "conduction is forced on, but heat is off; add 'effects heat on' and heat constants";
+  if ((forced_on & TM_FX_BALSARA) && !why.count(TM_FX_VISCOSITY))
+    contradiction = "balsara is forced on, but there is no viscosity for it to switch";
+  if (why.count(TM_FX_CORRECTION) && set.form_f14)
+    contradiction = "correction needs pair_style form f15";
   if (!why.count(TM_FX_HEAT)) why.erase(TM_FX_CONDUCTION);
   if (!why.count(TM_FX_VISCOSITY)) why.erase(TM_FX_BALSARA);
+  heat_reason = why.count(TM_FX_HEAT) ? why[TM_FX_HEAT] : "";
 
   effects = (dimension == 3 ? unsigned(TM_FX_3D) : 0u) | ((unsigned) set.kernel << TM_FX_KERNEL_SHIFT);
   if (set.form_f14) effects |= TM_FX_FORM_F14;
@@ -104,7 +122,6 @@ std::string EffectPlan::derive(const PairSPHTM &pair, int ntypes)
             ((forced_off & n.bit) ? "forced off in fix sph/tm" : "nothing in the scene calls for it");
     report.push_back(line);
   }
-  return warning;
 }
 
 }    // namespace SPHTM_NS

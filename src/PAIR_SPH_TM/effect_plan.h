@@ -15,6 +15,7 @@ class PairSPHTM;
 namespace SPHTM_NS {
 
 unsigned effect_by_name(const std::string &name);    // 0 when unknown
+std::string effect_name(unsigned bits);              // of the first of these bits
 std::string effect_names();                          // for messages
 
 struct EffectPlan {
@@ -25,9 +26,11 @@ struct EffectPlan {
   // out
   unsigned effects = 0;
   std::vector<std::string> report;    // one line per effect: on or off, and why
+  std::string heat_reason;            // why heat is on
+  std::vector<std::string> warnings;
+  std::string contradiction;          // what makes the set impossible, or empty
 
-  // returns a warning, or an empty string
-  std::string derive(const LAMMPS_NS::PairSPHTM &pair, int ntypes);
+  void derive(const LAMMPS_NS::PairSPHTM &pair, int ntypes);
 };
 
 }    // namespace SPHTM_NS

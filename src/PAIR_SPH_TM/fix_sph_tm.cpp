@@ -105,6 +105,10 @@ FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
                         "energy, lost, effects", key);
   }
 
+  if (forced_on & forced_off)
+    error->all(FLERR, "Fix sph/tm: effect {} is forced both on and off",
+               effect_name(forced_on & forced_off));
+
   std::fill(dt_limits, dt_limits + TM_DT_CAUSES, 1e300);
   std::fill(energy_now, energy_now + VECTOR_SIZE, 0.0);
   fields.enable(0, atom->nmax);
@@ -159,7 +163,15 @@ void FixSPHTM::derive_effects()
   plan.forced_on = forced_on;
   plan.forced_off = forced_off;
   plan.asked = asked_reasons;
-  const std::string warning = plan.derive(*pair_sph, atom->ntypes);
+  plan.derive(*pair_sph, atom->ntypes);
+  if (!plan.contradiction.empty()) error->all(FLERR, "Fix sph/tm: {}", plan.contradiction);
+  if (plan.effects & TM_FX_HEAT)
+    for (int t = 1; t <= atom->ntypes; t++)
+      if (!pair_sph->materials()[t].heat)
+        error->all(FLERR, "Fix sph/tm: heat is on ({}), but type {} ({}) has no heat constants; add "
+                          "'heat k cp chi' to its pair_coeff, with k 0 where it does not conduct, or "
+                          "force the effect off with 'effects heat off'", plan.heat_reason, t,
+                   pair_sph->material_name(t));
   const unsigned before = fx;
   fx = plan.effects;
   const unsigned had = fields.mask();
@@ -170,7 +182,7 @@ void FixSPHTM::derive_effects()
   for (int i = 0; i < atom->nlocal; i++) initialise_fields(i, fresh);
   if (comm->me == 0 && (before != fx || !reported)) {
     for (const auto &line : plan.report) utils::logmesg(lmp, "{}\n", line);
-    if (!warning.empty()) error->warning(FLERR, warning);
+    for (const auto &w : plan.warnings) error->warning(FLERR, w);
     reported = true;
   }
 }
@@ -283,7 +295,9 @@ void FixSPHTM::setup(int)
     if (has(TM_FX_CONDUCTION)) {
       const double T = temperature(i), k = tm_conductivity(&m, T);
       if (k > 0.0)
-        limits[2] = std::min(limits[2], tm_heat_time_step(fields.data(TM_F_RHO)[i], tm_capacity(&m, T), h, k));
+        limits[2] = std::min(limits[2], tm_heat_time_step(fields.data(TM_F_RHO)[i], tm_capacity(&m, T), h, k,
+                                                          pair_sph->largest_conductivity(),
+                                                          pair_sph->lattice_sums().heat_rate));
     }
   }
   for (int k = 0; k < 3; k++) dt_limits[k] = std::min(dt_limits[k], limits[k]);
@@ -411,6 +425,8 @@ tm_update_args FixSPHTM::update_args()
   a.visc_alpha = pair_sph->settings_in_use().visc_alpha;
   a.accel_unit = pair_sph->units().force;
   a.temperature = temperature0;
+  a.heat_rate = pair_sph->lattice_sums().heat_rate;
+  a.k_max = pair_sph->largest_conductivity();
   a.min_det = 0.1;
   return a;
 }
