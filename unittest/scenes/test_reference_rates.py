@@ -1,0 +1,245 @@
+"""Every rate and the whole step of sph/tm against a second, independent implementation (sph_reference.py).
+
+A perturbed lattice with random velocities, one side periodic, two materials; three steps with each set of
+effects. Compared after every step: x, v, f, density, stress, temperature, plastic strain, energy, damage, ...
+relative to the largest value in the field."""
+import sys
+
+import numpy as np
+from sph_reference import REACH, Body, Material
+from sphtm_scene import Checks, run
+
+SCRIPT = """
+units {units}
+dimension {dim}
+boundary p f {bz}
+atom_style atomic
+atom_modify map array sort {sort}
+newton {newton}
+read_data data.{number}
+pair_style sph/tm {kernel} {ratio} spacing {dx!r} {style}
+{coeffs}
+fix body all sph/tm temperature {T!r} dt {dt!r} lost ignore
+{more}
+compute p all sph/tm/atom {attributes}
+thermo 1
+dump d all custom 1 out.{number} id type x y z vx vy vz fx fy fz c_p[*]
+dump_modify d format float %.17g
+run {steps}
+"""
+AMU, BOHR, HARTREE, MOL = 1.66053906660e-27, 5.29177210903e-11, 4.3597447222071e-18, 6.02214076e23
+UNITS = {    # SI value of mass, length, time, energy, force, pressure, density (doc page of the command units)
+    "si": (1, 1, 1, 1, 1, 1, 1), "lj": (1, 1, 1, 1, 1, 1, 1),
+    "cgs": (1e-3, 1e-2, 1, 1e-7, 1e-5, 0.1, 1e3),
+    "real": (AMU, 1e-10, 1e-15, 4184 / MOL, 4184 / MOL / 1e-10, 101325, 1e3),
+    "metal": (AMU, 1e-10, 1e-12, 1.602176634e-19, 1.602176634e-9, 1e5, 1e3),
+    "electron": (AMU, BOHR, 1e-15, HARTREE, HARTREE / BOHR, 1, AMU / BOHR ** 3),
+    "micro": (1e-15, 1e-6, 1e-6, 1e-15, 1e-9, 1e3, 1e3), "nano": (1e-21, 1e-9, 1e-9, 1e-21, 1e-12, 1e6, 1e6)}
+STEPS = 3    # the prediction has seen two steps of its own by then
+
+# --- materials, in the script's words and in those of the reference -----------------------------------------
+
+ALU, COPPER = (2700.0, 70e9, 0.33), (8960.0, 124e9, 0.34)
+JC_ALU = (428e6, 327e6, 0.8, 0.05, 1.31, 293.0, 855.0, 1.0)
+JC_COPPER = (90e6, 292e6, 0.31, 0.025, 1.09, 298.0, 1356.0, 1.0)
+
+
+def material(base, eos=("linear",), strength=("elastic",), damage=None, heat=None):
+    return Material(*base, eos=eos, strength=strength, damage=damage, heat=heat)
+
+
+def words(m, units):
+    """The pair_coeff of a material, in a style of units."""
+    mass, length, time, energy, _, pressure, density = UNITS[units]
+    scale = {"plastic": [pressure] * 2, "johnson/cook": [pressure] * 2 + [1] * 5 + [1 / time],
+             "shock": [length / time, 1, 1], "tait": [1], "strain": [1],
+             "heat": [energy / (time * length), energy / mass, 1]}
+
+    def text(name, values):
+        out = [name]
+        for v, unit in zip(values, scale.get(name, [1] * 9) if name != "damage" else [1] * 9):
+            out += (["table/%d" % len(v)] + ["%r %r" % (float(t), float(y / unit)) for t, y in v]
+                    if isinstance(v, list) else [repr(float(v / unit))])
+        return " ".join(out)
+
+    line = "density %r elastic %r %r" % (m.rho0 / density, m.E / pressure, m.nu)
+    line += " eos " + text(m.eos[0], m.eos[1:]) + " strength " + text(m.strength[0], m.strength[1:])
+    if m.damage:
+        line += " damage %s %s" % (m.damage[0], " ".join(repr(float(d)) for d in m.damage[1:]))
+    return line + (" " + text("heat", m.heat) if m.heat else "")
+
+
+ELASTIC = [material(ALU), material(COPPER)]
+TAIT = [material(ALU, eos=("tait", 4.0)), material(COPPER, eos=("tait", 7.0))]
+PLASTIC = [material(ALU, strength=("plastic", 300e6, 1e9)), material(COPPER, strength=("plastic", 150e6, 0.0))]
+FLUID = [material(ALU, strength=("none",)), material(COPPER, strength=("none",))]
+SHOCK = [material(ALU, eos=("shock", 5240.0, 1.4, 1.97), strength=("plastic", 300e6, 1e9)),
+         material(COPPER, eos=("shock", 3940.0, 1.49, 1.99))]
+HOT = [material(ALU, strength=("johnson/cook",) + JC_ALU, heat=(200e3, 900.0, 0.9)),
+       material(COPPER, strength=("johnson/cook",) + JC_COPPER,
+                heat=([(200.0, 3e5), (400.0, 4e5), (900.0, 2e5)], [(300.0, 383.0), (500.0, 420.0)], 0.8))]
+DAMAGED = [material(ALU, strength=("johnson/cook",) + JC_ALU, damage=("johnson/cook", 0.005, 0.01, -1.5, 0.014, 1.12),
+                    heat=(0.0, 900.0, 0.9)),
+           material(COPPER, strength=("plastic", 150e6, 1e9), damage=("strain", 0.01), heat=(0.0, 383.0, 0.0))]
+
+# --- cases: name, dimension, kernel, materials, words of pair_style, keywords of Body, more lines -----------
+
+CASES = []
+
+
+def case(name, dim, kernel, materials, style="", heat=False, more="", meets=None, coeffs="", newton="off", units="si",
+         sort=0, speed=100.0, tight=1e-10, **settings):
+    CASES.append(dict(name=name, dim=dim, kernel=kernel, materials=materials, style=style, heat=heat, more=more,
+                      meets=meets, coeffs=coeffs, newton=newton, units=units, sort=sort, speed=speed, tight=tight,
+                      settings=settings))
+
+
+for dim in (2, 3):
+    for k in ("hyperbolic", "cubic", "quintic", "wendland/c2", "wendland/c4"):
+        case("elastic %s" % k, dim, k, ELASTIC)
+    case("no viscosity, no artificial stress", dim, "hyperbolic", ELASTIC, "viscosity 0 0 artstress 0 4",
+         viscosity=(0, 0), artstress=(0, 4))
+    case("viscosity only, 1.5 2.5", dim, "cubic", ELASTIC, "viscosity 1.5 2.5 artstress 0 4",
+         viscosity=(1.5, 2.5), artstress=(0, 4))
+    case("artificial stress only, n 6", dim, "cubic", TAIT, "viscosity 0 0 artstress 0.5 6",
+         viscosity=(0, 0), artstress=(0.5, 6))
+    case("artificial stress per component", dim, "hyperbolic", ELASTIC, "artstress 0.3 6 component",
+         artstress=(0.3, 6), component=True)
+    case("fluid", dim, "wendland/c2", FLUID, artstress=(0, 4))
+    case("form f14, plastic", dim, "cubic", PLASTIC, "form f14", form="f14")
+    case("plastic, sorted every 2 steps", dim, "hyperbolic", PLASTIC, sort=1)
+    case("shock equation of state", dim, "wendland/c2", SHOCK, speed=300.0)
+    case("xsph", dim, "hyperbolic", ELASTIC, "xsph 0.5", xsph=0.5)
+    case("balsara", dim, "hyperbolic", PLASTIC, "balsara yes", balsara=True)
+    case("correction", dim, "hyperbolic", PLASTIC, "correction yes", correction=True)
+    case("johnson/cook with heat", dim, "hyperbolic", HOT, heat=True)
+    case("johnson/cook with heat, newton on", dim, "quintic", HOT, heat=True, newton="on",
+         more="region hot block INF 4e-3 INF INF INF INF units box\ngroup hot region hot\n"
+              "fix_modify body temperature hot 700")
+    case("all at once", dim, "wendland/c4", HOT, "xsph 0.3 balsara yes correction yes artstress 0.4 3", heat=True,
+         xsph=0.3, balsara=True, correction=True, artstress=(0.4, 3))
+    case("damage", dim, "hyperbolic", DAMAGED, heat=True, speed=300.0)
+    case("bodies that do not meet", dim, "hyperbolic", PLASTIC, coeffs="pair_coeff 1 2 none", meets={(1, 2): ("none",)})
+    case("bodies that share heat", dim, "hyperbolic", HOT, coeffs="pair_coeff 1 2 heat", heat=True,
+         meets={(1, 2): ("heat", None)})
+case("plane stress, elastic", 2, "hyperbolic", ELASTIC, "plane stress", plane_stress=True)
+case("plane stress, plastic", 2, "cubic", PLASTIC, "plane stress", plane_stress=True)
+for units in UNITS:
+    if units != "si":
+        case("johnson/cook with heat, units " + units, 3, "hyperbolic", HOT, heat=True, units=units, tight=2e-7)
+        case("shock equation of state, units " + units, 2, "hyperbolic", SHOCK, speed=300.0, units=units, tight=2e-7)
+
+
+def attributes(c):
+    plastic = any(m.yields() for m in c["materials"])
+    names = ["density"] + ["stress/" + k for k in ("xx", "yy", "zz", "xy")]
+    names += ["stress/xz", "stress/yz"] if c["dim"] == 3 else []
+    names += ["pstrain", "pstrain/rate", "vonmises"] if plastic else []
+    names += ["temperature"] if c["heat"] else []
+    names += ["energy"] if any(m.eos[0] == "shock" for m in c["materials"]) else []
+    names += ["damage", "failed"] if any(m.damage for m in c["materials"]) else []
+    names += ["thickness"] if c["settings"].get("plane_stress") else []
+    return names
+
+
+def start(dim, dx, speed, seed):
+    """A perturbed lattice, periodic in x, free elsewhere."""
+    rng = np.random.default_rng(seed)
+    shape = (10, 7, 1) if dim == 2 else (8, 4, 4)
+    x = np.stack(np.meshgrid(*[np.arange(n) + 0.5 for n in shape], indexing="ij"), -1).reshape(-1, 3) * dx
+    mask = [1, 1, dim == 3]
+    x += 0.12 * dx * rng.uniform(-1, 1, x.shape) * mask
+    if dim == 2:
+        x[:, 2] = 0
+    v = speed * rng.uniform(-1, 1, x.shape) * mask
+    v += 3 * speed * np.stack([np.sin(2 * np.pi * x[:, 0] / (shape[0] * dx)), -x[:, 0] / (shape[0] * dx), 0 * x[:, 0]], -1)
+    kind = np.where(x[:, 1] < 0.5 * shape[1] * dx, 1, 2)
+    return x, v, kind, shape
+
+
+def data_file(x, v, kind, lo, hi):
+    lines = ["SPH-TM reference", "", "%d atoms" % len(x), "2 atom types", ""]
+    lines += ["%r %r %slo %shi" % (float(lo[k]), float(hi[k]), "xyz"[k], "xyz"[k]) for k in range(3)]
+    lines += ["", "Atoms # atomic", ""] + ["%d %d %r %r %r" % ((i + 1, kind[i]) + tuple(map(float, x[i]))) for i in range(len(x))]
+    lines += ["", "Velocities", ""] + ["%d %r %r %r" % ((i + 1,) + tuple(map(float, v[i]))) for i in range(len(x))]
+    return "\n".join(lines) + "\n"
+
+
+class Case:
+    """One case: its input for lmp, and the same for the reference."""
+
+    def __init__(self, number, c):
+        self.c, self.number = c, number
+        dim, dx = c["dim"], 1e-3
+        x, v, kind, shape = start(dim, dx, c["speed"], 7 + number)
+        ratio, T, self.dt = 1.2, 310.0, 2e-8
+        lo, hi = np.array([0, -5 * dx, -5 * dx]), np.array([shape[0], shape[1] + 5, shape[2] + 5]) * dx
+        if dim == 2:
+            lo[2], hi[2] = -0.5 * dx, 0.5 * dx
+        self.period = shape[0] * dx
+        assert self.period > 2 * REACH.get(c["kernel"], 2.0) * ratio * dx
+        self.names = attributes(c)
+        mass, length, time, energy, force, pressure, density = UNITS[c["units"]]
+        self.unit = {"x": length, "v": length / time, "f": force if dim == 3 else force / length,    # 2D: a plate one unit thick
+                     "density": density, "energy": energy / mass,
+                     "pstrain/rate": 1 / time, "vonmises": pressure}
+        self.unit.update(("stress/" + k, pressure) for k in ("xx", "yy", "zz", "xy", "xz", "yz"))
+        coeffs = "\n".join("pair_coeff %d %d %s" % (i + 1, i + 1, words(m, c["units"])) for i, m in enumerate(c["materials"]))
+        self.script = SCRIPT.format(
+            number=number, units=c["units"], dim=dim, bz="p" if dim == 2 else "f", newton=c["newton"],
+            kernel=c["kernel"], ratio=ratio, dx=dx / length, style=c["style"], coeffs=coeffs + "\n" + c["coeffs"], T=T,
+            dt=self.dt / time, more=c["more"], attributes=" ".join(self.names), steps=STEPS,
+            sort="2 %g" % (2 * dx) if c["sort"] else "0 0")
+        self.data = data_file(x / length, v / length * time, kind, lo / length, hi / length)
+        self.body = Body(dim, x, v, kind, {i + 1: m for i, m in enumerate(c["materials"])}, [self.period, 0, 0],
+                         c["kernel"], ratio * dx, dx, temperature=T, heat=c["heat"], meets=c["meets"], **c["settings"])
+        if "700" in c["more"]:
+            self.body.T[x[:, 0] <= 4e-3] = 700.0
+
+    def compare(self, frames):
+        """The largest deviation of every quantity, over all steps."""
+        body, worst = self.body, {}
+
+        def hold(name, mine, theirs, scale=None):
+            scale = scale or np.abs(theirs).max() or 1.0
+            worst[name] = max(worst.get(name, 0.0), float(np.abs(mine - theirs).max() / scale))
+
+        assert [f["step"] for f in frames] == list(range(STEPS + 1))
+        for f in frames:
+            body.step(self.dt) if f["step"] else body.seed()
+            d = self.unit["x"] * np.stack([f["x"], f["y"], f["z"]], 1) - body.x
+            d[:, 0] -= self.period * np.round(d[:, 0] / self.period)
+            hold("x", d, 0 * d, body.spacing)
+            hold("v", self.unit["v"] * np.stack([f["vx"], f["vy"], f["vz"]], 1), body.v)
+            hold("f", self.unit["f"] * np.stack([f["fx"], f["fy"], f["fz"]], 1), body.out["acc"] * body.m[:, None])
+            for j, name in enumerate(self.names):
+                ref = body.value(name)
+                scale = 1e6 if "stress" in name and np.abs(ref).max() < 1e6 else None
+                hold(name, f["c_p[%d]" % (j + 1)] * self.unit.get(name, 1.0), ref, scale)
+        return worst
+
+
+def main():
+    checks = Checks()
+    wanted = sys.argv[1:]
+    cases = []
+    for number, c in enumerate(CASES):
+        c["title"] = "%dD %s" % (c["dim"], c["name"])
+        if not wanted or any(w in c["title"] for w in wanted):
+            cases.append(Case(number, c))
+    result = run("clear\n".join(c.script for c in cases), files={"data.%d" % c.number: c.data for c in cases})
+    limit = {"pstrain/rate": 1e-8, "damage": 1e-9}
+    for c in cases:
+        title, body = c.c["title"], c.body
+        worst = c.compare(result.dump("out.%d" % c.number))
+        name = max(worst, key=lambda k: worst[k] / limit.get(k, 1e-10))
+        checks.below("%s: %s" % (title, name), worst[name], max(limit.get(name, 0.0), c.c["tight"]))
+        # a case whose effect did nothing would prove nothing
+        if "pstrain" in worst:
+            checks.above(title + ": it yields", body.eps.max(), 1e-4)
+        if "damage" in worst:
+            checks.above(title + ": particles fail", body.failed.sum(), 1)
+    checks.end()
+
+
+main()
