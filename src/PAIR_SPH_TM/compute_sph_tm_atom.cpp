@@ -82,7 +82,7 @@ const Attribute ATTRIBUTES[] = {
        if (n.empty()) return 0.0;
        const double *g = &n[3 * (size_t) p.i];
        const double *r = p.pair->records().main + (size_t) p.i * TM_REC;
-       return 2.0 * r[TM_REC_M] / r[TM_REC_RHO] * sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+       return tm_surface_area(&p.pair->surface_measure(), tm_vec(g[0], g[1], g[2]), r[TM_REC_M] / r[TM_REC_RHO]);
      }},
 };
 constexpr int N_ATTRIBUTES = sizeof(ATTRIBUTES) / sizeof(ATTRIBUTES[0]);

@@ -274,7 +274,7 @@ void PairSPHTM::complete_laws()
   conductance_table.assign((size_t) n * n, 0.0);
   bool any = false;
   for (int k = 0; k < n * n; k++) {
-    conductance_table[k] = laws[k].conductance > 0.0 ? laws[k].conductance : 0.0;
+    conductance_table[k] = laws[k].conductance > 0.0 ? laws[k].conductance * lattice.interface : 0.0;
     any = any || conductance_table[k] > 0.0;
   }
   if (!any) conductance_table.clear();
@@ -289,6 +289,8 @@ void PairSPHTM::init_style()
       error->all(FLERR, "Pair sph/tm: no material for atom type {}; write 'pair_coeff {} {} "
                         "<file> <card>' or the constants inline", i, i, i);
   unit = unit_scale(lmp);
+  lattice = tm_lattice_sums(set.kernel, domain->dimension, set.ratio);
+  surface_scale = tm_surface_make(set.kernel, domain->dimension, set.spacing, set.h, TM_SURFACE_THRESHOLD);
   complete_laws();
 
   auto fixes = modify->get_fix_by_style("^sph/tm$");
@@ -457,6 +459,7 @@ void PairSPHTM::predict()
   a.dt_ahead = fix->time_ahead();
   a.art_eps = set.art_eps;
   a.art_component = set.art_component;
+  a.conduct = 1.0 / lattice.gradient;
   const unsigned fx = fix->effects();
   for (int i = 0; i < atom->nlocal; i++) tm_predict(i, &a, fx);
 }
@@ -629,6 +632,16 @@ bool PairSPHTM::has_contact_pairs() const
 {
   return std::any_of(laws.begin(), laws.end(),
                      [](const PairLaw &l) { return l.meeting == CONTACT; });
+}
+
+double PairSPHTM::largest_conductivity() const
+{
+  double k = 0.0;
+  for (const tm_material &m : material) {
+    const tm_table &t = m.conductivity;
+    k = std::max(k, t.n ? *std::max_element(t.y, t.y + t.n) : t.value);
+  }
+  return k;
 }
 
 // largest stable step of body contact for a type: 0.2 of the period of the stiffest pair

@@ -9,6 +9,7 @@
 #include "rate_loops.h"
 #include "tm_body_contact.h"
 #include "tm_material.h"
+#include "tm_surface.h"
 #include "unit_scale.h"
 
 #include <string>
@@ -75,12 +76,18 @@ class PairSPHTM : public Pair {
   double neighbors_per_particle() const;    // mean over the owned particles of this rank
   int count_neighbors(int i) const;         // within reach now
   bool has_contact_pairs() const;
+  double largest_conductivity() const;      // of all types at all temperatures
   double contact_stiffness_limit(int type) const;
   const SPHTM_NS::UnitScale &units() const { return unit; }
+  // valid from init_style on
+  const tm_lattice &lattice_sums() const { return lattice; }
+  const tm_surface &surface_measure() const { return surface_scale; }
 
  protected:
   Settings set;
   SPHTM_NS::UnitScale unit;
+  tm_lattice lattice = {};
+  tm_surface surface_scale = {};
   int atom_types = 0;
   std::vector<tm_material> material;    // by type
   std::vector<std::string> names;

@@ -12,7 +12,7 @@
    Second order for every beta. beta = 0 is the modified Euler scheme that takes the last rate; on
    the imaginary axis (elastic waves) it grows by (omega dt)^4/4 a step whatever dt is. beta = 1/4
    decays by (omega dt)^4/8 and is stable up to omega dt = 0.78; on the negative real axis
-   (viscosity, conduction) up to 0.70. */
+   (viscosity, conduction) up to 2/3. */
 #define TM_PREDICT_BETA 0.25
 
 typedef struct {

@@ -1,4 +1,5 @@
-/* SPH-TM: heat between one particle and the neighbours that are no mechanical ones.
+/* SPH-TM: heat between one particle and the neighbours that are no mechanical ones; they also close
+   its free surface.
 
    F15's NeibTherm: particles of a tool, or of another body. F15 (6) as it stands is perfect
    contact. A finite interface conductance hc of the type pair acts in series with the two halves
@@ -15,6 +16,7 @@ TM_FN void tm_thermal(int i, const tm_rates_args *a, unsigned effects)
   const int *row = a->rows.index + a->rows.first[i];
   const tm_real *ri = a->rec.main + (ptrdiff_t) i * TM_REC;
   const tm_real *hi = a->rec.heat + (ptrdiff_t) i * TM_REC_HEAT;
+  tm_vec3 n = tm_vec(0, 0, 0);
   tm_real heat = 0.0;
   for (ptrdiff_t k = begin; k < end; k++) {
     const ptrdiff_t j = row[k * a->rows.stride];
@@ -25,6 +27,7 @@ TM_FN void tm_thermal(int i, const tm_rates_args *a, unsigned effects)
     const tm_real r = sqrt(r2);
     const tm_real g = a->norm / a->h * tm_kernel_slope(kernel, r / a->h) / r;
     const tm_real vol = rj[TM_REC_M] / rj[TM_REC_RHO];
+    n = tm_vec_axpy(n, vol * g, tm_vec(dx, dy, dz));
     const tm_real hc =
         a->conductance ? a->conductance[a->type[i] * (a->ntypes + 1) + a->type[j]] : 0.0;
     heat += hc > 0.0
@@ -33,6 +36,11 @@ TM_FN void tm_thermal(int i, const tm_rates_args *a, unsigned effects)
         : tm_conduction_pair(hi[TM_REC_K], hj[TM_REC_K], hi[TM_REC_T], hj[TM_REC_T], vol, g);
   }
   a->heat[i] += heat;
+  if (effects & TM_FX_SURFACE) {
+    a->surface[3 * (ptrdiff_t) i] += n.x;
+    a->surface[3 * (ptrdiff_t) i + 1] += n.y;
+    a->surface[3 * (ptrdiff_t) i + 2] += n.z;
+  }
 }
 
 #endif

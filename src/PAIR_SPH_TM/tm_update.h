@@ -42,6 +42,7 @@ typedef struct {
   tm_real dt, h, visc_alpha;
   tm_real accel_unit;            /* force of the unit style / mass -> acceleration */
   tm_real temperature;           /* of every particle where heat is off */
+  tm_real heat_rate, k_max;      /* see tm_heat_time_step */
   tm_real min_det;               /* gradient correction is dropped below this determinant */
 } tm_update_args;
 
@@ -275,7 +276,9 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     const tm_real T = tm_field_row(s, TM_F_TEMP, i)[0];
     if (effects & TM_FX_CONDUCTION) {
       const tm_real k = tm_conductivity(m, T);
-      if (k > 0.0) out.dt[TM_DT_CONDUCTION] = tm_heat_time_step(*tm_field_row(s, TM_F_RHO, i), tm_capacity(m, T), a->h, k);
+      if (k > 0.0)
+        out.dt[TM_DT_CONDUCTION] = tm_heat_time_step(*tm_field_row(s, TM_F_RHO, i), tm_capacity(m, T),
+                                                     a->h, k, a->k_max, a->heat_rate);
     }
     if (!(T - T == 0.0)) out.status = TM_BAD_NAN;
     else if (!(T > 0.0)) out.status = TM_BAD_TEMPERATURE;

@@ -1,7 +1,7 @@
 /* Heat: tables, conservation of the pair terms, the conductance of an interface on a lattice,
    surface exchange, and the bound behind the time step. */
 #include "tm_heat.h"
-#include "tm_kernel.h"
+#include "tm_lattice.h"
 #include "ut.h"
 
 static void check_tables(void)
@@ -118,9 +118,14 @@ int main(void)
     for (int dim = 1; dim <= 3; dim++)
       for (double h = 1; h < 2.1; h += 0.25) {
         const double rate = largest_eigenvalue(kernel, dim, h);   /* k/(rho cp h^2) = 1 */
-        UT_TRUE(rate > 2 && rate * tm_heat_time_step(1, 1, 1, 1) < 0.70);
+        if (dim == 1) continue;
+        const tm_lattice sums = tm_lattice_sums(kernel, dim, h);
+        UT_NEAR(sums.heat_rate * sums.gradient, rate, 0.01);
+        UT_TRUE(rate <= sums.heat_rate * sums.gradient * (1 + 1e-12));
+        UT_NEAR(tm_heat_time_step(1, 1, 1, 1, 1, sums.heat_rate) * sums.heat_rate, 0.5, 1e-14);
       }
-  UT_NEAR(tm_heat_time_step(7870, 486, 1e-4, 50.7), 0.075 * 7870 * 486 * 1e-8 / 50.7, 1e-14);
+  UT_NEAR(tm_heat_time_step(7870, 486, 1e-4, 50.7, 50.7, 6), 7870 * 486 * 1e-8 / 50.7 / 12, 1e-14);
+  UT_NEAR(tm_heat_time_step(1, 1, 1, 1, 1e9, 5), 0.05, 1e-8);
 
   /* into the body: the cold body warms */
   UT_NEAR(tm_convection(20, 300, 400), 2000, 1e-15);
