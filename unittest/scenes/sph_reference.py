@@ -160,7 +160,7 @@ class Body:
         self.__dict__.update(dim=dim, x=np.array(x, float), v=np.array(v, float), kind=kind, box=np.asarray(box, float),
                              kernel=kernel, h=h, spacing=spacing, viscosity=viscosity, artstress=artstress,
                              component=component, xsph=xsph, form=form, correction=correction, balsara=balsara,
-                             plane_stress=plane_stress, heat=heat, meets=meets or {})
+                             plane_stress=plane_stress, heat=heat, meets=meets or {}, T0=temperature)
         n = self.n = len(x)
         self.mat = [materials[k] for k in kind]
         self.m = np.array([m.rho0 for m in self.mat]) * spacing ** dim
@@ -201,7 +201,28 @@ class Body:
             q["sigma"] = sigma * self.lz[:, None, None]
         return q
 
-    def rates(self, ahead=0.0):
+    def contact(self, out, touch, r, d, vij, dt):
+        """Two bodies: F15 (9)-(16) between spheres one spacing wide; DFAC = 1 is critical damping; friction may
+        take a quarter of the sliding within a step; its heat is shared by effusivity."""
+        mu, penalty, damping = next(law[1:] for law in self.meets.values() if law[0] == "contact")
+        E = np.array([m.E for m in self.mat])
+        delta = np.where(touch, self.spacing - r, 0.0)
+        k = penalty * E[:, None] * E[None] / (E[:, None] + E[None]) * (self.spacing if self.dim == 3 else 1.0)
+        mass = self.m[:, None] * self.m[None] / (self.m[:, None] + self.m[None])
+        normal = d / r[..., None]
+        vn = np.sum(vij * normal, axis=2)
+        fn = np.where(delta > 0, np.maximum(k * delta - 2 * damping * np.sqrt(k * mass) * vn, 0), 0.0)
+        vt = vij - vn[..., None] * normal
+        speed = np.linalg.norm(vt, axis=2)
+        ft = np.minimum(mu * fn, 0.25 * mass * speed / dt)
+        force = fn[..., None] * normal - np.where(speed > 0, ft / np.maximum(speed, 1e-300), 0.0)[..., None] * vt
+        out["acc"] = out["acc"] + np.sum(force, axis=1) / self.m[:, None]
+        if self.heat:
+            b = np.array([np.sqrt(m.conductivity(self.T0) * m.capacity(self.T0) * m.rho0) for m in self.mat])
+            out["source"] = np.sum(ft * speed * b[:, None] / (b[:, None] + b[None]), axis=1)
+        self.contacts = int(np.sum(fn > 0))
+
+    def rates(self, ahead=0.0, dt=1.0):
         """Everything that one pass over the neighbours gives, at the force point."""
         q = self.q = self.point(ahead)
         dim, n, m, rho, v = self.dim, self.n, self.m, q["rho"], q["v"]
@@ -218,11 +239,13 @@ class Body:
         W, dW = constant * shape, constant * slope / self.h
         grad = (dW / r)[..., None] * d                          # gradient of W with respect to x_i
         same, heat_pair = np.ones((n, n), bool), np.ones((n, n), bool)
+        touch = np.zeros((n, n), bool)
         hc = np.full((n, n), np.inf)
         for (a, b), law in self.meets.items():
             mask = ((self.kind[:, None] == a) & (self.kind[None] == b)) | ((self.kind[:, None] == b) & (self.kind[None] == a))
             same[mask] = False
             heat_pair[mask] = law[0] == "heat"
+            touch[mask] = law[0] == "contact"
             if law[0] == "heat" and law[1]:
                 hc[mask] = law[1]
         gm = np.where(same[..., None], grad, 0.0)               # of the mechanical neighbours
@@ -271,6 +294,9 @@ class Body:
             pi = pi * 0.5 * (self.switch[:, None] + self.switch[None])
         art -= pi[..., None] * gm
         out["acc"] = acc + np.einsum("j,ija->ia", m, art)
+        out["source"] = np.zeros(n)
+        if touch.any():
+            self.contact(out, touch, r, d, vij, dt)
         if dim == 2:
             out["acc"][:, 2] = 0
         out["heating"] = -0.5 * m * np.einsum("j,ija,ija->i", m, art, vij)
@@ -287,9 +313,9 @@ class Body:
         self.out = out
         return out
 
-    def seed(self):
+    def seed(self, dt=1.0):
         """Rates of the set-up, as history of the first prediction."""
-        o = self.rates(0.0)
+        o = self.rates(0.0, dt)
         rho = self.q.get("rho3", self.q["rho"])
         s = np.array([jaumann(self.s[i], o["L"][i], m.G) if m.strength[0] != "none" else 0 * self.s[i]
                       for i, m in enumerate(self.mat)])
@@ -298,8 +324,8 @@ class Body:
 
     def step(self, dt):
         if self.old is None:
-            self.seed()
-        o = self.rates(0.5 * dt)
+            self.seed(dt)
+        o = self.rates(0.5 * dt, dt)
         q, n = self.q, self.n
         half = q["x"]
         v = self.v + dt * o["acc"]
@@ -358,7 +384,7 @@ class Body:
                 div = abs(np.trace(G))
                 self.switch[i] = div / (div + np.linalg.norm(curl) + 1e-4 * q["c"][i] / self.h)
             if self.heat and m.heat:
-                power = m.heat[2] * y * d_eps / dt * self.m[i] / rho + o["heat"][i] * self.m[i] / q["rho"][i]
+                power = m.heat[2] * y * d_eps / dt * self.m[i] / rho + o["heat"][i] * self.m[i] / q["rho"][i] + o["source"][i]
                 rate["T"][i] = power / (self.m[i] * m.capacity(T))
                 self.T[i] = T + dt * rate["T"][i]
             self.rho[i], self.s[i] = rho, s

@@ -3,6 +3,7 @@
 A perturbed lattice with random velocities, one side periodic, two materials; three steps with each set of
 effects. Compared after every step: x, v, f, density, stress, temperature, plastic strain, energy, damage, ...
 relative to the largest value in the field."""
+import os
 import sys
 
 import numpy as np
@@ -122,6 +123,10 @@ for dim in (2, 3):
     case("bodies that do not meet", dim, "hyperbolic", PLASTIC, coeffs="pair_coeff 1 2 none", meets={(1, 2): ("none",)})
     case("bodies that share heat", dim, "hyperbolic", HOT, coeffs="pair_coeff 1 2 heat", heat=True,
          meets={(1, 2): ("heat", None)})
+    case("bodies in contact", dim, "hyperbolic", PLASTIC, meets={(1, 2): ("contact", 0.3, 0.7, 0.4)},
+         coeffs="pair_coeff 1 2 contact friction 0.3 penalty 0.7 damping 0.4")
+    case("bodies in contact with friction heat", dim, "hyperbolic", HOT, heat=True,
+         meets={(1, 2): ("contact", 0.9, 1.0, 0.2)}, coeffs="pair_coeff 1 2 contact friction 0.9")
 case("plane stress, elastic", 2, "hyperbolic", ELASTIC, "plane stress", plane_stress=True)
 case("plane stress, plastic", 2, "cubic", PLASTIC, "plane stress", plane_stress=True)
 for units in UNITS:
@@ -172,6 +177,8 @@ class Case:
         self.c, self.number = c, number
         dim, dx = c["dim"], 1e-3
         x, v, kind, shape = start(dim, dx, c["speed"], 7 + number)
+        if "contact" in c["name"]:
+            x[kind == 2, 1] -= 0.15 * dx
         ratio, T, self.dt = 1.2, 310.0, 2e-8
         lo, hi = np.array([0, -5 * dx, -5 * dx]), np.array([shape[0], shape[1] + 5, shape[2] + 5]) * dx
         if dim == 2:
@@ -206,7 +213,7 @@ class Case:
 
         assert [f["step"] for f in frames] == list(range(STEPS + 1))
         for f in frames:
-            body.step(self.dt) if f["step"] else body.seed()
+            body.step(self.dt) if f["step"] else body.seed(self.dt)
             d = self.unit["x"] * np.stack([f["x"], f["y"], f["z"]], 1) - body.x
             d[:, 0] -= self.period * np.round(d[:, 0] / self.period)
             hold("x", d, 0 * d, body.spacing)
@@ -219,15 +226,18 @@ class Case:
         return worst
 
 
-def main():
-    checks = Checks()
-    wanted = sys.argv[1:]
+def compare(checks, wanted, where="", ranks=1, isa=None):
     cases = []
     for number, c in enumerate(CASES):
-        c["title"] = "%dD %s" % (c["dim"], c["name"])
+        c["title"] = "%dD %s%s" % (c["dim"], c["name"], where)
         if not wanted or any(w in c["title"] for w in wanted):
             cases.append(Case(number, c))
-    result = run("clear\n".join(c.script for c in cases), files={"data.%d" % c.number: c.data for c in cases})
+    if isa:
+        os.environ["SPHTM_ISA"] = isa
+    result = run("clear\n".join(c.script for c in cases), files={"data.%d" % c.number: c.data for c in cases}, ranks=ranks)
+    if isa:
+        checks.true("rate loops: " + isa, "rate loops: " + isa in result.output)
+        del os.environ["SPHTM_ISA"]
     limit = {"pstrain/rate": 1e-8, "damage": 1e-9}
     for c in cases:
         title, body = c.c["title"], c.body
@@ -237,9 +247,16 @@ def main():
         # a case whose effect did nothing would prove nothing
         if "pstrain" in worst:
             checks.above(title + ": it yields", body.eps.max(), 1e-4)
+        if "contact" in title:
+            checks.above(title + ": contacts", body.contacts, 10)
         if "damage" in worst:
             checks.above(title + ": particles fail", body.failed.sum(), 1)
-    checks.end()
 
 
-main()
+checks = Checks()
+compare(checks, sys.argv[1:])
+if not sys.argv[1:]:
+    some = ["newton on", "all at once", "sorted"]
+    compare(checks, some, ", any processor", isa="default")
+    compare(checks, some, ", two ranks", ranks=2)
+checks.end()
