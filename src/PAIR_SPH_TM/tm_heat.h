@@ -82,6 +82,17 @@ TM_FN tm_real tm_radiation(tm_real sigma_sb, tm_real emissivity, tm_real T, tm_r
   return sigma_sb * emissivity * (b - a) * (b + a);
 }
 
+/* Rise of temperature by a heat per mass: heat = integral of c_p dT from T. With a table c_p is taken
+   in the middle of the rise, found by iteration: exact within a segment of the table, so that what
+   is given to a particle can be found in it. */
+TM_FN tm_real tm_heat_rise(const tm_material *m, tm_real T, tm_real heat)
+{
+  tm_real rise = heat / tm_capacity(m, T);
+  if (m->capacity.n)
+    for (int it = 0; it < 3; it++) rise = heat / tm_capacity(m, T + 0.5 * rise);
+  return rise;
+}
+
 /* Time step of explicit conduction, 3/4 of the limit 2/3 of the predictor in tm_state.h over the
    fastest decay rate k/(rho c_p h^2) (tm_lattice.h). A pair conducts with the harmonic mean of its
    sides, up to twice its own k where the other side has k_max, the largest in the scene; k > 0. */

@@ -150,10 +150,10 @@ TM_FN tm_real tm_update_temperature(int i, const tm_update_args *a, const tm_mat
   tm_real power = plastic_power * m->taylor_quinney * mass / rho;
   if (effects & TM_FX_CONDUCTION) power += a->heat[i] * mass / a->rec.main[(ptrdiff_t) i * TM_REC + TM_REC_RHO];
   if (a->source) power += a->source[i];
-  const tm_real rate = power / (mass * tm_capacity(m, t[0]));
-  t[0] += a->dt * rate;
+  const tm_real rise = tm_heat_rise(m, t[0], a->dt * power / mass);
+  t[0] += rise;
   t[2] = t[1];
-  t[1] = rate;
+  t[1] = rise / a->dt;
   return a->dt * power;
 }
 
