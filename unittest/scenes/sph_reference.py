@@ -153,6 +153,31 @@ def jaumann(s, L, G):
 
 # --- a body of particles ------------------------------------------------------------------------------------
 
+def lattice_sums(name, dim, h):
+    """On a lattice of spacing 1: the gradient that the sums make of a unit gradient, and twice the sum of |W'| over
+    the pairs across a unit of a plane between two layers."""
+    side = np.arange(-12, 13.0)
+    x, y, z = np.meshgrid(side, side, side if dim == 3 else [0.0])
+    r = np.sqrt(x * x + y * y + z * z)
+    r[r == 0] = 1e30
+    dW = CONSTANT[name][dim - 2] / h ** (dim + 1) * kernel(name, r / h)[1]
+    return -np.sum(dW / r * x * x), -2 * np.sum(np.where(x > 0, dW * x, 0))
+
+
+def warmed(m, T, heat):
+    """Temperature after a heat per mass, the integral of a capacity that is linear meanwhile; by bisection."""
+    if not heat:
+        return T
+    lo, hi = T + heat / m.capacity(T) * np.array([0.25, 4] if heat > 0 else [4, 0.25])
+    for _ in range(200):
+        mid = 0.5 * (lo + hi)
+        if (mid - T) * 0.5 * (m.capacity(T) + m.capacity(mid)) < heat:
+            lo = mid
+        else:
+            hi = mid
+    return 0.5 * (lo + hi)
+
+
 class Body:
     def __init__(self, dim, x, v, kind, materials, box, kernel, h, spacing, viscosity=(1.0, 1.0), artstress=(0.3, 4),
                  component=False, xsph=0.0, form="f15", correction=False, balsara=False, plane_stress=False,
@@ -302,7 +327,9 @@ class Body:
         out["heating"] = -0.5 * m * np.einsum("j,ija,ija->i", m, art, vij)
 
         if self.heat:    # F15 (6), a power per volume; a finite conductance is a resistance in series
-            k = np.array([mt.conductivity(T) for mt, T in zip(self.mat, q["T"])])
+            gradient, across = lattice_sums(self.kernel, dim, self.h / self.spacing)
+            k = np.array([mt.conductivity(T) for mt, T in zip(self.mat, q["T"])]) / gradient
+            hc = hc / across
             with np.errstate(divide="ignore"):
                 conduct = 1 / (1 / (2 * k[:, None]) + 1 / (2 * k[None]) + 1 / (hc * r))
             out["heat"] = np.einsum("j,ij->i", m / rho,
@@ -385,8 +412,8 @@ class Body:
                 self.switch[i] = div / (div + np.linalg.norm(curl) + 1e-4 * q["c"][i] / self.h)
             if self.heat and m.heat:
                 power = m.heat[2] * y * d_eps / dt * self.m[i] / rho + o["heat"][i] * self.m[i] / q["rho"][i] + o["source"][i]
-                rate["T"][i] = power / (self.m[i] * m.capacity(T))
-                self.T[i] = T + dt * rate["T"][i]
+                self.T[i] = warmed(m, T, dt * power / self.m[i])
+                rate["T"][i] = (self.T[i] - T) / dt
             self.rho[i], self.s[i] = rho, s
             self.eps[i] += d_eps
             self.eps_rate[i] = d_eps / dt
