@@ -61,10 +61,11 @@ def new_folder():
     return folder
 
 
-def run(script, variables=None, ranks=1, folder=None, files=None, expect_error=False, timeout=600):
+def run(script, variables=None, ranks=1, folder=None, files=None, expect_error=False, timeout=600, environment=None):
     """Runs lmp. script: text, or the path of an input script. variables: -var name value. files: name ->
     text, written to the run's folder first. A folder of an earlier run can be given, to read its restart
-    files. A run that fails ends the test with its output, unless expect_error."""
+    files. environment: variables to add to this test's. A run that fails ends the test with its output, unless
+    expect_error."""
     lmp = os.environ.get("SPHTM_LMP")
     if not lmp:
         print("no SPHTM_LMP in the environment: skipped")
@@ -81,7 +82,7 @@ def run(script, variables=None, ranks=1, folder=None, files=None, expect_error=F
     for name, value in (variables or {}).items():
         command += ["-var", name] + [str(v) for v in (value if isinstance(value, (list, tuple)) else [value])]
     done = subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                          timeout=timeout, stdin=subprocess.DEVNULL)
+                          timeout=timeout, stdin=subprocess.DEVNULL, env=dict(os.environ, **(environment or {})))
     if done.returncode != 0 and not expect_error:
         print(done.stdout[-6000:])
         print("lmp ended with status", done.returncode, "of", shlex.join(command))
