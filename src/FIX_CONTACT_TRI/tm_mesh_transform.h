@@ -35,7 +35,7 @@ TM_FN void tm_soup_move(tm_soup *soup, tm_vec3 by)
 /* Right-handed, about the axis through the origin. */
 TM_FN void tm_soup_rotate(tm_soup *soup, tm_vec3 axis, tm_real degrees)
 {
-  const tm_mat3 r = tm_rotation(axis, degrees * TM_PI / 180.0);
+  const tm_mat3 r = tm_rotation_about(axis, degrees * TM_PI / 180.0);
   for (ptrdiff_t c = 0; c < (soup->normal ? 4 : 3) * (ptrdiff_t) soup->n; c++) {
     double *p = c < 3 * (ptrdiff_t) soup->n ? soup->corner + 3 * c
                                             : soup->normal + 3 * (c - 3 * (ptrdiff_t) soup->n);

@@ -66,7 +66,7 @@ TM_FN tm_vec3 tm_pose_velocity_at(const tm_pose *p, tm_vec3 world)
 }
 
 /* Rotation by an angle (radians) about an axis of any length: Rodrigues' formula. */
-TM_FN tm_mat3 tm_rotation(tm_vec3 axis, tm_real angle)
+TM_FN tm_mat3 tm_rotation_about(tm_vec3 axis, tm_real angle)
 {
   const tm_vec3 u = tm_vec_scale(1.0 / tm_vec_norm(axis), axis);
   const tm_real c = cos(angle), s = sin(angle), half = sin(0.5 * angle);
@@ -111,7 +111,7 @@ TM_FN tm_pose tm_motion_pose(const tm_motion *m, const tm_pose *base, tm_real t)
   }
   if (m->kind == TM_MOTION_ROTATE || m->kind == TM_MOTION_TRANSROT) {
     const tm_real w = 2.0 * TM_PI / m->period;
-    const tm_mat3 r = tm_rotation(m->axis, w * time);
+    const tm_mat3 r = tm_rotation_about(m->axis, w * time);
     p.turn = tm_mat_mul(r, base->turn);
     p.shift = tm_vec_add(m->point, tm_mat_mul_vec(r, tm_vec_sub(base->shift, m->point)));
     p.omega = tm_vec_scale(w * rate / tm_vec_norm(m->axis), m->axis);

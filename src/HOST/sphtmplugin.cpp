@@ -2,8 +2,12 @@
    without a word (LAMMPS itself only prints a note). */
 #include "style_registry.h"
 
+#include "compute_cutting_force.h"
 #include "compute_sph_tm_atom.h"
+#include "fix_contact_tri.h"
 #include "fix_sph_tm.h"
+#include "fix_sph_tm_drive.h"
+#include "fix_sph_tm_heat.h"
 #include "pair_sph_tm.h"
 
 #include "comm.h"
@@ -29,5 +33,9 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *p
   SPHTM_NS::Registry registry(ptr, handle, regfunc);
   registry.pair<PairSPHTM>("sph/tm", "thermo-mechanical SPH of solids");
   registry.fix<FixSPHTM>("sph/tm", "state and time integration of pair sph/tm");
+  registry.fix<FixSPHTMHeat>("sph/tm/heat", "temperature, flux, source, convection, radiation on a group");
+  registry.fix<FixSPHTMDrive>("sph/tm/drive", "prescribed velocity of a group of sph/tm particles");
   registry.compute<ComputeSPHTMAtom>("sph/tm/atom", "per-particle values of sph/tm");
+  registry.fix<FixContactTri>("contact/tri", "contact, friction and heat with a tool of triangles");
+  registry.compute<ComputeCuttingForce>("cutting/force", "forces of a tool in terms of cutting");
 }

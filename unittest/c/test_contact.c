@@ -174,7 +174,7 @@ static void books(void)
   w->tool_effusivity = 9.0; w->conductance = 4.0;
   s.mass[1] = 0.3;
   a->force_unit = 7.0;
-  a->pose.turn = tm_rotation(tm_vec(1, 2, 3), 0.7);
+  a->pose.turn = tm_rotation_about(tm_vec(1, 2, 3), 0.7);
   a->pose.shift = tm_vec(0.3, 0.1, -0.2);
   a->pose.velocity = tm_vec(-1, 0.2, 0.1);
   a->pose.omega = tm_vec(3, 5, -4);

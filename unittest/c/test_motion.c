@@ -35,7 +35,7 @@ static tm_vec3 lammps_rotate(const tm_motion *m, tm_vec3 x0, double t)
 static tm_pose some_base(void)
 {
   tm_pose b = tm_pose_rest();
-  b.turn = tm_rotation(tm_vec(0.2, -1, 0.4), 1.1);
+  b.turn = tm_rotation_about(tm_vec(0.2, -1, 0.4), 1.1);
   b.shift = tm_vec(2, -1, 0.5);
   return b;
 }
@@ -107,7 +107,7 @@ int main(void)
   against_formulas();
   velocity_is_derivative();
   ramp_integral();
-  const tm_mat3 r = tm_rotation(tm_vec(0, 0, 3), TM_PI / 2);   /* right-handed: x to y */
+  const tm_mat3 r = tm_rotation_about(tm_vec(0, 0, 3), TM_PI / 2);   /* right-handed: x to y */
   same(tm_mat_mul_vec(r, tm_vec(1, 0, 0)), tm_vec(0, 1, 0), 1e-15);
   return ut_summary();
 }

@@ -1,0 +1,59 @@
+#include "contact_loop.h"
+
+namespace SPHTM_NS {
+
+template <unsigned FX> static tm_contact_result loop(int n, const tm_contact_args &args)
+{
+  tm_contact_result sum = tm_contact_nothing();
+  for (int i = 0; i < n; i++) {
+    const tm_contact_result one = tm_contact_tri(i, &args, FX);
+    if (one.contacts || one.spring > 0.0) tm_contact_sum(&sum, &one);
+  }
+  return sum;
+}
+
+// bits that few scenes ask for, and output steps: tested at run time
+static tm_contact_result loop_any(int n, const tm_contact_args &args, unsigned fx)
+{
+  tm_contact_result sum = tm_contact_nothing();
+  for (int i = 0; i < n; i++) {
+    const tm_contact_result one = tm_contact_tri(i, &args, fx);
+    if (one.contacts || one.spring > 0.0) tm_contact_sum(&sum, &one);
+  }
+  return sum;
+}
+
+tm_contact_result contact_loop(int n, const tm_contact_args &args, unsigned fx)
+{
+  constexpr unsigned D = TM_CT_3D, H = TM_CT_HEAT, F = TM_CT_FRICTION;
+  switch (fx) {
+    case F: return loop<F>(n, args);
+    case H | F: return loop<H | F>(n, args);
+    case D | F: return loop<D | F>(n, args);
+    case D | H | F: return loop<D | H | F>(n, args);
+    default: return loop_any(n, args, fx);
+  }
+}
+
+double contact_overlap(int n, const tm_contact_args &args, unsigned fx, tm_vec3 shift, int *worst)
+{
+  tm_touch touch[TM_TOUCH_MAX];
+  double deepest = 0.0;
+  *worst = -1;
+  for (int i = 0; i < n; i++) {
+    const tm_contact_law &w = args.law[args.type[i]];
+    if (!w.active || !(args.mask[i] & args.group)) continue;
+    const tm_vec3 x = tm_vec_sub(tm_load3(args.x + i * args.x_stride), shift);
+    const tm_vec3 p = tm_pose_to_local(&args.pose, x);
+    const int found = tm_touch_find(&args.mesh, &args.grid, p, w.radius, args.deep,
+                                    (fx & TM_CT_TWO_SIDED) != 0, touch);
+    for (int k = 0; k < found; k++)
+      if (w.radius - touch[k].distance > deepest) {
+        deepest = w.radius - touch[k].distance;
+        *worst = i;
+      }
+  }
+  return deepest;
+}
+
+}    // namespace SPHTM_NS

@@ -1,0 +1,401 @@
+/* SPH-TM: fix contact/tri. See doc/fix_contact_tri.rst. */
+#include "fix_contact_tri.h"
+
+#include "fix_sph_tm.h"
+#include "pair_sph_tm.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "input.h"
+#include "memory.h"
+#include "modify.h"
+#include "update.h"
+#include "variable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+using namespace SPHTM_NS;
+using namespace FixConst;
+
+FixContactTri::FixContactTri(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg), motion(lmp)
+{
+  scalar_flag = 1;
+  vector_flag = 1;
+  size_vector = 13;
+  extscalar = 0;
+  extvector = 0;
+  global_freq = 1;
+  restart_global = 1;
+  dynamic_group_allow = 1;
+  comm_forward = 1;
+  sums = tm_contact_nothing();
+  std::fill(totals, totals + 14, 0.0);
+  shape.options = tm_mesh_defaults();
+
+  parse(narg, arg);
+  const std::string wrong = tool.load(shape, request.two_sided);
+  if (!wrong.empty()) error->all(FLERR, "Fix contact/tri {}: {}", id, wrong);
+  reference_local = request.reference_given
+      ? tm_vec(request.reference[0], request.reference[1], request.reference[2]) : tool.origin();
+  nevery = 1;
+  clear_triangles();
+}
+
+FixContactTri::~FixContactTri()
+{
+  if (copymode) return;
+  memory->destroy(local_rows);
+  memory->destroy(image_rows);
+}
+
+int FixContactTri::setmask()
+{
+  int mask = POST_FORCE | FINAL_INTEGRATE;
+  if (motion.by_variable() || request.body_type || !temperature_variable.empty())
+    mask |= INITIAL_INTEGRATE;
+  if (vtk.every || stl.every || local_every || request.lumped_capacity > 0.0) mask |= END_OF_STEP;
+  return mask;
+}
+
+int FixContactTri::modify_param(int narg, char **arg)
+{
+  if (strcmp(arg[0], "move") == 0) {
+    const int used = motion.parse(narg - 1, arg + 1, clock);
+    modify->fmask[modify->find_fix(id)] = setmask();
+    return 1 + used;
+  }
+  if (strcmp(arg[0], "temperature") == 0) {
+    if (narg < 2) utils::missing_cmd_args(FLERR, "fix_modify temperature of fix contact/tri", error);
+    temperature = utils::numeric(FLERR, arg[1], false, lmp);
+    temperature_given = true;
+    temperature_variable.clear();
+    return 2;
+  }
+  return 0;
+}
+
+/* ---------------------------------------------------------------------- start of a run */
+
+void FixContactTri::init()
+{
+  auto fixes = modify->get_fix_by_style("^sph/tm$");
+  if (fixes.empty())
+    error->all(FLERR, "Fix contact/tri {} needs the fix sph/tm that owns the particles' state; "
+                      "write 'fix body all sph/tm' before it", id);
+  state = dynamic_cast<FixSPHTM *>(fixes[0]);
+  if (modify->find_fix(id) < modify->find_fix(fixes[0]->id))
+    error->all(FLERR, "Fix contact/tri {} must come after fix {} sph/tm in the input", id,
+               fixes[0]->id);
+  pair = state->pair();
+  if (heat_given) state->need(TM_FX_HEAT, fmt::format("fix contact/tri {} exchanges heat", id));
+  if (!temperature_given) temperature = state->start_temperature();
+  motion.init();
+  check_dimension();
+  const double reach = pair->settings_in_use().spacing;
+  if (reach != indexed_reach) {
+    const std::string wrong = tool.index(reach);
+    if (!wrong.empty()) error->all(FLERR, "Fix contact/tri {}: {}", id, wrong);
+    const bool first = indexed_reach == 0.0;
+    indexed_reach = reach;
+    make_laws();
+    if (first) report();
+  } else {
+    make_laws();
+  }
+}
+
+void FixContactTri::report()
+{
+  if (comm->me) return;
+  utils::logmesg(lmp, "contact/tri {}: {}: {}\n", id, shape.file, tool.summary());
+  for (const auto &line : tool.flaws(request.two_sided))
+    error->warning(FLERR, "Fix contact/tri {}: {}", id, line);
+  for (int t = 1; t <= atom->ntypes; t++) {
+    const tm_contact_law &w = laws[t];
+    if (!w.active) continue;
+    std::string text = fmt::format("contact/tri {}: type {}: stiffness {:.6g}, damping {:.4g} of "
+                                   "critical, friction {}", id, t,
+                                   w.stiffness / pair->units().force, w.damping,
+                                   w.friction.n ? "by table" : fmt::format("{:.4g}", w.friction.value));
+    if (state->has(TM_FX_HEAT)) {
+      const tm_material &m = pair->materials()[t];
+      const double T = state->start_temperature();
+      const double e = sqrt(tm_conductivity(&m, T) * m.rho0 * tm_capacity(&m, T));
+      text += fmt::format(", {:.3f} of the friction heat into the particles{}", tm_contact_share(&w, e),
+                          w.share < 0.0 || request.share >= 0.0
+                              ? "" : " (give 'effusivity' or 'share' to change that)");
+    }
+    utils::logmesg(lmp, "{}\n", text);
+  }
+}
+
+// in 2d the sides of the tool must reach beyond the plane of the particles
+void FixContactTri::check_dimension()
+{
+  if (domain->dimension == 3) return;
+  const tm_mesh &m = tool.mesh();
+  const double need = 2.0 * pair->settings_in_use().spacing;
+  if (m.lo[2] > -need || m.hi[2] < need)
+    error->all(FLERR, "Fix contact/tri {}: the mesh spans z from {:.6g} to {:.6g}; in 2d it must be "
+                      "extruded along z to at least {:.6g} on both sides of z = 0: use 'scale' with "
+                      "three factors or 'move'", id, m.lo[2], m.hi[2], need);
+}
+
+tm_contact_law FixContactTri::make_law(int type)
+{
+  const tm_material &m = pair->materials()[type];
+  const UnitScale &u = pair->units();
+  const double dp = pair->settings_in_use().spacing;
+  const bool dim3 = domain->dimension == 3;
+  tm_contact_law w = {};
+  w.active = m.body == TM_BODY_SOLID;
+  w.radius = 0.5 * dp;
+  w.stiffness = tm_contact_stiffness(request.penalty, m.young, 0.0, dp, dim3);
+  w.damping = request.damping;
+  w.area = dim3 ? dp * dp : dp;
+  w.friction = request.friction;
+  w.shear = request.shear;
+  w.share = request.share;
+  w.tool_effusivity = request.effusivity * u.energy;
+  w.conductance = request.conductance > 0.0 ? request.conductance * u.energy : request.conductance;
+  if (request.body_type) {
+    const tm_material &b = pair->materials()[request.body_type];
+    const double T = state->start_temperature();
+    w.tool_effusivity = sqrt(tm_conductivity(&b, T) * b.rho0 * tm_capacity(&b, T));
+    w.conductance = 0.0;    // conduction goes from particle to particle
+  } else if (request.share < 0.0 && request.effusivity < 0.0) {
+    w.share = 0.5;
+  }
+  return w;
+}
+
+void FixContactTri::make_laws()
+{
+  const double dp = pair->settings_in_use().spacing;
+  laws.assign(atom->ntypes + 1, tm_contact_law{});
+  dt_limit = 1e300;
+  for (int t = 1; t <= atom->ntypes; t++) {
+    laws[t] = make_law(t);
+    if (!laws[t].active) continue;
+    const double mass = pair->materials()[t].rho0 * pow(dp, domain->dimension);
+    // 0.35: stability of the half-step prediction, 0.78 without and 0.70 with damping, of 2
+    dt_limit = std::min(dt_limit,
+                        0.35 * tm_contact_time_step(laws[t].stiffness, mass, laws[t].damping));
+  }
+  if (request.body_type) {
+    if (request.body_type > atom->ntypes)
+      error->all(FLERR, "Fix contact/tri {} particles: there is no type {}", id, request.body_type);
+    if (pair->materials()[request.body_type].body != TM_BODY_HEAT)
+      error->all(FLERR, "Fix contact/tri {} particles: type {} must be a material that only conducts "
+                        "heat", id, request.body_type);
+  }
+}
+
+void FixContactTri::setup(int vflag)
+{
+  motion.evaluate_now();
+  if (!checked && !restored && clock == 0.0 && !request.overlap_allowed) check_overlap();
+  checked = true;
+  post_force(vflag);
+  write_files();
+}
+
+/* ---------------------------------------------------------------------- one step */
+
+void FixContactTri::initial_integrate(int)
+{
+  const double dt = state->step_dt();
+  if (motion.by_variable() || !temperature_variable.empty()) {
+    modify->clearstep_compute();
+    motion.evaluate_next(dt);
+    if (!temperature_variable.empty())
+      temperature = input->variable->compute_equal(
+          input->variable->find(temperature_variable.c_str()));
+    modify->addstep_compute(update->ntimestep + 1);
+  }
+  if (request.body_type)
+    place_body(motion.pose(clock, 0.0, dt), motion.pose(clock, state->time_ahead(), dt));
+}
+
+unsigned FixContactTri::effects(bool output) const
+{
+  unsigned fx = 0;
+  if (domain->dimension == 3) fx |= TM_CT_3D;
+  if (state->has(TM_FX_HEAT)) fx |= TM_CT_HEAT;
+  if (request.friction.n || request.friction.value > 0.0) fx |= TM_CT_FRICTION;
+  if (request.approach) fx |= TM_CT_APPROACH;
+  if (request.f15) fx |= TM_CT_F15;
+  if (request.two_sided) fx |= TM_CT_TWO_SIDED;
+  if (output) fx |= TM_CT_OUTPUT;
+  return fx;
+}
+
+tm_contact_args FixContactTri::make_args(const tm_pose &pose, bool output)
+{
+  tm_contact_args a = {};
+  const tm_state s = state->state();
+  const tm_records &rec = pair->records();
+  a.mesh = tool.view();
+  a.grid = tool.grid();
+  a.pose = pose;
+  a.reference = tm_pose_to_world(&pose, reference_local);
+  a.deep = pair->settings_in_use().spacing;
+  a.dt = state->step_dt();
+  a.force_unit = 1.0 / pair->units().force;
+  a.tool_temperature = temperature;
+  a.law = laws.data();
+  a.mask = atom->mask;
+  a.group = groupbit;
+  a.type = atom->type;
+  a.x = s.x;
+  a.v = s.v;
+  a.rate_v = rec.main + TM_REC_V;
+  a.f = s.force;
+  a.x_stride = a.v_stride = a.f_stride = 3;
+  a.rate_v_stride = TM_REC;
+  a.mass = s.mass;
+  a.rmass = s.rmass;
+  a.material = pair->materials();
+  if (state->has(TM_FX_HEAT)) {
+    a.temperature = rec.heat + TM_REC_T;
+    a.temperature_stride = TM_REC_HEAT;
+    a.source = state->heat_source();
+    a.tool_heat = request.body_type ? tool_heat.data() : nullptr;
+  }
+  if (state->has(TM_FX_PLASTICITY) && request.shear > 0.0) {
+    a.yield = s.field[TM_F_PSTRAIN] + 2;
+    a.yield_stride = tm_field_table[TM_F_PSTRAIN].columns;
+  }
+  if (output) {
+    a.tri_force = tri_force.data();
+    a.tri_heat = tri_heat.data();
+    a.tri_count = tri_count.data();
+  }
+  return a;
+}
+
+void FixContactTri::post_force(int)
+{
+  const bool output = output_due();
+  if (output) clear_triangles();
+  if (request.body_type) tool_heat.resize(std::max(atom->nmax, 1));
+  const tm_pose pose = motion.pose(clock, state->time_ahead(), state->step_dt());
+  const tm_contact_args args = make_args(pose, output);
+  sums = contact_loop(atom->nlocal, args, effects(output));
+  totals_step = -1;
+  if (request.body_type && state->has(TM_FX_CONDUCTION)) heat_body();
+  if (state->time_ahead() > 0.0) book(state->step_dt());
+  state->contact_spring += sums.spring;
+  state->limit_dt(dt_limit, TM_DT_CONTACT);
+  // no point of the tool moves by more than a fifth of a spacing in a step
+  const double speed = motion.top_speed(tool.mesh().lo, tool.mesh().hi);
+  if (speed > 0.0) state->limit_dt(0.2 * pair->settings_in_use().spacing / speed, TM_DT_MOTION);
+}
+
+// the energy book of the state fix, in its units
+void FixContactTri::book(double dt)
+{
+  FixSPHTM::Ledger &l = state->ledger;
+  l.contact_damping += dt * sums.damping_power;
+  l.friction += dt * (sums.friction_power - sums.friction_heat);
+  l.friction_heat += dt * sums.friction_heat;
+  l.heat_exchanged += dt * sums.conducted;
+  l.contact_work += dt * sums.particle_power;
+  l.tool_work += dt * sums.tool_power;
+}
+
+void FixContactTri::final_integrate()
+{
+  const double dt = state->step_dt();
+  const tm_pose half = motion.pose(clock, state->time_ahead(), dt);
+  clock += dt;
+  motion.end_of_step();
+  if (request.body_type) place_body(half, pose_now());
+}
+
+void FixContactTri::end_of_step()
+{
+  if (request.lumped_capacity > 0.0) update_temperature();
+  write_files();
+}
+
+void FixContactTri::update_temperature()
+{
+  double heat;
+  MPI_Allreduce(&sums.heat_tool, &heat, 1, MPI_DOUBLE, MPI_SUM, world);
+  temperature += state->step_dt() * heat / (request.lumped_capacity * pair->units().energy);
+}
+
+/* ---------------------------------------------------------------------- values */
+
+void FixContactTri::sum_up()
+{
+  if (totals_step == update->ntimestep) return;
+  totals_step = update->ntimestep;
+  const double force = 1.0 / pair->units().force, power = 1.0 / pair->units().energy;
+  const double mine[10] = {force * sums.force.x, force * sums.force.y, force * sums.force.z,
+                           force * sums.torque.x, force * sums.torque.y, force * sums.torque.z,
+                           power * sums.friction_power, power * sums.heat_tool,
+                           (double) sums.contacts, 0.0};
+  double all[10], depth;
+  MPI_Allreduce(mine, all, 10, MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(&sums.depth, &depth, 1, MPI_DOUBLE, MPI_MAX, world);
+  std::copy_n(all, 6, totals);
+  std::copy_n(all + 6, 3, totals + 9);
+  totals[12] = depth / pair->settings_in_use().spacing;
+}
+
+double FixContactTri::compute_vector(int n)
+{
+  if (n >= 6 && n < 9) {
+    const tm_pose p = pose_now();
+    const tm_vec3 r = tm_pose_to_world(&p, reference_local);
+    return n == 6 ? r.x : n == 7 ? r.y : r.z;
+  }
+  sum_up();
+  return totals[n];
+}
+
+double FixContactTri::compute_scalar() { return temperature; }
+
+void FixContactTri::tool_force(double *force)
+{
+  sum_up();
+  std::copy_n(totals, 3, force);
+}
+
+/* ---------------------------------------------------------------------- restart */
+
+void FixContactTri::write_restart(FILE *fp)
+{
+  if (comm->me) return;
+  std::vector<double> v = {1.0, clock, temperature};
+  const std::vector<double> m = motion.pack();
+  v.insert(v.end(), m.begin(), m.end());
+  const int size = v.size() * sizeof(double);
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(v.data(), sizeof(double), v.size(), fp);
+}
+
+void FixContactTri::restart(char *buf)
+{
+  double v[3 + ToolMotion::PACKED];
+  memcpy(v, buf, sizeof(v));
+  if (v[0] != 1.0)
+    error->all(FLERR, "Fix contact/tri {}: restart data of version {:.0f}, 1 expected", id, v[0]);
+  clock = v[1];
+  temperature = v[2];
+  temperature_given = true;
+  motion.unpack(v + 3);
+  restored = true;
+}
+
+double FixContactTri::memory_usage()
+{
+  return tool.bytes() + sizeof(double) * (tool_heat.capacity() + tri_force.capacity() + tri_heat.capacity());
+}

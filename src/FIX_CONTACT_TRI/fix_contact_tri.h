@@ -1,0 +1,122 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SPH-TM: fix contact/tri. A rigid tool of triangles: contact, friction and
+   heat with the particles of pair sph/tm, motion, forces on the tool, files.
+------------------------------------------------------------------------- */
+#ifndef LMP_FIX_CONTACT_TRI_H
+#define LMP_FIX_CONTACT_TRI_H
+
+#include "fix.h"
+
+#include "contact_loop.h"
+#include "tool_motion.h"
+#include "tri_tool.h"
+
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class FixSPHTM;
+
+class FixContactTri : public Fix {
+ public:
+  FixContactTri(class LAMMPS *, int, char **);
+  ~FixContactTri() override;
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void initial_integrate(int) override;
+  void post_force(int) override;
+  void final_integrate() override;
+  void end_of_step() override;
+  int modify_param(int, char **) override;
+  double compute_scalar() override;
+  double compute_vector(int) override;
+  int image(int *&, double **&) override;
+  int pack_forward_comm(int, int *, double *, int, int *) override;
+  void unpack_forward_comm(int, int, double *) override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+  double memory_usage() override;
+
+  // for compute cutting/force: force on the tool and its velocity now, in the unit style
+  void tool_force(double *force);
+  tm_vec3 tool_velocity() const { return pose_now().velocity; }
+
+ protected:
+  // what the user asked for, in the unit style
+  struct Request {
+    tm_table friction = {};
+    double shear = 0.0, penalty = 1.0, damping = 0.1;
+    double share = -1.0, effusivity = -1.0, conductance = 0.0;
+    bool approach = false, f15 = false, two_sided = false, overlap_allowed = false;
+    int body_type = 0;                // heat-only particles inside the tool
+    bool reference_given = false;
+    double reference[3] = {0, 0, 0};
+    double lumped_capacity = 0.0;     // mass c_p of the tool, 0: temperature is given
+  } request;
+
+  SPHTM_NS::TriTool tool;
+  SPHTM_NS::TriTool::Shape shape;
+  SPHTM_NS::ToolMotion motion;
+  FixSPHTM *state = nullptr;
+  class PairSPHTM *pair = nullptr;
+  double clock = 0.0;                 // time since the fix was made
+  double temperature = 0.0;           // of the tool
+  std::string temperature_variable;
+  bool temperature_given = false, heat_given = false;
+  tm_vec3 reference_local;            // reference point in the tool's frame
+  std::vector<tm_contact_law> laws;   // by type
+  double dt_limit = 0.0;              // of the contact springs
+  double indexed_reach = 0.0;
+  bool restored = false, checked = false;
+
+  tm_contact_result sums;             // of this rank, this step
+  double totals[14];                  // over ranks
+  bigint totals_step = -1;
+  std::vector<double> tool_heat;      // per particle: heat for the tool's own particles
+
+  // files and values per triangle
+  struct File {
+    int every = 0;
+    std::string name;
+  } vtk, stl;
+  int local_every = 0;
+  std::vector<double> tri_force, tri_heat;
+  std::vector<int> tri_count;
+  double **local_rows = nullptr;
+  std::vector<int> image_kind;
+  double **image_rows = nullptr;
+
+  void parse(int, char **);
+  int parse_placement(int, int, char **);
+  int parse_friction(int, int, char **);
+  int parse_heat(int, int, char **);
+  int parse_output(int, int, char **);
+  void report();
+  void make_laws();
+  tm_contact_law make_law(int type);
+  void check_dimension();
+  void check_overlap();
+  unsigned effects(bool output) const;
+  tm_contact_args make_args(const tm_pose &, bool output);
+  tm_pose pose_now() const { return motion.pose(clock, 0.0, 0.0); }
+  void book(double dt);
+  void update_temperature();
+  void place_body(const tm_pose &from, const tm_pose &to);
+  void heat_body();
+  double heat_weight(int i, int j) const;
+  void sum_up();
+
+  bool output_due() const;
+  void clear_triangles();
+  void gather_triangles();
+  void write_files();
+  void write_vtk(const std::string &, const std::vector<double> &vertices);
+  void fill_local(const std::vector<double> &vertices);
+  std::vector<double> world_vertices() const;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif

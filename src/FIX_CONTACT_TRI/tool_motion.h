@@ -1,0 +1,59 @@
+/* SPH-TM: how a tool moves: the formulas of tm_motion.h on a clock of its own, or the values of
+   equal-style variables. */
+#ifndef SPHTM_TOOL_MOTION_H
+#define SPHTM_TOOL_MOTION_H
+
+#include "tm_motion.h"
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace SPHTM_NS {
+
+class ToolMotion {
+ public:
+  explicit ToolMotion(LAMMPS_NS::LAMMPS *lmp);
+
+  // arguments after `move`; returns how many were used. Errors stop the run.
+  int parse(int narg, char **arg, double clock);
+  // find the variables (start of a run)
+  void init();
+  bool by_variable() const { return !names.empty(); }
+
+  // variables: at set-up, and for the end of the step that begins
+  void evaluate_now();
+  void evaluate_next(double dt);
+  void end_of_step() { moved = moved_next; }
+
+  // pose at `ahead` after `clock`, the time at the start of the step; dt: the step's length
+  tm_pose pose(double clock, double ahead, double dt) const;
+  // largest speed of the points of a box (in the tool's frame)
+  double top_speed(const double *lo, const double *hi) const;
+
+  std::vector<double> pack() const;
+  void unpack(const double *values);    // of a restart file: valid until another motion is given
+  static constexpr int PACKED = 30;
+
+ private:
+  LAMMPS_NS::LAMMPS *lmp;
+  tm_motion motion;
+  tm_pose base;                      // when the motion was given
+  double start = 0.0;                // clock then
+  std::vector<std::string> names;    // x y z vx vy vz, empty: NULL
+  int variable[6];
+  tm_vec3 moved, moved_next, rate;   // by variables
+
+  double value(int k) const;
+  tm_vec3 displacement(tm_vec3 otherwise) const;
+  void keep_if_restarted(const tm_motion &given, double clock);
+  bool restarted = false, restarted_variable = false;
+};
+
+}    // namespace SPHTM_NS
+
+#endif

@@ -1,0 +1,112 @@
+#include "tri_tool.h"
+
+#include "tm_mesh_read.h"
+#include "tm_mesh_transform.h"
+
+#include "fmt/format.h"
+
+#include <cstring>
+
+namespace SPHTM_NS {
+
+TriTool::TriTool() : origin_(tm_vec(0, 0, 0))
+{
+  memset(&mesh_, 0, sizeof(mesh_));
+  memset(&grid_, 0, sizeof(grid_));
+}
+
+TriTool::~TriTool()
+{
+  tm_tri_grid_free(&grid_);
+  tm_mesh_free(&mesh_);
+}
+
+static void place(tm_soup *soup, tm_vec3 *origin, const TriTool::Placement &p)
+{
+  const double *a = p.value;
+  switch (p.kind) {
+    case TriTool::Placement::SCALE:
+      tm_soup_scale(soup, a[0], a[1], a[2]);
+      *origin = tm_vec(origin->x * a[0], origin->y * a[1], origin->z * a[2]);
+      break;
+    case TriTool::Placement::MOVE:
+      tm_soup_move(soup, tm_vec(a[0], a[1], a[2]));
+      *origin = tm_vec_add(*origin, tm_vec(a[0], a[1], a[2]));
+      break;
+    case TriTool::Placement::ROTATE: {
+      const tm_vec3 axis = tm_vec(a[0], a[1], a[2]);
+      tm_soup_rotate(soup, axis, a[3]);
+      *origin = tm_mat_mul_vec(tm_rotation_about(axis, a[3] * TM_PI / 180.0), *origin);
+      break;
+    }
+  }
+}
+
+std::string TriTool::load(const Shape &shape, bool two_sided)
+{
+  char msg[256];
+  tm_soup soup;
+  int status = tm_mesh_read_file(shape.file.c_str(), &soup, msg, sizeof msg);
+  if (status == TM_MESH_OK) {
+    for (const auto &p : shape.placement) place(&soup, &origin_, p);
+    if (shape.flip == 1) tm_soup_flip(&soup);
+    status = tm_mesh_build(&soup, &shape.options, &mesh_, msg, sizeof msg);
+    tm_soup_free(&soup);
+  }
+  if (status != TM_MESH_OK)
+    return fmt::format("mesh file {} ({}): {}", shape.file, tm_mesh_status_name(status), msg);
+  if (two_sided) return "";
+  if (mesh_.inconsistent_edges)
+    return fmt::format("mesh file {}: the triangles at {} edges disagree about which side is out; "
+                       "repair it (admesh, MeshLab), or use 'sides two'",
+                       shape.file, mesh_.inconsistent_edges);
+  if (mesh_.closed && mesh_.volume < 0.0 && shape.flip < 0)
+    return fmt::format("the normals of mesh file {} point into the body; add 'flip yes', or 'flip "
+                       "no' where the particles belong inside it", shape.file);
+  return "";
+}
+
+std::string TriTool::index(double reach)
+{
+  tm_tri_grid_free(&grid_);
+  if (tm_tri_grid_build(&grid_, &mesh_, reach, TM_GRID_BUDGET) == TM_MESH_OK) return "";
+  return fmt::format("no memory for the search grid of {} triangles with reach {}", mesh_.nt, reach);
+}
+
+std::string TriTool::summary() const
+{
+  const tm_mesh &m = mesh_;
+  std::string text = fmt::format(
+      "{} triangles, {} vertices, {} smooth patch{}, box {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} "
+      "{:.6g}, ", m.nt, m.nv, m.npatch, m.npatch == 1 ? "" : "es", m.lo[0], m.lo[1], m.lo[2],
+      m.hi[0], m.hi[1], m.hi[2]);
+  text += m.closed ? fmt::format("closed, volume {:.6g}", m.volume)
+                   : fmt::format("area {:.6g}", m.total_area);
+  if (m.dropped_degenerate) text += fmt::format(", {} degenerate dropped", m.dropped_degenerate);
+  if (m.dropped_duplicate) text += fmt::format(", {} duplicate dropped", m.dropped_duplicate);
+  return text;
+}
+
+std::vector<std::string> TriTool::flaws(bool two_sided) const
+{
+  std::vector<std::string> lines;
+  if (mesh_.open_edges && !two_sided)
+    lines.push_back(fmt::format("the mesh has {} open edges: particles are pushed towards the side "
+                                "its normals point to; use 'sides two' for a sheet that has no "
+                                "inside", mesh_.open_edges));
+  if (mesh_.nonmanifold_edges)
+    lines.push_back(fmt::format("more than two triangles meet at {} edges", mesh_.nonmanifold_edges));
+  if (mesh_.flipped_normals)
+    lines.push_back(fmt::format("{} facet normals in the file oppose the order of the vertices; "
+                                "the order of the vertices counts", mesh_.flipped_normals));
+  return lines;
+}
+
+double TriTool::bytes() const
+{
+  const double nt = mesh_.nt, nv = mesh_.nv;
+  return nt * (22 * sizeof(double) + 8 * sizeof(int)) + nv * (6 * sizeof(double) + sizeof(int))
+      + sizeof(int) * ((double) grid_.entries + (double) grid_.nblocks * (TM_GRID_CELLS + 1));
+}
+
+}    // namespace SPHTM_NS

@@ -1,0 +1,54 @@
+/* SPH-TM: the shape of a tool: a mesh from a file, placed, checked, with its broad phase. */
+#ifndef SPHTM_TRI_TOOL_H
+#define SPHTM_TRI_TOOL_H
+
+#include "tm_mesh.h"
+#include "tm_tri_grid.h"
+
+#include <string>
+#include <vector>
+
+namespace SPHTM_NS {
+
+class TriTool {
+ public:
+  TriTool();
+  ~TriTool();
+  TriTool(const TriTool &) = delete;
+  TriTool &operator=(const TriTool &) = delete;
+
+  // one placement, in the order written
+  struct Placement {
+    enum Kind { SCALE, MOVE, ROTATE } kind;
+    double value[4];    // factors; distance; axis and angle (degrees)
+  };
+  struct Shape {
+    std::string file;
+    std::vector<Placement> placement;
+    tm_mesh_options options;
+    int flip = -1;          // 1: turn facets round, 0: leave them, -1: not said
+  };
+
+  // empty, or what is wrong and how to mend it
+  std::string load(const Shape &shape, bool two_sided);
+  std::string index(double reach);
+  // what a reader of the log wants to know, in one line
+  std::string summary() const;
+  // less serious flaws, one line each
+  std::vector<std::string> flaws(bool two_sided) const;
+
+  const tm_mesh &mesh() const { return mesh_; }
+  tm_tri_view view() const { return tm_mesh_view(&mesh_); }
+  const tm_grid_view &grid() const { return grid_.view; }
+  tm_vec3 origin() const { return origin_; }    // where the file's origin came to lie
+  double bytes() const;
+
+ private:
+  tm_mesh mesh_;
+  tm_tri_grid grid_;
+  tm_vec3 origin_;
+};
+
+}    // namespace SPHTM_NS
+
+#endif
