@@ -318,7 +318,7 @@ void FixSPHTM::setup(int)
                  all[TM_DT_CONDUCTION]);
   }
   dt = fixed_dt > 0.0 ? fixed_dt : dt_next;
-  apply_dt(dt);
+  apply_dt(dt, update->ntimestep);
 }
 
 // rates of the set-up, as history of the first prediction
@@ -338,10 +338,12 @@ void FixSPHTM::seed_history(int i, double to_acc)
   std::copy_n(h1, (int) TM_H_STEP, h2);
 }
 
-void FixSPHTM::apply_dt(double value)
+// the steps up to and with step number done had the old size
+void FixSPHTM::apply_dt(double value, bigint done)
 {
-  update->update_time();
   if (update->dt == value) return;
+  update->atime += (done - update->atimestep) * update->dt;
+  update->atimestep = done;
   update->dt = value;
   update->dt_default = 0;
   if (force->pair) force->pair->reset_dt();
@@ -356,7 +358,7 @@ void FixSPHTM::initial_integrate(int)
 {
   started = true;
   dt = fixed_dt > 0.0 ? fixed_dt : dt_next;
-  apply_dt(dt);
+  apply_dt(dt, update->ntimestep - 1);    // this step is counted already
   dt_ahead = 0.5 * dt;
   const bool xsph = has(TM_FX_XSPH);
   const double *u = xsph ? fields.data(TM_F_XSPH) : nullptr;

@@ -115,7 +115,7 @@ class FixSPHTM : public Fix {
   void seed_history(int, double);
   void reduce_dt();
   void setup_dt();
-  void apply_dt(double);
+  void apply_dt(double, bigint);
   tm_update_args update_args();
   void stop_on(int, const tm_update_result &);
   void check_inside_box();
