@@ -1,0 +1,165 @@
+/* SPH-TM: fix sph/tm/drive. See doc/fix_sph_tm_drive.rst.
+
+   The force is replaced by the one with which the step of fix sph/tm ends at the prescribed velocity,
+     v(n+1) = v(n) + dt f/m = V(t(n+1)),
+   so that positions, history and energy book follow as for any other particle. */
+#include "fix_sph_tm_drive.h"
+
+#include "fix_sph_tm.h"
+#include "pair_sph_tm.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "group.h"
+#include "modify.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+using namespace SPHTM_NS;
+using namespace FixConst;
+
+FixSPHTMDrive::FixSPHTMDrive(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
+{
+  scalar_flag = 1;
+  vector_flag = 1;
+  size_vector = 4;
+  global_freq = 1;
+  extscalar = 0;
+  extvector = 0;
+  restart_global = 1;
+  dynamic_group_allow = 1;
+
+  if (narg != 6)
+    error->all(FLERR, "Fix sph/tm/drive needs three velocities vx vy vz, each a number, v_name or NULL; got "
+                      "{} value{}", narg - 3, narg == 4 ? "" : "s");
+  bool any = false;
+  for (int k = 0; k < 3; k++) {
+    if (strcmp(arg[3 + k], "NULL") == 0) continue;
+    velocity[k].set(lmp, fmt::format("Fix sph/tm/drive v{}", "xyz"[k]), arg[3 + k]);
+    given[k] = k < domain->dimension;
+    any = any || given[k];
+  }
+  if (!any) error->all(FLERR, "Fix sph/tm/drive: no velocity is given, all are NULL");
+}
+
+int FixSPHTMDrive::setmask() { return POST_FORCE; }
+
+void FixSPHTMDrive::init()
+{
+  const auto fixes = modify->get_fix_by_style("^sph/tm$");
+  if (fixes.empty()) error->all(FLERR, "Fix sph/tm/drive needs a fix sph/tm; write 'fix body all sph/tm' before it");
+  body = dynamic_cast<FixSPHTM *>(fixes[0]);
+  for (auto &v : velocity) v.init();
+}
+
+void FixSPHTMDrive::setup(int)
+{
+  check_group();
+  warn_of_later_forces();
+  sum_forces();
+}
+
+// who is not integrated would not move
+void FixSPHTMDrive::check_group()
+{
+  const int *mask = atom->mask;
+  bigint mine = 0, all = 0;
+  for (int i = 0; i < atom->nlocal; i++) mine += (mask[i] & groupbit) && !(mask[i] & body->groupbit);
+  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  if (all)
+    error->all(FLERR, "Fix sph/tm/drive: {} particles of group {} are not in the group of fix sph/tm {}, which "
+                      "moves them; give fix sph/tm the group all", all, group->names[igroup], body->id);
+}
+
+void FixSPHTMDrive::warn_of_later_forces()
+{
+  bool later = false;
+  for (int k = 0; k < modify->nfix; k++) {
+    const Fix *f = modify->fix[k];
+    if (f == this) later = true;
+    if (!later || f == this || !(modify->fmask[k] & POST_FORCE) || strcmp(f->style, "sph/tm/heat") == 0) continue;
+    bigint mine = 0, all = 0;
+    for (int i = 0; i < atom->nlocal; i++) mine += (atom->mask[i] & groupbit) && (atom->mask[i] & f->groupbit);
+    MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+    if (all && comm->me == 0)
+      error->warning(FLERR, "Fix {} ({}) acts on forces after fix sph/tm/drive {}: the velocity will not be the "
+                            "prescribed one; move the drive to the end of the script", f->id, f->style, id);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+// what the rest of the body exerts on the group, in the directions that are driven
+void FixSPHTMDrive::sum_forces()
+{
+  std::fill_n(sum, 3, 0.0);
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & groupbit)
+      for (int k = 0; k < 3; k++)
+        if (given[k]) sum[k] += atom->f[i][k];
+}
+
+void FixSPHTMDrive::post_force(int)
+{
+  sum_forces();
+  const bool varies = velocity[0].varies() || velocity[1].varies() || velocity[2].varies();
+  double target[3] = {0.0, 0.0, 0.0};
+  if (varies) modify->clearstep_compute();
+  for (int k = 0; k < 3; k++)
+    if (given[k]) target[k] = velocity[k].now();    // at the end of the step: its time is current here
+  if (varies) modify->addstep_compute(update->ntimestep + 1);
+
+  const tm_state s = body->state();
+  const double dt = body->step_dt(), to_acc = body->pair()->units().force;
+  double work = 0.0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    double *f = atom->f[i];
+    const double *v = atom->v[i], per_acc = tm_particle_mass(&s, i) / to_acc;
+    for (int k = 0; k < 3; k++) {
+      if (!given[k]) continue;
+      const double needed = per_acc * (target[k] - v[k]) / dt;
+      work += (needed - f[k]) * 0.5 * (target[k] + v[k]) * dt;
+      f[k] = needed;
+    }
+  }
+  sum[3] += work;
+
+  // bodies without mechanics have no other limit on how far they move in a step
+  const double speed = sqrt(target[0] * target[0] + target[1] * target[1] + target[2] * target[2]);
+  if (speed > 0.0) body->limit_dt(0.1 * body->pair()->settings_in_use().spacing / speed, TM_DT_MOTION);
+}
+
+/* ---------------------------------------------------------------------- output and restart */
+
+double FixSPHTMDrive::compute_scalar() { return compute_vector(3); }
+
+double FixSPHTMDrive::compute_vector(int n)
+{
+  double all = 0.0;
+  MPI_Allreduce(&sum[n], &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  // force and work were summed in the force unit; work wants the energy unit
+  const UnitScale &u = body->pair()->units();
+  return n == 3 ? all * u.force / u.energy : all;
+}
+
+void FixSPHTMDrive::write_restart(FILE *fp)
+{
+  double all = 0.0;
+  MPI_Reduce(&sum[3], &all, 1, MPI_DOUBLE, MPI_SUM, 0, world);
+  if (comm->me) return;
+  const int size = sizeof(double);
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(&all, sizeof(double), 1, fp);
+}
+
+void FixSPHTMDrive::restart(char *buf)
+{
+  if (comm->me == 0) memcpy(&sum[3], buf, sizeof(double));
+}

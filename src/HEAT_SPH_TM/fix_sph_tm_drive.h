@@ -1,0 +1,41 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SPH-TM: fix sph/tm/drive. Prescribed velocity of a group that fix sph/tm
+   integrates, and the force and work this takes.
+------------------------------------------------------------------------- */
+#ifndef LMP_FIX_SPH_TM_DRIVE_H
+#define LMP_FIX_SPH_TM_DRIVE_H
+
+#include "fix.h"
+
+#include "equal_value.h"
+
+namespace LAMMPS_NS {
+
+class FixSPHTM;
+
+class FixSPHTMDrive : public Fix {
+ public:
+  FixSPHTMDrive(class LAMMPS *, int, char **);
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void post_force(int) override;
+  double compute_scalar() override;
+  double compute_vector(int) override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+
+ private:
+  FixSPHTM *body = nullptr;
+  bool given[3] = {false, false, false};
+  SPHTM_NS::EqualValue velocity[3];
+  double sum[4] = {0.0, 0.0, 0.0, 0.0};    // of this rank: force on the drive, work of the drive so far
+
+  void check_group();
+  void warn_of_later_forces();
+  void sum_forces();
+};
+
+}    // namespace LAMMPS_NS
+
+#endif

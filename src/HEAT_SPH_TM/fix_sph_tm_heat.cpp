@@ -1,0 +1,301 @@
+/* SPH-TM: fix sph/tm/heat. See doc/fix_sph_tm_heat.rst. The physics is in tm_exchange.h. */
+#include "fix_sph_tm_heat.h"
+
+#include "fix_sph_tm.h"
+#include "material_input.h"
+#include "pair_sph_tm.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "group.h"
+#include "modify.h"
+#include "update.h"
+#include "utils.h"
+
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+using namespace SPHTM_NS;
+using namespace FixConst;
+
+static constexpr double STEFAN_BOLTZMANN = 5.670374419e-8;    // W/(m^2 K^4)
+
+// the modes, and how many values each takes: the strength, the surroundings
+static const struct { const char *name; bool strength, surroundings; } MODES[] = {
+    {"temperature", true, false}, {"flux", true, false}, {"source", true, false},
+    {"convection", true, true}, {"radiation", false, true}};
+
+FixSPHTMHeat::FixSPHTMHeat(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
+{
+  scalar_flag = 1;
+  vector_flag = 1;
+  size_vector = 3;
+  global_freq = 1;
+  extscalar = 0;
+  extvector = 0;
+  nevery = 1;
+  restart_global = 1;
+  dynamic_group_allow = 1;
+
+  int m = -1;
+  for (int k = 0; k < 5 && narg > 3; k++)
+    if (strcmp(arg[3], MODES[k].name) == 0) m = k;
+  if (m < 0)
+    error->all(FLERR, "Fix sph/tm/heat needs a mode: temperature T, flux q, source q, convection hc Tinf or "
+                      "radiation Tinf; got {}", narg > 3 ? arg[3] : "none");
+  mode = static_cast<Mode>(m);
+  int iarg = 4;
+  auto read = [&](EqualValue &value, const char *which) {
+    if (iarg >= narg) error->all(FLERR, "Fix sph/tm/heat {} needs {}", MODES[m].name, which);
+    value.set(lmp, fmt::format("Fix sph/tm/heat {} {}", MODES[m].name, which), arg[iarg]);
+    const double v = value.varies() ? 1.0 : value.now();
+    if ((strcmp(which, "temperature") == 0 && !(v > 0.0)) || (m == CONVECTION && !(v >= 0.0)) ||
+        (m == RADIATION && !(v >= 0.0)))
+      error->all(FLERR, "Fix sph/tm/heat {} {} must be {} 0, got {}", MODES[m].name, which,
+                 m == TEMPERATURE ? ">" : ">=", arg[iarg]);
+    iarg++;
+  };
+  static const char *const strengths[] = {"temperature", "flux", "power per volume", "coefficient", ""};
+  if (MODES[m].strength) read(strength, strengths[m]);
+  if (MODES[m].surroundings) read(T_inf, "temperature of the surroundings");
+  read_keywords(iarg, narg, arg);
+  if (find_body()) ask();
+}
+
+void FixSPHTMHeat::read_keywords(int iarg, int narg, char **arg)
+{
+  const char *name = MODES[mode].name;
+  while (iarg < narg) {
+    const std::string key = arg[iarg];
+    const int n = key == "facing" ? 3 : 1;
+    const bool known = key == "emissivity" ? mode == RADIATION
+        : (key == "area" || key == "threshold" || key == "facing") && on_surface();
+    if (!known)
+      error->all(FLERR, "Unknown fix sph/tm/heat {} keyword {}: known are {}", name, key,
+                 mode == RADIATION ? "emissivity, facing, area, threshold"
+                     : on_surface() ? "facing, area, threshold" : "none");
+    if (iarg + n >= narg)
+      error->all(FLERR, "Fix sph/tm/heat {} keyword {} needs {} value{}", name, key, n, n == 1 ? "" : "s");
+    double v[3] = {0.0, 0.0, 0.0};
+    for (int k = 0; k < n; k++) v[k] = utils::numeric(FLERR, arg[iarg + 1 + k], false, lmp);
+    if (key == "emissivity") {
+      if (!(v[0] > 0.0 && v[0] <= 1.0))
+        error->all(FLERR, "Fix sph/tm/heat emissivity must be > 0 and <= 1, got {}", arg[iarg + 1]);
+      emissivity = v[0];
+    } else if (key == "area") {
+      if (!(v[0] > 0.0)) error->all(FLERR, "Fix sph/tm/heat area must be > 0, got {}", arg[iarg + 1]);
+      known_area = v[0];
+    } else if (key == "threshold") {
+      if (!(v[0] >= 0.0 && v[0] <= 0.5))
+        error->all(FLERR, "Fix sph/tm/heat threshold must be >= 0 and <= 0.5, a share of one facet of the "
+                          "lattice; got {}", arg[iarg + 1]);
+      threshold = v[0];
+    } else {
+      direction = tm_vec(v[0], v[1], v[2]);
+      const double size = tm_vec_norm(direction);
+      if (!(size > 0.0) || (domain->dimension == 2 && v[2] != 0.0))
+        error->all(FLERR, "Fix sph/tm/heat facing needs an outward direction other than 0{}, got {} {} {}",
+                   domain->dimension == 2 ? " in the xy plane" : "", arg[iarg + 1], arg[iarg + 2], arg[iarg + 3]);
+      direction = tm_vec_scale(1.0 / size, direction);
+      facing = true;
+    }
+    iarg += n + 1;
+  }
+}
+
+int FixSPHTMHeat::setmask() { return mode == TEMPERATURE ? END_OF_STEP : POST_FORCE; }
+
+/* ---------------------------------------------------------------------- */
+
+FixSPHTM *FixSPHTMHeat::find_body()
+{
+  const auto fixes = modify->get_fix_by_style("^sph/tm$");
+  body = fixes.empty() ? nullptr : dynamic_cast<FixSPHTM *>(fixes[0]);
+  return body;
+}
+
+void FixSPHTMHeat::ask()
+{
+  const std::string reason = fmt::format("fix {} ({})", id, style);
+  body->need(TM_FX_HEAT, reason);
+  if (on_surface()) body->need(TM_FX_SURFACE, reason);
+}
+
+void FixSPHTMHeat::init()
+{
+  if (!find_body()) error->all(FLERR, "Fix sph/tm/heat needs a fix sph/tm; write 'fix body all sph/tm' before it");
+  for (const auto &f : modify->get_fix_list()) {
+    if (f == body) break;
+    if (f == this) error->all(FLERR, "Fix sph/tm/heat must stand after fix sph/tm {} in the script", body->id);
+  }
+  strength.init();
+  T_inf.init();
+  ask();
+  if (!body->has(TM_FX_HEAT) || (on_surface() && !body->has(TM_FX_SURFACE)))
+    error->all(FLERR, "Fix sph/tm/heat {} needs the effect{} of fix sph/tm, which 'effects ... off' forbids",
+               MODES[mode].name, on_surface() ? "s heat and surface" : " heat");
+  if (mode == RADIATION && !find_style_units(update->unit_style))
+    error->all(FLERR, "Fix sph/tm/heat radiation needs units with a known Stefan-Boltzmann constant, not {}; "
+                      "convection with a variable coefficient does the same", update->unit_style);
+}
+
+// the fixed temperature holds from the start
+void FixSPHTMHeat::setup_pre_force(int)
+{
+  if (mode == TEMPERATURE) hold(temperature_now());
+}
+
+void FixSPHTMHeat::setup(int)
+{
+  check_group();
+  power = 0.0;
+  if (mode == TEMPERATURE) return;
+  exchange();
+  double all = 0.0;
+  MPI_Allreduce(&area, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  if (on_surface() && all == 0.0 && comm->me == 0)
+    error->warning(FLERR, "Fix sph/tm/heat {}: group {} has no free surface{}", MODES[mode].name,
+                   group->names[igroup], facing ? " that faces this way" : "");
+}
+
+void FixSPHTMHeat::check_group()
+{
+  if (mode != RADIATION || emissivity > 0.0) return;
+  int dark = 0, worst = 0;
+  for (int i = 0; i < atom->nlocal; i++)
+    if ((atom->mask[i] & groupbit) && !(body->pair()->materials()[atom->type[i]].emissivity > 0.0)) dark = atom->type[i];
+  MPI_Allreduce(&dark, &worst, 1, MPI_INT, MPI_MAX, world);
+  if (worst)
+    error->all(FLERR, "Fix sph/tm/heat radiation: type {} ({}) has no emissivity; add 'emissivity e' to its "
+                      "pair_coeff or to this fix", worst, body->pair()->material_name(worst));
+}
+
+/* ---------------------------------------------------------------------- fixed temperature */
+
+double FixSPHTMHeat::temperature_now()
+{
+  if (strength.varies()) modify->clearstep_compute();
+  const double T = strength.now();
+  if (strength.varies()) modify->addstep_compute(update->ntimestep + 1);
+  if (!(T > 0.0)) error->all(FLERR, "Fix sph/tm/heat temperature must be > 0, the variable gave {}", T);
+  return T;
+}
+
+// returns the heat this took
+double FixSPHTMHeat::hold(double T)
+{
+  double heat = 0.0;
+  const tm_state s = body->state();
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    tm_real *t = tm_field_row(&s, TM_F_TEMP, i);
+    const double cp = tm_capacity(&s.material[s.type[i]], 0.5 * (t[0] + T));
+    heat += tm_particle_mass(&s, i) * cp * (T - t[0]);
+    t[0] = T;
+    t[1] = t[2] = 0.0;
+  }
+  return heat;
+}
+
+void FixSPHTMHeat::end_of_step()
+{
+  const double heat = hold(temperature_now());
+  power = heat / body->step_dt();
+  energy += heat;
+  body->ledger.heat += heat;
+  body->ledger.heat_exchanged += heat;
+}
+
+/* ---------------------------------------------------------------------- exchange */
+
+tm_exchange_args FixSPHTMHeat::exchange_args()
+{
+  static const int modes[] = {0, TM_EXCHANGE_FLUX, TM_EXCHANGE_SOURCE, TM_EXCHANGE_CONVECTION, TM_EXCHANGE_RADIATION};
+  PairSPHTM *pair = body->pair();
+  const PairSPHTM::Settings &set = pair->settings_in_use();
+  tm_exchange_args a;
+  a.mode = modes[mode];
+  const bool varies = strength.varies() || T_inf.varies();
+  if (varies) modify->clearstep_compute();
+  a.strength = strength.now() * pair->units().energy;
+  a.T_inf = T_inf.now();
+  if (varies) modify->addstep_compute(update->ntimestep + 1);
+  if (mode == RADIATION) {
+    const StyleUnits &u = *find_style_units(update->unit_style);
+    a.strength = STEFAN_BOLTZMANN * u.time * u.time * u.time / u.mass;
+  }
+  a.emissivity = emissivity;
+  a.surface = tm_surface_make(set.kernel, domain->dimension, set.spacing, set.h, threshold);
+  a.facing = facing;
+  a.d = direction;
+  a.area_factor = 1.0;
+  a.main = pair->records().main;
+  a.heat = pair->records().heat;
+  a.normal = pair->surfaces().data();
+  a.type = atom->type;
+  a.material = pair->materials();
+  return a;
+}
+
+// power into the particles at the half step, added to their source
+void FixSPHTMHeat::exchange()
+{
+  tm_exchange_args a = exchange_args();
+  double *source = body->heat_source();
+  const int *mask = atom->mask, nlocal = atom->nlocal;
+  if (known_area > 0.0) {
+    double found = 0.0, all = 0.0;
+    for (int i = 0; i < nlocal; i++)
+      if (mask[i] & groupbit) found += tm_exchange_area(i, &a);
+    MPI_Allreduce(&found, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+    a.area_factor = all > 0.0 ? known_area / all : 0.0;
+  }
+  power = area = 0.0;
+  double rate = 0.0;
+  for (int i = 0; i < nlocal; i++) {
+    if (!(mask[i] & groupbit)) continue;
+    const tm_exchange_result r = tm_exchange(i, &a);
+    source[i] += r.power;
+    power += r.power;
+    area += r.area;
+    rate = tm_max(rate, r.rate);
+  }
+  if (rate > 0.0) body->limit_dt(0.5 / rate, TM_DT_CONDUCTION);    // as tm_heat_time_step
+}
+
+void FixSPHTMHeat::post_force(int)
+{
+  exchange();
+  energy += power * body->step_dt();
+  body->ledger.heat_exchanged += power * body->step_dt();
+}
+
+/* ---------------------------------------------------------------------- output and restart */
+
+double FixSPHTMHeat::compute_scalar() { return compute_vector(0); }
+
+double FixSPHTMHeat::compute_vector(int n)
+{
+  const double mine = n == 0 ? power : n == 1 ? energy : area;
+  double all = 0.0;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return n < 2 ? all / body->pair()->units().energy : all;
+}
+
+void FixSPHTMHeat::write_restart(FILE *fp)
+{
+  double all = 0.0;
+  MPI_Reduce(&energy, &all, 1, MPI_DOUBLE, MPI_SUM, 0, world);
+  if (comm->me) return;
+  const int size = sizeof(double);
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(&all, sizeof(double), 1, fp);
+}
+
+void FixSPHTMHeat::restart(char *buf)
+{
+  if (comm->me == 0) memcpy(&energy, buf, sizeof(double));
+}

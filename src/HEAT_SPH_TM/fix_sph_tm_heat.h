@@ -1,0 +1,57 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SPH-TM: fix sph/tm/heat. Heat between the particles of a group and the
+   outside: fixed temperature, flux, source, convection, radiation.
+------------------------------------------------------------------------- */
+#ifndef LMP_FIX_SPH_TM_HEAT_H
+#define LMP_FIX_SPH_TM_HEAT_H
+
+#include "fix.h"
+
+#include "equal_value.h"
+#include "tm_exchange.h"
+
+namespace LAMMPS_NS {
+
+class FixSPHTM;
+
+class FixSPHTMHeat : public Fix {
+ public:
+  FixSPHTMHeat(class LAMMPS *, int, char **);
+  int setmask() override;
+  void init() override;
+  void setup_pre_force(int) override;
+  void setup(int) override;
+  void post_force(int) override;
+  void end_of_step() override;
+  double compute_scalar() override;
+  double compute_vector(int) override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+
+ private:
+  enum Mode { TEMPERATURE, FLUX, SOURCE, CONVECTION, RADIATION } mode;
+  FixSPHTM *body = nullptr;
+  SPHTM_NS::EqualValue strength, T_inf;    // strength: also the fixed temperature
+  double emissivity = -1.0;                // negative: the material's
+  double threshold = TM_SURFACE_THRESHOLD;
+  double known_area = 0.0;                 // > 0: scale the surface found to this total
+  bool facing = false;
+  tm_vec3 direction = {0.0, 0.0, 0.0};
+
+  // of this rank
+  double power = 0.0, energy = 0.0, area = 0.0;
+
+  bool on_surface() const { return mode == FLUX || mode == CONVECTION || mode == RADIATION; }
+  void read_keywords(int, int, char **);
+  FixSPHTM *find_body();
+  void ask();
+  void check_group();
+  double temperature_now();
+  double hold(double);
+  tm_exchange_args exchange_args();
+  void exchange();
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
