@@ -302,8 +302,10 @@ void FixContactTri::book(double dt)
 {
   FixSPHTM::Ledger &l = state->ledger;
   l.contact_damping += dt * sums.damping_power;
-  l.friction += dt * (sums.friction_power - sums.friction_heat);
-  l.friction_heat += dt * sums.friction_heat;
+  // the tool's share is heat of particles too where it has some, and booked with theirs
+  const double heat = sums.friction_heat + (request.body_type ? sums.heat_tool : 0.0);
+  l.friction += dt * (sums.friction_power - heat);
+  l.friction_heat += dt * heat;
   l.heat_exchanged += dt * sums.conducted;
   l.contact_work += dt * sums.particle_power;
   l.tool_work += dt * sums.tool_power;

@@ -98,6 +98,7 @@ class FixContactTri : public Fix {
   tm_contact_law make_law(int type);
   void check_dimension();
   void check_overlap();
+  int sample_inside(const tm_contact_args &) const;
   unsigned effects(bool output) const;
   tm_contact_args make_args(const tm_pose &, bool output);
   tm_pose pose_now() const { return motion.pose(clock, 0.0, 0.0); }

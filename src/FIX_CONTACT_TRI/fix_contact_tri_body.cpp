@@ -10,6 +10,7 @@
 #include "domain.h"
 #include "error.h"
 #include "tm_kernel.h"
+#include "tm_winding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,41 +18,44 @@
 using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
 
-/* A tool that starts inside the work would throw its particles away. Say where, how deep, and the
-   shortest way along an axis that clears all of them: doubling, then bisection. */
+/* A tool that starts inside the work would throw its particles away. Say where, and the shortest
+   way along an axis that clears all of them: doubling, then bisection. */
 void FixContactTri::check_overlap()
 {
   const double dp = pair->settings_in_use().spacing, allowed = 0.01 * dp;
   const tm_contact_args args = make_args(pose_now(), false);
-  auto deepest = [&](tm_vec3 shift, int *worst) {
-    const double mine = contact_overlap(atom->nlocal, args, effects(false), shift, worst);
+  int worst;
+  auto overlaps = [&](tm_vec3 shift) {
+    const double mine = contact_overlap(atom->nlocal, args, effects(false), shift, &worst);
     double all;
     MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
-    if (mine < all) *worst = -1;
-    return all;
+    if (mine < all) worst = -1;
+    return all > allowed;
   };
-  int worst, other;
-  const double depth = deepest(tm_vec(0, 0, 0), &worst);
-  if (!(depth > allowed)) return;
+  const bool touching = overlaps(tm_vec(0, 0, 0));
+  const int where = touching ? worst : sample_inside(args);
+  int any = where >= 0, all_any;
+  MPI_Allreduce(&any, &all_any, 1, MPI_INT, MPI_MAX, world);
+  if (!all_any) return;
 
   const double far = 2.0 * tm_vec_norm(tm_vec_sub(tm_load3(domain->boxhi), tm_load3(domain->boxlo)));
   double best = 1e300;
   int best_axis = 0;
-  for (int axis = 0; axis < 2 * domain->dimension; axis++) {
+  for (int axis = 0; axis < 2 * domain->dimension && touching; axis++) {
     const double sign = axis % 2 ? -1.0 : 1.0;
     auto shift = [&](double s) {
       return tm_vec(axis / 2 == 0 ? sign * s : 0.0, axis / 2 == 1 ? sign * s : 0.0,
                     axis / 2 == 2 ? sign * s : 0.0);
     };
-    double hi = depth, lo = 0.0;
-    while (hi < std::min(far, best) && deepest(shift(hi), &other) > allowed) {
+    double hi = allowed, lo = 0.0;
+    while (hi < std::min(far, best) && overlaps(shift(hi))) {
       lo = hi;
       hi *= 2.0;
     }
-    if (hi >= std::min(far, best)) continue;
-    while (hi - lo > 0.05 * dp) {
+    if (hi >= std::min(far, 2.0 * best)) continue;
+    while (hi - lo > allowed) {
       const double mid = 0.5 * (lo + hi);
-      (deepest(shift(mid), &other) > allowed ? lo : hi) = mid;
+      (overlaps(shift(mid)) ? lo : hi) = mid;
     }
     if (hi < best) {
       best = hi;
@@ -59,15 +63,32 @@ void FixContactTri::check_overlap()
     }
   }
   const std::string way = best < 1e300
-      ? fmt::format("move the tool by {:.4g} along {}{}", best, best_axis % 2 ? '-' : '+',
-                    "xyz"[best_axis / 2])
-      : std::string("move the tool away");
-  if (worst >= 0)
-    error->one(FLERR, "Fix contact/tri {}: the tool overlaps particles at the start, by {:.4g} "
-                      "({:.2f} spacings) at particle {} at {:.6g} {:.6g} {:.6g}; {}, or use "
-                      "'overlap allow'", id, depth, depth / dp, atom->tag[worst],
-               atom->x[worst][0], atom->x[worst][1], atom->x[worst][2], way);
+      ? fmt::format("by {:.4g} along {}: move it by that along {}{}", best, "xyz"[best_axis / 2],
+                    best_axis % 2 ? '-' : '+', "xyz"[best_axis / 2])
+      : std::string("deeper than the contact sees: move it away, or use 'flip yes' where the "
+                    "particles belong inside it");
+  if (where >= 0)
+    error->one(FLERR, "Fix contact/tri {}: at the start the tool overlaps particles, {}; for "
+                      "instance particle {} at {:.6g} {:.6g} {:.6g}; or accept it with 'overlap "
+                      "allow'", id, way, atom->tag[where], atom->x[where][0], atom->x[where][1],
+               atom->x[where][2]);
   MPI_Barrier(world);
+}
+
+/* Contact sees one spacing deep. Some of the particles are asked whether they lie deeper than that
+   in a closed tool: as many as some tenths of a second allow. */
+int FixContactTri::sample_inside(const tm_contact_args &args) const
+{
+  const int n = atom->nlocal;
+  if (!tool.mesh().closed || request.two_sided || n == 0) return -1;
+  const int samples = std::min(n, 20 + 10000000 / std::max(tool.mesh().nt, 1));
+  for (int k = 0; k < samples; k++) {
+    const int i = (int) ((double) k / samples * n);
+    if (!laws[atom->type[i]].active || !(atom->mask[i] & groupbit)) continue;
+    const tm_vec3 p = tm_pose_to_local(&args.pose, tm_load3(atom->x[i]));
+    if (tm_winding_inside(&args.mesh, tool.mesh().volume, p)) return i;
+  }
+  return -1;
 }
 
 /* ---------------------------------------------------------------------- the tool's own particles */

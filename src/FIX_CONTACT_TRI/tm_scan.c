@@ -83,7 +83,8 @@ int tm_scan_count(tm_scan *s, uint64_t limit, uint64_t *value)
 
 void tm_scan_line_end(tm_scan *s)
 {
-  while (s->p < s->end && *s->p != '\n') s->p++;
+  while (s->p < s->end && *s->p != '\n' && *s->p != '\r') s->p++;
+  if (s->p + 1 < s->end && s->p[0] == '\r' && s->p[1] == '\n') s->p++;
   if (s->p < s->end) s->p++;
 }
 

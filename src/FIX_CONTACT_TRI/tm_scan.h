@@ -37,7 +37,7 @@ int tm_scan_accept(tm_scan *s, const char *word);
 int tm_scan_real(tm_scan *s, double *value);
 /* A count of at most `limit`; 0 when the next word is none. */
 int tm_scan_count(tm_scan *s, uint64_t limit, uint64_t *value);
-/* To the beginning of the next line. */
+/* To the beginning of the next line; lines end with LF, CR LF or CR. */
 void tm_scan_line_end(tm_scan *s);
 /* Line of the cursor, counted from 1. */
 int tm_scan_line(const tm_scan *s);
