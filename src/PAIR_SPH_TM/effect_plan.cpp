@@ -50,7 +50,7 @@ void EffectPlan::derive(const PairSPHTM &pair, int ntypes)
   auto on = [&](unsigned bit, const std::string &reason) { why.emplace(bit, reason); };
   auto of_type = [&](int t) { return "type " + std::to_string(t) + " (" + pair.material_name(t) + ")"; };
 
-  bool solid = false, softens_without_heat = false;
+  bool mechanics = false, solid = false, softens_without_heat = false;
   std::string conducts;
   for (int t = 1; t <= ntypes; t++) {
     const tm_material &m = pair.materials()[t];
@@ -58,6 +58,7 @@ void EffectPlan::derive(const PairSPHTM &pair, int ntypes)
     if (m.heat && (m.conductivity.n || m.conductivity.value > 0.0) && conducts.empty())
       conducts = of_type(t) + " has a conductivity";
     if (m.body != TM_BODY_SOLID) continue;
+    mechanics = true;
     solid = solid || m.strength != TM_STRENGTH_NONE;
     const bool jc = m.strength == TM_STRENGTH_JOHNSON_COOK;
     if (jc || m.strength == TM_STRENGTH_PLASTIC)
@@ -72,7 +73,7 @@ void EffectPlan::derive(const PairSPHTM &pair, int ntypes)
   }
   for (const auto &a : asked) on(a.first, a.second);
 
-  if (set.visc_alpha > 0.0 || set.visc_beta > 0.0) on(TM_FX_VISCOSITY, "pair_style viscosity is not 0");
+  if ((set.visc_alpha > 0.0 || set.visc_beta > 0.0) && mechanics) on(TM_FX_VISCOSITY, "pair_style viscosity is not 0");
   if (set.art_eps > 0.0 && solid) on(TM_FX_ARTSTRESS, "pair_style artstress is not 0");
   if (set.correction) on(TM_FX_CORRECTION, "pair_style correction yes");
   if (set.balsara) on(TM_FX_BALSARA, "pair_style balsara yes");
