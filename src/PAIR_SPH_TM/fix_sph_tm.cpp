@@ -24,14 +24,6 @@ using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
 using namespace FixConst;
 
-enum { ENERGY_KINETIC, ENERGY_ELASTIC, ENERGY_PLASTIC, ENERGY_HEAT, ENERGY_CONTACT,
-       ENERGY_FRICTION, ENERGY_ARTIFICIAL, ENERGY_EXTERNAL, ENERGY_SUM, VECTOR_DT, VECTOR_CAUSE,
-       VECTOR_NEIGHBORS, VECTOR_SIZE };
-
-static const char *const DT_CAUSE_NAMES[TM_DT_CAUSES] = {
-    "sound speed", "acceleration", "heat conduction", "contact stiffness", "tool motion",
-    "dt/max"};
-
 FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
   time_integrate = 1;
@@ -261,21 +253,6 @@ void FixSPHTM::setup_pre_force(int vflag)
   pre_force(vflag);
 }
 
-// the first step's limit, from the sound speed alone; the rates are not known yet
-void FixSPHTM::setup_dt()
-{
-  double limit = 1e300;
-  const double h = pair_sph->settings_in_use().h;
-  for (int t = 1; t <= atom->ntypes; t++) {
-    const tm_material &m = pair_sph->materials()[t];
-    if (m.body != TM_BODY_SOLID) continue;
-    limit = std::min(limit, h / tm_eos_sound_speed(&m, m.rho0, 0.0) /
-                         (1.0 + 0.6 * pair_sph->settings_in_use().visc_alpha));
-  }
-  dt = limit < 1e300 ? courant * limit : update->dt;
-  if (dt_max > 0.0) dt = std::min(dt, dt_max);
-}
-
 void FixSPHTM::setup(int)
 {
   const double to_acc = pair_sph->units().force;
@@ -305,7 +282,7 @@ void FixSPHTM::setup(int)
     reduce_dt();
     if (!started && comm->me == 0) {
       utils::logmesg(lmp, "sph/tm: time step {:.6g}, limited by {}; rate loops: {}\n",
-                     fixed_dt > 0.0 ? fixed_dt : dt_next, DT_CAUSE_NAMES[dt_cause], rate_loop_isa());
+                     fixed_dt > 0.0 ? fixed_dt : dt_next, dt_cause_name(), rate_loop_isa());
     }
   }
   if (fixed_dt > 0.0) {
@@ -338,22 +315,6 @@ void FixSPHTM::seed_history(int i, double to_acc)
   std::copy_n(h1, (int) TM_H_STEP, h2);
 }
 
-// the steps up to and with step number done had the old size
-void FixSPHTM::apply_dt(double value, bigint done)
-{
-  if (update->dt == value) return;
-  update->atime += (done - update->atimestep) * update->dt;
-  update->atimestep = done;
-  update->dt = value;
-  update->dt_default = 0;
-  if (force->pair) force->pair->reset_dt();
-  for (const auto &f : modify->get_fix_list())
-    if (f != this) f->reset_dt();
-  output->reset_dt();
-}
-
-void FixSPHTM::reset_dt() {}
-
 void FixSPHTM::initial_integrate(int)
 {
   started = true;
@@ -368,32 +329,6 @@ void FixSPHTM::initial_integrate(int)
     for (int k = 0; k < domain->dimension; k++) x[i][k] += dt_ahead * (v[i][k] + (xsph ? u[3 * (size_t) i + k] : 0.0));
   }
   if (stop_on_lost) check_inside_box();
-}
-
-// a particle beyond a fixed boundary would be deleted at the next reneighbouring
-void FixSPHTM::check_inside_box()
-{
-  const int(*b)[2] = domain->boundary;
-  enum { FIXED = 1 };
-  bool fixed[3][2], any = false;
-  for (int d = 0; d < 3; d++)
-    for (int side = 0; side < 2; side++) {
-      fixed[d][side] = b[d][side] == FIXED && (d < 2 || domain->dimension == 3);
-      any = any || fixed[d][side];
-    }
-  if (!any || domain->triclinic) return;
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int d = 0; d < 3; d++) {
-      const double x = atom->x[i][d];
-      if ((!fixed[d][0] || x >= domain->boxlo[d]) && (!fixed[d][1] || x <= domain->boxhi[d])) continue;
-      const double *v = atom->v[i];
-      error->one(FLERR, "Fix sph/tm stops at step {}: particle {} (type {}) at {:.6g} {:.6g} {:.6g} with "
-                        "velocity {:.6g} {:.6g} {:.6g} leaves the box through its {} {} boundary. Likely "
-                        "cause: a box too small for the motion, or a particle shot out by an unstable "
-                        "contact. Make the box larger, use boundary m or s, or 'lost ignore' to let it go",
-                 update->ntimestep, atom->tag[i], atom->type[i], atom->x[i][0], atom->x[i][1],
-                 atom->x[i][2], v[0], v[1], v[2], "xyz"[d], x < domain->boxlo[d] ? "lower" : "upper");
-    }
 }
 
 void FixSPHTM::post_neighbor() { initialise_particles(); }
@@ -454,182 +389,3 @@ void FixSPHTM::final_integrate()
   for (int k = 0; k < 3; k++) dt_limits[k] = tm_min(dt_limits[k], limits[k]);
   if (fixed_dt <= 0.0) reduce_dt();
 }
-
-// a state that cannot go on: say where and why, leave the last restart file as it is
-void FixSPHTM::stop_on(int i, const tm_update_result &r)
-{
-  const double *x = atom->x[i], *v = atom->v[i];
-  const double rho = fields.data(TM_F_RHO)[i], T = temperature(i);
-  std::string what, cause;
-  switch (r.status) {
-    case TM_BAD_NAN:
-      what = "state is not a number";
-      cause = "overlapping particles, a time step above the limit of another fix, or bad input values";
-      break;
-    case TM_BAD_DENSITY:
-      what = fmt::format("density {:.6g} is not positive", rho);
-      cause = "a particle torn out of the body in one step; lower courant, or check the contact stiffness";
-      break;
-    case TM_BAD_VELOCITY:
-      what = fmt::format("velocity {:.6g} is above ten times the speed of sound",
-                         sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
-      cause = "overlapping particles or a tool that starts inside the body; lower the penalty factor or courant";
-      break;
-    default:
-      what = fmt::format("temperature {:.6g} is not positive", T);
-      cause = "a heat sink stronger than the particle can feed in one step";
-  }
-  error->one(FLERR, "Fix sph/tm stops at step {}: particle {} (type {}) at {:.6g} {:.6g} {:.6g}: {}. "
-                    "Likely cause: {}. Restart files written before remain valid.",
-             update->ntimestep, atom->tag[i], atom->type[i], x[0], x[1], x[2], what, cause);
-}
-
-/* ---------------------------------------------------------------------- time step */
-
-void FixSPHTM::limit_dt(double limit, int cause)
-{
-  dt_limits[cause] = std::min(dt_limits[cause], limit);
-}
-
-void FixSPHTM::reduce_dt()
-{
-  if (pair_sph->has_contact_pairs())
-    for (int t = 1; t <= atom->ntypes; t++) {
-      const double l = pair_sph->contact_stiffness_limit(t);
-      if (l > 0.0) limit_dt(0.4 * l, TM_DT_CONTACT);
-    }
-  double mine[TM_DT_CAUSES], all[TM_DT_CAUSES];
-  std::copy_n(dt_limits, (int) TM_DT_CAUSES, mine);
-  mine[TM_DT_SOUND] *= courant;
-  mine[TM_DT_FORCE] *= courant;
-  mine[TM_DT_MAXIMUM] = dt_max > 0.0 ? dt_max : 1e300;
-  MPI_Allreduce(mine, all, TM_DT_CAUSES, MPI_DOUBLE, MPI_MIN, world);
-  dt_cause = (int) (std::min_element(all, all + TM_DT_CAUSES) - all);
-  double next = all[dt_cause];
-  if (next >= 1e300) next = update->dt;
-  // grow slowly: the half-step prediction assumes steps of like size
-  if (dt_next > 0.0 && next > 1.05 * dt_next) next = 1.05 * dt_next;
-  dt_next = next;
-  std::fill(dt_limits, dt_limits + TM_DT_CAUSES, 1e300);
-}
-
-/* ---------------------------------------------------------------------- output */
-
-void FixSPHTM::sum_energies()
-{
-  if (energy_step == update->ntimestep) return;
-  energy_step = update->ntimestep;
-  const tm_state s = state();
-  double kinetic = 0.0, neighbors = 0.0;
-  for (int i = 0; i < atom->nlocal; i++) {
-    const double *v = atom->v[i];
-    kinetic += 0.5 * tm_particle_mass(&s, i) * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-  }
-  neighbors = pair_sph ? pair_sph->neighbors_per_particle() * atom->nlocal : 0.0;
-  const Ledger &l = ledger;
-  double mine[VECTOR_SIZE] = {};
-  mine[ENERGY_KINETIC] = kinetic;
-  mine[ENERGY_ELASTIC] = l.elastic;
-  mine[ENERGY_PLASTIC] = l.plastic - l.plastic_heat;
-  mine[ENERGY_HEAT] = l.heat - l.heat_exchanged;
-  mine[ENERGY_CONTACT] = contact_spring + l.contact_damping;
-  mine[ENERGY_FRICTION] = l.friction;
-  mine[ENERGY_ARTIFICIAL] = l.artificial;
-  mine[ENERGY_EXTERNAL] = -(l.kinetic_work - l.internal_work - l.contact_work + l.tool_work);
-  mine[VECTOR_NEIGHBORS] = neighbors;
-  MPI_Allreduce(mine, energy_now, VECTOR_SIZE, MPI_DOUBLE, MPI_SUM, world);
-  const double unit = pair_sph->units().energy;
-  double sum = 0.0;
-  for (int k = 0; k < ENERGY_SUM; k++) {
-    energy_now[k] /= unit;
-    sum += energy_now[k];
-  }
-  energy_now[ENERGY_SUM] = sum;
-  energy_now[VECTOR_DT] = dt;
-  energy_now[VECTOR_CAUSE] = dt_cause;
-  energy_now[VECTOR_NEIGHBORS] /= std::max((double) atom->natoms, 1.0);
-}
-
-double FixSPHTM::compute_scalar()
-{
-  sum_energies();
-  return energy_now[ENERGY_SUM];
-}
-
-double FixSPHTM::compute_vector(int n)
-{
-  if (n <= ENERGY_SUM && n != ENERGY_KINETIC && !has(TM_FX_LEDGER) && pair_sph)
-    error->all(FLERR, "Fix sph/tm output {} needs the keyword 'energy yes'", n + 1);
-  sum_energies();
-  return energy_now[n];
-}
-
-/* ---------------------------------------------------------------------- per-atom storage */
-
-void FixSPHTM::grow_arrays(int nmax) { fields.grow(nmax); }
-void FixSPHTM::copy_arrays(int i, int j, int) { fields.copy(i, j); }
-void FixSPHTM::set_arrays(int i) { fields.zero(i); }
-int FixSPHTM::pack_exchange(int i, double *buf) { return fields.pack(i, buf); }
-int FixSPHTM::unpack_exchange(int nlocal, double *buf) { return fields.unpack(nlocal, buf); }
-
-int FixSPHTM::pack_restart(int i, double *buf)
-{
-  buf[0] = fields.columns() + 1;
-  return 1 + fields.pack(i, buf + 1);
-}
-
-void FixSPHTM::unpack_restart(int nlocal, int nth)
-{
-  const double *extra = atom->extra[nlocal];
-  int m = 0;
-  for (int i = 0; i < nth; i++) m += static_cast<int>(extra[m]);
-  if (static_cast<int>(extra[m]) != fields.columns() + 1)
-    error->one(FLERR, "Fix sph/tm: restart file holds {} values per particle, {} expected",
-               static_cast<int>(extra[m]) - 1, fields.columns());
-  fields.unpack(nlocal, extra + m + 1);
-}
-
-int FixSPHTM::size_restart(int) { return fields.columns() + 1; }
-int FixSPHTM::maxsize_restart() { return fields.columns() + 1; }
-
-// global state: which fields the rows hold, the time step, the energy book (of all ranks)
-namespace {
-struct GlobalState {
-  int version, fields, started, cause;
-  double dt, dt_next;
-  double book[sizeof(FixSPHTM::Ledger) / sizeof(double)];
-};
-}    // namespace
-
-void FixSPHTM::write_restart(FILE *fp)
-{
-  GlobalState g = {};
-  constexpr int n = sizeof(Ledger) / sizeof(double);
-  MPI_Reduce(&ledger, g.book, n, MPI_DOUBLE, MPI_SUM, 0, world);
-  if (comm->me) return;
-  g.version = 1;
-  g.fields = (int) fields.mask();
-  g.started = started;
-  g.cause = dt_cause;
-  g.dt = dt;
-  g.dt_next = dt_next;
-  const int size = sizeof(g);
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&g, sizeof(g), 1, fp);
-}
-
-void FixSPHTM::restart(char *buf)
-{
-  GlobalState g;
-  memcpy(&g, buf, sizeof(g));
-  if (g.version != 1) error->all(FLERR, "Fix sph/tm: restart data of version {}, 1 expected", g.version);
-  fields.enable_mask((unsigned) g.fields, atom->nmax);
-  maxexchange = fields.columns();
-  started = g.started != 0;
-  dt_cause = g.cause;
-  dt = g.dt;
-  dt_next = g.dt_next;
-  if (comm->me == 0) memcpy(&ledger, g.book, sizeof(Ledger));
-}
-
-double FixSPHTM::memory_usage() { return fields.bytes() + source.capacity() * sizeof(double); }

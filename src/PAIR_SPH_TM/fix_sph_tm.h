@@ -82,6 +82,13 @@ class FixSPHTM : public Fix {
   double contact_spring = 0.0;    // energy stored in contact springs now, on this rank
 
  private:
+  // entries of the output vector
+  enum {
+    ENERGY_KINETIC, ENERGY_ELASTIC, ENERGY_PLASTIC, ENERGY_HEAT, ENERGY_CONTACT, ENERGY_FRICTION,
+    ENERGY_ARTIFICIAL, ENERGY_EXTERNAL, ENERGY_SUM, VECTOR_DT, VECTOR_CAUSE, VECTOR_NEIGHBORS,
+    VECTOR_SIZE
+  };
+
   SPHTM_NS::ParticleFields fields;
   PairSPHTM *pair_sph = nullptr;
   unsigned fx = 0;                 // effects in use
@@ -106,7 +113,7 @@ class FixSPHTM : public Fix {
   int dt_cause = TM_DT_SOUND;
   bool started = false;            // the first step has been taken (also after a restart)
   std::vector<double> source;
-  double energy_now[12];
+  double energy_now[VECTOR_SIZE];
   bigint energy_step = -1;
 
   void derive_effects();
@@ -115,6 +122,7 @@ class FixSPHTM : public Fix {
   void seed_history(int, double);
   void reduce_dt();
   void setup_dt();
+  const char *dt_cause_name() const;
   void apply_dt(double, bigint);
   tm_update_args update_args();
   void stop_on(int, const tm_update_result &);

@@ -1,0 +1,68 @@
+/* SPH-TM: fix sph/tm, states that cannot go on. See doc/fix_sph_tm.rst. */
+#include "fix_sph_tm.h"
+
+#include "pair_sph_tm.h"
+
+#include "atom.h"
+#include "domain.h"
+#include "error.h"
+#include "update.h"
+
+#include <cmath>
+
+using namespace LAMMPS_NS;
+
+// a particle beyond a fixed boundary would be deleted at the next reneighbouring
+void FixSPHTM::check_inside_box()
+{
+  const int(*b)[2] = domain->boundary;
+  enum { FIXED = 1 };
+  bool fixed[3][2], any = false;
+  for (int d = 0; d < 3; d++)
+    for (int side = 0; side < 2; side++) {
+      fixed[d][side] = b[d][side] == FIXED && (d < 2 || domain->dimension == 3);
+      any = any || fixed[d][side];
+    }
+  if (!any || domain->triclinic) return;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int d = 0; d < 3; d++) {
+      const double x = atom->x[i][d];
+      if ((!fixed[d][0] || x >= domain->boxlo[d]) && (!fixed[d][1] || x <= domain->boxhi[d])) continue;
+      const double *v = atom->v[i];
+      error->one(FLERR, "Fix sph/tm stops at step {}: particle {} (type {}) at {:.6g} {:.6g} {:.6g} with "
+                        "velocity {:.6g} {:.6g} {:.6g} leaves the box through its {} {} boundary. Likely "
+                        "cause: a box too small for the motion, or a particle shot out by an unstable "
+                        "contact. Make the box larger, use boundary m or s, or 'lost ignore' to let it go",
+                 update->ntimestep, atom->tag[i], atom->type[i], atom->x[i][0], atom->x[i][1],
+                 atom->x[i][2], v[0], v[1], v[2], "xyz"[d], x < domain->boxlo[d] ? "lower" : "upper");
+    }
+}
+
+// a state that cannot go on: say where and why, leave the last restart file as it is
+void FixSPHTM::stop_on(int i, const tm_update_result &r)
+{
+  const double *x = atom->x[i], *v = atom->v[i];
+  const double rho = fields.data(TM_F_RHO)[i], T = temperature(i);
+  std::string what, cause;
+  switch (r.status) {
+    case TM_BAD_NAN:
+      what = "state is not a number";
+      cause = "overlapping particles, a time step above the limit of another fix, or bad input values";
+      break;
+    case TM_BAD_DENSITY:
+      what = fmt::format("density {:.6g} is not positive", rho);
+      cause = "a particle torn out of the body in one step; lower courant, or check the contact stiffness";
+      break;
+    case TM_BAD_VELOCITY:
+      what = fmt::format("velocity {:.6g} is above ten times the speed of sound",
+                         sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
+      cause = "overlapping particles or a tool that starts inside the body; lower the penalty factor or courant";
+      break;
+    default:
+      what = fmt::format("temperature {:.6g} is not positive", T);
+      cause = "a heat sink stronger than the particle can feed in one step";
+  }
+  error->one(FLERR, "Fix sph/tm stops at step {}: particle {} (type {}) at {:.6g} {:.6g} {:.6g}: {}. "
+                    "Likely cause: {}. Restart files written before remain valid.",
+             update->ntimestep, atom->tag[i], atom->type[i], x[0], x[1], x[2], what, cause);
+}

@@ -1,0 +1,61 @@
+/* SPH-TM: fix sph/tm, the energy book and its output. See doc/fix_sph_tm.rst. */
+#include "fix_sph_tm.h"
+
+#include "pair_sph_tm.h"
+
+#include "atom.h"
+#include "error.h"
+#include "update.h"
+
+#include <algorithm>
+
+using namespace LAMMPS_NS;
+
+void FixSPHTM::sum_energies()
+{
+  if (energy_step == update->ntimestep) return;
+  energy_step = update->ntimestep;
+  const tm_state s = state();
+  double kinetic = 0.0, neighbors = 0.0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double *v = atom->v[i];
+    kinetic += 0.5 * tm_particle_mass(&s, i) * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  }
+  neighbors = pair_sph ? pair_sph->neighbors_per_particle() * atom->nlocal : 0.0;
+  const Ledger &l = ledger;
+  double mine[VECTOR_SIZE] = {};
+  mine[ENERGY_KINETIC] = kinetic;
+  mine[ENERGY_ELASTIC] = l.elastic;
+  mine[ENERGY_PLASTIC] = l.plastic - l.plastic_heat;
+  mine[ENERGY_HEAT] = l.heat - l.heat_exchanged;
+  mine[ENERGY_CONTACT] = contact_spring + l.contact_damping;
+  mine[ENERGY_FRICTION] = l.friction;
+  mine[ENERGY_ARTIFICIAL] = l.artificial;
+  mine[ENERGY_EXTERNAL] = -(l.kinetic_work - l.internal_work - l.contact_work + l.tool_work);
+  mine[VECTOR_NEIGHBORS] = neighbors;
+  MPI_Allreduce(mine, energy_now, VECTOR_SIZE, MPI_DOUBLE, MPI_SUM, world);
+  const double unit = pair_sph->units().energy;
+  double sum = 0.0;
+  for (int k = 0; k < ENERGY_SUM; k++) {
+    energy_now[k] /= unit;
+    sum += energy_now[k];
+  }
+  energy_now[ENERGY_SUM] = sum;
+  energy_now[VECTOR_DT] = dt;
+  energy_now[VECTOR_CAUSE] = dt_cause;
+  energy_now[VECTOR_NEIGHBORS] /= std::max((double) atom->natoms, 1.0);
+}
+
+double FixSPHTM::compute_scalar()
+{
+  sum_energies();
+  return energy_now[ENERGY_SUM];
+}
+
+double FixSPHTM::compute_vector(int n)
+{
+  if (n <= ENERGY_SUM && n != ENERGY_KINETIC && !has(TM_FX_LEDGER) && pair_sph)
+    error->all(FLERR, "Fix sph/tm output {} needs the keyword 'energy yes'", n + 1);
+  sum_energies();
+  return energy_now[n];
+}

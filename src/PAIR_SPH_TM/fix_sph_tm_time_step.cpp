@@ -1,0 +1,82 @@
+/* SPH-TM: fix sph/tm, the time step and what limits it. See doc/fix_sph_tm.rst. */
+#include "fix_sph_tm.h"
+
+#include "pair_sph_tm.h"
+
+#include "atom.h"
+#include "force.h"
+#include "modify.h"
+#include "output.h"
+#include "pair.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+
+const char *FixSPHTM::dt_cause_name() const
+{
+  static const char *const names[TM_DT_CAUSES] = {"sound speed",       "acceleration",
+                                                  "heat conduction",   "contact stiffness",
+                                                  "tool motion",       "dt/max"};
+  return names[dt_cause];
+}
+
+// the first step's limit, from the sound speed alone; the rates are not known yet
+void FixSPHTM::setup_dt()
+{
+  double limit = 1e300;
+  const double h = pair_sph->settings_in_use().h;
+  for (int t = 1; t <= atom->ntypes; t++) {
+    const tm_material &m = pair_sph->materials()[t];
+    if (m.body != TM_BODY_SOLID) continue;
+    limit = std::min(limit, h / tm_eos_sound_speed(&m, m.rho0, 0.0) /
+                         (1.0 + 0.6 * pair_sph->settings_in_use().visc_alpha));
+  }
+  dt = limit < 1e300 ? courant * limit : update->dt;
+  if (dt_max > 0.0) dt = std::min(dt, dt_max);
+}
+
+// the steps up to and with step number done had the old size
+void FixSPHTM::apply_dt(double value, bigint done)
+{
+  if (update->dt == value) return;
+  update->atime += (done - update->atimestep) * update->dt;
+  update->atimestep = done;
+  update->dt = value;
+  update->dt_default = 0;
+  if (force->pair) force->pair->reset_dt();
+  for (const auto &f : modify->get_fix_list())
+    if (f != this) f->reset_dt();
+  output->reset_dt();
+}
+
+void FixSPHTM::reset_dt() {}
+
+void FixSPHTM::limit_dt(double limit, int cause)
+{
+  dt_limits[cause] = std::min(dt_limits[cause], limit);
+}
+
+void FixSPHTM::reduce_dt()
+{
+  if (pair_sph->has_contact_pairs())
+    for (int t = 1; t <= atom->ntypes; t++) {
+      const double l = pair_sph->contact_stiffness_limit(t);
+      if (l > 0.0) limit_dt(0.4 * l, TM_DT_CONTACT);
+    }
+  double mine[TM_DT_CAUSES], all[TM_DT_CAUSES];
+  std::copy_n(dt_limits, (int) TM_DT_CAUSES, mine);
+  mine[TM_DT_SOUND] *= courant;
+  mine[TM_DT_FORCE] *= courant;
+  mine[TM_DT_MAXIMUM] = dt_max > 0.0 ? dt_max : 1e300;
+  MPI_Allreduce(mine, all, TM_DT_CAUSES, MPI_DOUBLE, MPI_MIN, world);
+  dt_cause = (int) (std::min_element(all, all + TM_DT_CAUSES) - all);
+  double next = all[dt_cause];
+  if (next >= 1e300) next = update->dt;
+  // grow slowly: the half-step prediction assumes steps of like size
+  if (dt_next > 0.0 && next > 1.05 * dt_next) next = 1.05 * dt_next;
+  dt_next = next;
+  std::fill(dt_limits, dt_limits + TM_DT_CAUSES, 1e300);
+}
