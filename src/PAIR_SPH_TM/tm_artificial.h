@@ -17,12 +17,25 @@
 #include "tm_eigen.h"
 #include "tm_tensor.h"
 
-/* [hot] Pi_ij >= 0. vx = v_ij.x_ij, r2 = |x_ij|^2, h > 0. */
+/* [hot] The factors of Pi_ij >= 0, for callers that have the inverses at hand: mu with
+   inv_soft2 = 1/tm_viscosity_soft2, vx = v_ij.x_ij; Pi with inv_rho = 1/rho_mean. h > 0. */
+TM_FN tm_real tm_viscosity_soft2(tm_real h, tm_real r2) { return r2 + 0.01 * h * h; }
+TM_FN tm_real tm_viscosity_mu(tm_real h, tm_real vx, tm_real inv_soft2)
+{
+  return h * tm_min(vx, 0.0) * inv_soft2;
+}
+TM_FN tm_real tm_viscosity_pi(tm_real alpha, tm_real beta, tm_real mu, tm_real c_mean,
+                              tm_real inv_rho)
+{
+  return (beta * mu - alpha * c_mean) * mu * inv_rho;
+}
+
+/* Pi_ij. vx = v_ij.x_ij, r2 = |x_ij|^2, h > 0. */
 TM_FN tm_real tm_viscosity_pair(tm_real alpha, tm_real beta, tm_real h, tm_real vx, tm_real r2,
                                 tm_real c_mean, tm_real rho_mean)
 {
-  const tm_real mu = h * tm_min(vx, 0.0) / (r2 + 0.01 * h * h);
-  return (beta * mu - alpha * c_mean) * mu / rho_mean;
+  const tm_real mu = tm_viscosity_mu(h, vx, 1.0 / tm_viscosity_soft2(h, r2));
+  return tm_viscosity_pi(alpha, beta, mu, c_mean, 1.0 / rho_mean);
 }
 
 /* Shear switch of one particle, 0..1; div and curl are of the velocity. */

@@ -12,24 +12,21 @@
    Each velocity gradient is the work conjugate of its momentum form: the power of the pair forces
    equals minus sum V sigma:L minus the artificial heating, to round-off.
 
-   The row is walked in chunks: neighbours within reach are compacted in row order, then worked
-   on by a loop without branches that the compiler vectorises. Rows are sorted by tag, so the sum
-   does not depend on where a particle sits in memory, on the skin or on the number of ranks. On
-   a GPU a chunk is one neighbour. */
+   The row is walked in chunks. Neighbours within reach are compacted in row order and their
+   records transposed into columns (tm_lanes.h); a loop over columns makes the coefficients of each
+   pair; a second one, without a branch or a function call, sums. Neighbour number n of those within
+   reach always goes to lane n mod TM_LANES, and rows are sorted by tag: so the sum does not depend
+   on where a particle sits in memory, on the skin, the size of a chunk or the number of ranks. On a
+   GPU a chunk is one neighbour. */
 #ifndef TM_RATES_H
 #define TM_RATES_H
 
 #include "tm_artificial.h"
 #include "tm_heat.h"
 #include "tm_kernel.h"
+#include "tm_lanes.h"
 #include "tm_record.h"
 #include "tm_tensor.h"
-
-#if defined(__CUDACC__)
-#define TM_CHUNK 1
-#else
-#define TM_CHUNK 96
-#endif
 
 /* Neighbour rows: entry k of particle i is index[first[i] + k * stride]. Mechanical neighbours
    come first, then those that only exchange heat, then those of other bodies in contact. */
@@ -69,6 +66,61 @@ typedef struct {
   tm_real *artificial;     /* heating by artificial terms, power, or NULL */
 } tm_rates_args;
 
+/* Columns of a chunk: first the records, then what the pair functions make of them. */
+enum {
+  TM_COL_STRESS = TM_REC,
+  TM_COL_HEAT = TM_COL_STRESS + TM_REC_STRESS,
+  TM_COL_CORRECTION = TM_COL_HEAT + TM_REC_HEAT,
+  TM_COL_SLOPE = TM_COL_CORRECTION + TM_REC_CORRECTION, /* m_j W'/r */
+  TM_COL_TENSILE,      /* f^n of the artificial stress */
+  TM_COL_VISCOUS,      /* Pi */
+  TM_COL_CONDUCTED,    /* power per volume into i */
+  TM_COL_PER_RHO,      /* 1/rho_j */
+  TM_COL_SMOOTH,       /* m_j/rho_mean W */
+  TM_COLUMNS
+};
+
+/* Appends to jj, n long, those of the m entries of a row that are within reach; returns the new n. */
+TM_FN int tm_within_reach(const tm_real *rec, const int *row, ptrdiff_t stride, int m, tm_real x,
+                          tm_real y, tm_real z, tm_real reach2, int dim3, int *jj, int n)
+{
+#if TM_LANES >= 4
+  int copy[TM_COLUMN];
+  tm_real TM_ALIGNED col[4][TM_COLUMN];
+  ptrdiff_t TM_ALIGNED inside[TM_COLUMN];
+  if (stride != 1) {
+    for (int l = 0; l < m; l++) copy[l] = row[l * stride];
+    row = copy;
+  }
+  int l = 0;
+  for (; l + TM_LANES <= m; l += TM_LANES) tm_transpose(rec, TM_REC, row + l, dim3 ? 4 : 2, col[0] + l);
+  if (l < m) {
+    int tail[TM_LANES];
+    for (int k = 0; k < TM_LANES; k++) tail[k] = row[l + k < m ? l + k : l];
+    tm_transpose(rec, TM_REC, tail, dim3 ? 4 : 2, col[0] + l);
+    l += TM_LANES;
+  }
+#pragma omp simd
+  for (int k = 0; k < l; k++) {
+    const tm_real dx = x - col[0][k], dy = y - col[1][k], dz = dim3 ? z - col[2][k] : 0.0;
+    inside[k] = dx * dx + dy * dy + dz * dz < reach2;
+  }
+  for (int k = 0; k < m; k++) {
+    jj[n] = row[k];
+    n += (int) inside[k];
+  }
+#else
+  for (int k = 0; k < m; k++) {
+    const int j = row[k * stride];
+    const tm_real *r = rec + (ptrdiff_t) j * TM_REC;
+    const tm_real dx = x - r[0], dy = y - r[1], dz = dim3 ? z - r[2] : 0.0;
+    jj[n] = j;
+    n += dx * dx + dy * dy + dz * dz < reach2;
+  }
+#endif
+  return n;
+}
+
 TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
 {
   const int kernel = tm_fx_kernel(effects);
@@ -79,8 +131,9 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
   const int conduction = (fx & TM_FX_CONDUCTION) != 0, form_f14 = (fx & TM_FX_FORM_F14) != 0;
   const int correction = (fx & TM_FX_CORRECTION) != 0, balsara = (fx & TM_FX_BALSARA) != 0;
   const int xsph = (fx & TM_FX_XSPH) != 0, surface = (fx & TM_FX_SURFACE) != 0;
+  const int per_rho = form_f14 || surface;
 
-  const int *TM_RESTRICT row = a->rows.index + a->rows.first[i];
+  const int *row = a->rows.index + a->rows.first[i];
   const int n_mech = a->rows.mechanical[i];
   const tm_real *TM_RESTRICT rec = a->rec.main;
   const tm_real *TM_RESTRICT rec_s = a->rec.stress;
@@ -109,150 +162,201 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
     czx = c[6]; czy = c[7]; czz = c[8];
   }
 
-  const tm_real inv_h = 1.0 / a->h, slope_norm = a->norm * inv_h;
+  const tm_real inv_h = 1.0 / a->h, slope_norm = a->norm * inv_h, norm = a->norm;
   const tm_real alpha = a->visc_alpha, beta = a->visc_beta, h = a->h, inv_w = a->art_inv_w;
   const int art_n = a->art_n;
 
-  tm_real ax = 0, ay = 0, az = 0, heat = 0, art = 0;
-  tm_real lxx = 0, lxy = 0, lxz = 0, lyx = 0, lyy = 0, lyz = 0, lzx = 0, lzy = 0, lzz = 0;
-  tm_real kxx = 0, kxy = 0, kxz = 0, kyx = 0, kyy = 0, kyz = 0, kzx = 0, kzy = 0, kzz = 0;
-  tm_real ux = 0, uy = 0, uz = 0, nx = 0, ny = 0, nz = 0;
+  const tm_lanes zero = tm_lanes_zero();
+  tm_lanes ax = zero, ay = zero, az = zero, heat = zero, art = zero;
+  tm_lanes lxx = zero, lxy = zero, lxz = zero, lyx = zero, lyy = zero, lyz = zero;
+  tm_lanes lzx = zero, lzy = zero, lzz = zero;
+  tm_lanes kxx = zero, kxy = zero, kxz = zero, kyx = zero, kyy = zero, kyz = zero;
+  tm_lanes kzx = zero, kzy = zero, kzz = zero;
+  tm_lanes ux = zero, uy = zero, uz = zero, nx = zero, ny = zero, nz = zero;
 
-  int jj[TM_CHUNK + 1];
-  tm_real bx[TM_CHUNK + 1], by[TM_CHUNK + 1], bz[TM_CHUNK + 1], b2[TM_CHUNK + 1];
-  int k = 0;
-  while (k < n_mech) {
-    int n = 0;
-    for (; k < n_mech && n < TM_CHUNK; k++) {
-      const int j = row[k * a->rows.stride];
-      const tm_real *rj = rec + (ptrdiff_t) j * TM_REC;
-      const tm_real dx = xi - rj[0], dy = yi - rj[1], dz = dim3 ? zi - rj[2] : 0.0;
-      const tm_real r2 = dx * dx + dy * dy + dz * dz;
-      jj[n] = j; bx[n] = dx; by[n] = dy; bz[n] = dz; b2[n] = r2;
-      n += r2 < a->reach2;
-    }
+  int jj[TM_COLUMN];
+  tm_real TM_ALIGNED col[TM_COLUMNS][TM_COLUMN];
+  for (int k = 0, n = 0, last = 0; !last;) {
+    do {
+      const int m = n_mech - k < TM_CHUNK ? n_mech - k : TM_CHUNK;
+      n = tm_within_reach(rec, row + k * a->rows.stride, a->rows.stride, m, xi, yi, zi, a->reach2,
+                          dim3, jj, n);
+      k += m;
+    } while (k < n_mech && n < TM_LANES);
+    last = k >= n_mech;
+
+    /* lanes left over wait for the next chunk, or are filled up with copies of i out of reach */
+    const int lanes = (last ? n + TM_LANES - 1 : n) / TM_LANES * TM_LANES;
+    for (int l = n; l < lanes; l++) jj[l] = i;
+    tm_transpose_rows(rec, TM_REC, jj, lanes, TM_REC, col[0]);
+    for (int l = n; l < lanes; l++) col[TM_REC_X][l] = xi + 4.0 * h;
+    if (artstress)
+      tm_transpose_rows(rec_s, TM_REC_STRESS, jj, lanes, TM_REC_STRESS, col[TM_COL_STRESS]);
+    if (conduction)
+      tm_transpose_rows(rec_t, TM_REC_HEAT, jj, lanes, TM_REC_HEAT, col[TM_COL_HEAT]);
+    if (correction)
+      for (int l = 0; l < lanes; l++)
+        for (int c = 0; c < TM_REC_CORRECTION; c++)
+          col[TM_COL_CORRECTION + c][l] = rec_c[jj[l] * (ptrdiff_t) TM_REC_CORRECTION + c];
+
+    /* coefficients of each pair */
 #if !defined(__CUDACC__)
-#pragma omp simd reduction(+ : ax, ay, az, heat, art, lxx, lxy, lxz, lyx, lyy, lyz, lzx, lzy, lzz) \
-    reduction(+ : kxx, kxy, kxz, kyx, kyy, kyz, kzx, kzy, kzz, ux, uy, uz, nx, ny, nz)
+#pragma omp simd
 #endif
-    for (int l = 0; l < n; l++) {
-      const ptrdiff_t j = jj[l];
-      const tm_real *rj = rec + j * TM_REC;
-      const tm_real dx = bx[l], dy = by[l], dz = bz[l], r2 = b2[l];
-      const tm_real r = sqrt(r2), inv_r = 1.0 / r, q = r * inv_h;
-      const tm_real mj = rj[TM_REC_M], rhoj = rj[TM_REC_RHO];
+    for (int l = 0; l < lanes; l++) {
+      const tm_real dx = xi - col[0][l], dy = yi - col[1][l], dz = dim3 ? zi - col[2][l] : 0.0;
+      const tm_real r2 = dx * dx + dy * dy + dz * dz, r = sqrt(r2), q = r * inv_h;
+      const tm_real mj = col[TM_REC_M][l], rhoj = col[TM_REC_RHO][l];
+      tm_real inv_r;
+      if (viscosity) {
+        const tm_real vx = vxi - col[4][l], vy = vyi - col[5][l], vz = dim3 ? vzi - col[6][l] : 0.0;
+        const tm_real rho2 = rhoi + rhoj, soft2 = tm_viscosity_soft2(h, r2);
+        const tm_real inv = 1.0 / (r2 * (soft2 * rho2));  /* one division for three */
+        inv_r = r * (soft2 * rho2) * inv;
+        const tm_real mu = tm_viscosity_mu(h, vx * dx + vy * dy + vz * dz, r2 * rho2 * inv);
+        tm_real pi = tm_viscosity_pi(alpha, beta, mu, 0.5 * (ci + col[TM_REC_C][l]),
+                                     2.0 * (r2 * soft2) * inv);
+        if (balsara) pi *= 0.5 * (bi + col[TM_REC_BALSARA][l]);
+        col[TM_COL_VISCOUS][l] = pi;
+      } else
+        inv_r = 1.0 / r;
       const tm_real g = slope_norm * tm_kernel_slope(kernel, q) * inv_r;  /* W'/r */
-      const tm_real gx = g * dx, gy = g * dy, gz = g * dz;
-      const tm_real vx = vxi - rj[4], vy = vyi - rj[5], vz = dim3 ? vzi - rj[6] : 0.0;
+      col[TM_COL_SLOPE][l] = mj * g;
+      if (artstress)
+        col[TM_COL_TENSILE][l] = tm_power_int(tm_kernel_shape(kernel, q) * inv_w, art_n);
+      if (conduction)
+        col[TM_COL_CONDUCTED][l] = tm_conduction_pair(ki, col[TM_COL_HEAT + TM_REC_K][l], ti,
+                                                      col[TM_COL_HEAT + TM_REC_T][l], mj / rhoj, g);
+      if (per_rho) col[TM_COL_PER_RHO][l] = 1.0 / rhoj;
+      if (xsph)
+        col[TM_COL_SMOOTH][l] =
+            tm_xsph_pair(mj, 0.5 * (rhoi + rhoj), norm * tm_kernel_shape(kernel, q));
+    }
+
+    /* sums */
+#define TM_COL(c) tm_lanes_load(col[c] + l)
+    for (int l = 0; l < lanes; l += TM_LANES) {
+      const tm_lanes dx = xi - TM_COL(0), dy = yi - TM_COL(1), dz = dim3 ? zi - TM_COL(2) : zero;
+      const tm_lanes vx = vxi - TM_COL(4), vy = vyi - TM_COL(5), vz = dim3 ? vzi - TM_COL(6) : zero;
+      const tm_lanes mg = TM_COL(TM_COL_SLOPE), wx = mg * dx, wy = mg * dy, wz = mg * dz;
+      const tm_lanes vol = per_rho ? TM_COL(TM_COL_PER_RHO) : zero;
 
       /* velocity gradient, sum of -v_ij (x) gradW; volume m/rho_j, or m to be divided by rho_i */
-      const tm_real vol = form_f14 ? mj / rhoj : mj;
-      const tm_real wx = vol * gx, wy = vol * gy, wz = vol * gz;
-      lxx -= vx * wx; lxy -= vx * wy;
-      lyx -= vy * wx; lyy -= vy * wy;
+      const tm_lanes gx = form_f14 ? vol * wx : wx, gy = form_f14 ? vol * wy : wy;
+      const tm_lanes gz = form_f14 ? vol * wz : wz;
+      lxx -= vx * gx; lxy -= vx * gy;
+      lyx -= vy * gx; lyy -= vy * gy;
       if (dim3) {
-        lxz -= vx * wz; lyz -= vy * wz;
-        lzx -= vz * wx; lzy -= vz * wy; lzz -= vz * wz;
+        lxz -= vx * gz; lyz -= vy * gz;
+        lzx -= vz * gx; lzy -= vz * gy; lzz -= vz * gz;
       }
       if (correction) {
-        kxx -= dx * wx; kxy -= dx * wy; kyx -= dy * wx; kyy -= dy * wy;
+        kxx -= dx * gx; kxy -= dx * gy; kyx -= dy * gx; kyy -= dy * gy;
         if (dim3) {
-          kxz -= dx * wz; kyz -= dy * wz;
-          kzx -= dz * wx; kzy -= dz * wy; kzz -= dz * wz;
+          kxz -= dx * gz; kyz -= dy * gz;
+          kzx -= dz * gx; kzy -= dz * gy; kzz -= dz * gz;
         }
       }
 
       /* momentum */
-      const tm_real scale = form_f14 ? inv_rhoi / rhoj : 1.0;
-      tm_real fx_ = 0, fy_ = 0, fz_ = 0;
+      const tm_lanes mx = form_f14 ? inv_rhoi * gx : wx, my = form_f14 ? inv_rhoi * gy : wy;
+      const tm_lanes mz = form_f14 ? inv_rhoi * gz : wz;
       if (correction) {
-        const tm_real *c = rec_c + j * TM_REC_CORRECTION;
-        fx_ = (cxx + c[0]) * gx + (cxy + c[1]) * gy;
-        fy_ = (cyx + c[3]) * gx + (cyy + c[4]) * gy;
+        const int C = TM_COL_CORRECTION;
+        ax += (cxx + TM_COL(C)) * mx + (cxy + TM_COL(C + 1)) * my;
+        ay += (cyx + TM_COL(C + 3)) * mx + (cyy + TM_COL(C + 4)) * my;
         if (dim3) {
-          fx_ += (cxz + c[2]) * gz; fy_ += (cyz + c[5]) * gz;
-          fz_ = (czx + c[6]) * gx + (czy + c[7]) * gy + (czz + c[8]) * gz;
+          ax += (cxz + TM_COL(C + 2)) * mz;
+          ay += (cyz + TM_COL(C + 5)) * mz;
+          az += (czx + TM_COL(C + 6)) * mx + (czy + TM_COL(C + 7)) * my + (czz + TM_COL(C + 8)) * mz;
         }
       } else {
-        const tm_real sxx = pxx + rj[8], syy = pyy + rj[9], sxy = pxy + rj[11];
-        fx_ = sxx * gx + sxy * gy;
-        fy_ = sxy * gx + syy * gy;
+        const int P = TM_REC_P;
+        const tm_lanes sxx = pxx + TM_COL(P), syy = pyy + TM_COL(P + 1), sxy = pxy + TM_COL(P + 3);
+        ax += sxx * mx + sxy * my;
+        ay += sxy * mx + syy * my;
         if (dim3) {
-          const tm_real szz = pzz + rj[10], sxz = pxz + rj[12], syz = pyz + rj[13];
-          fx_ += sxz * gz; fy_ += syz * gz;
-          fz_ = sxz * gx + syz * gy + szz * gz;
+          const tm_lanes szz = pzz + TM_COL(P + 2), sxz = pxz + TM_COL(P + 4);
+          const tm_lanes syz = pyz + TM_COL(P + 5);
+          ax += sxz * mz;
+          ay += syz * mz;
+          az += sxz * mx + syz * my + szz * mz;
         }
       }
-      if (form_f14) { fx_ *= scale; fy_ *= scale; fz_ *= scale; }
 
       /* artificial terms, kept apart for the energy book: d = artificial acceleration */
-      tm_real dxa = 0, dya = 0, dza = 0;
+      tm_lanes dxa = zero, dya = zero, dza = zero;
       if (artstress) {
-        const tm_real *qj = rec_s + j * TM_REC_STRESS;
-        const tm_real f = tm_power_int(tm_kernel_shape(kernel, q) * inv_w, art_n);
-        const tm_real sxx = qxx + qj[0], syy = qyy + qj[1], sxy = qxy + qj[3];
-        dxa = sxx * gx + sxy * gy;
-        dya = sxy * gx + syy * gy;
+        const int Q = TM_COL_STRESS;
+        const tm_lanes f = TM_COL(TM_COL_TENSILE);
+        const tm_lanes sxx = qxx + TM_COL(Q), syy = qyy + TM_COL(Q + 1), sxy = qxy + TM_COL(Q + 3);
+        dxa = sxx * wx + sxy * wy;
+        dya = sxy * wx + syy * wy;
         if (dim3) {
-          const tm_real szz = qzz + qj[2], sxz = qxz + qj[4], syz = qyz + qj[5];
-          dxa += sxz * gz; dya += syz * gz;
-          dza = sxz * gx + syz * gy + szz * gz;
+          const tm_lanes szz = qzz + TM_COL(Q + 2), sxz = qxz + TM_COL(Q + 4);
+          const tm_lanes syz = qyz + TM_COL(Q + 5);
+          dxa += sxz * wz;
+          dya += syz * wz;
+          dza = sxz * wx + syz * wy + szz * wz;
         }
         dxa *= f; dya *= f; dza *= f;
       }
       if (viscosity) {
-        const tm_real rhom = 0.5 * (rhoi + rhoj), cm = 0.5 * (ci + rj[TM_REC_C]);
-        tm_real pi = tm_viscosity_pair(alpha, beta, h, vx * dx + vy * dy + vz * dz, r2, cm, rhom);
-        if (balsara) pi *= 0.5 * (bi + rj[TM_REC_BALSARA]);
-        dxa -= pi * gx; dya -= pi * gy; dza -= pi * gz;
+        const tm_lanes pi = TM_COL(TM_COL_VISCOUS);
+        dxa -= pi * wx; dya -= pi * wy; dza -= pi * wz;
       }
       if (artstress || viscosity) {
-        art -= mj * (dxa * vx + dya * vy + dza * vz);
-        fx_ += dxa; fy_ += dya; fz_ += dza;
+        art -= dxa * vx + dya * vy + dza * vz;
+        ax += dxa; ay += dya; az += dza;
       }
-      ax += mj * fx_; ay += mj * fy_; az += mj * fz_;
 
-      if (conduction) {
-        const tm_real tj = rec_t[j * TM_REC_HEAT + TM_REC_T], kj = rec_t[j * TM_REC_HEAT + TM_REC_K];
-        heat += tm_conduction_pair(ki, kj, ti, tj, mj / rhoj, g);
-      }
+      if (conduction) heat += TM_COL(TM_COL_CONDUCTED);
       if (xsph) {
-        const tm_real w = a->norm * tm_kernel_shape(kernel, q) * 2.0 * mj / (rhoi + rhoj);
+        const tm_lanes w = TM_COL(TM_COL_SMOOTH);
         ux -= w * vx; uy -= w * vy; uz -= w * vz;
       }
       if (surface) {
-        const tm_real v = mj / rhoj;
-        nx += v * gx; ny += v * gy; nz += v * gz;
+        nx += vol * wx; ny += vol * wy; nz += vol * wz;
       }
     }
+#undef TM_COL
+    for (int l = lanes; l < n; l++) jj[l - lanes] = jj[l];
+    n -= lanes;
   }
 
   const tm_real lscale = form_f14 ? 1.0 : inv_rhoi;
   tm_real *L = a->gradient + (ptrdiff_t) i * 9;
-  L[0] = lscale * lxx; L[1] = lscale * lxy; L[2] = lscale * lxz;
-  L[3] = lscale * lyx; L[4] = lscale * lyy; L[5] = lscale * lyz;
-  L[6] = lscale * lzx; L[7] = lscale * lzy; L[8] = lscale * lzz;
+  L[0] = lscale * tm_lanes_sum(lxx); L[1] = lscale * tm_lanes_sum(lxy);
+  L[2] = lscale * tm_lanes_sum(lxz); L[3] = lscale * tm_lanes_sum(lyx);
+  L[4] = lscale * tm_lanes_sum(lyy); L[5] = lscale * tm_lanes_sum(lyz);
+  L[6] = lscale * tm_lanes_sum(lzx); L[7] = lscale * tm_lanes_sum(lzy);
+  L[8] = lscale * tm_lanes_sum(lzz);
   if (correction) {
     tm_real *K = a->moment + (ptrdiff_t) i * 9;
-    K[0] = lscale * kxx; K[1] = lscale * kxy; K[2] = lscale * kxz;
-    K[3] = lscale * kyx; K[4] = lscale * kyy; K[5] = lscale * kyz;
-    K[6] = lscale * kzx; K[7] = lscale * kzy; K[8] = lscale * kzz;
+    K[0] = lscale * tm_lanes_sum(kxx); K[1] = lscale * tm_lanes_sum(kxy);
+    K[2] = lscale * tm_lanes_sum(kxz); K[3] = lscale * tm_lanes_sum(kyx);
+    K[4] = lscale * tm_lanes_sum(kyy); K[5] = lscale * tm_lanes_sum(kyz);
+    K[6] = lscale * tm_lanes_sum(kzx); K[7] = lscale * tm_lanes_sum(kzy);
+    K[8] = lscale * tm_lanes_sum(kzz);
   }
   const tm_real mf = mi * a->force_unit;
-  a->force[3 * (ptrdiff_t) i] += mf * ax;
-  a->force[3 * (ptrdiff_t) i + 1] += mf * ay;
-  a->force[3 * (ptrdiff_t) i + 2] += mf * az;
-  if ((artstress || viscosity) && a->artificial) a->artificial[i] = 0.5 * mi * art;
-  if (conduction) a->heat[i] = heat;
+  double *f = a->force + 3 * (ptrdiff_t) i;
+  f[0] += mf * tm_lanes_sum(ax);
+  f[1] += mf * tm_lanes_sum(ay);
+  f[2] += mf * tm_lanes_sum(az);
+  if ((artstress || viscosity) && a->artificial) a->artificial[i] = 0.5 * mi * tm_lanes_sum(art);
+  if (conduction) a->heat[i] = tm_lanes_sum(heat);
   if (xsph) {
-    a->xsph_v[3 * (ptrdiff_t) i] = a->xsph * ux;
-    a->xsph_v[3 * (ptrdiff_t) i + 1] = a->xsph * uy;
-    a->xsph_v[3 * (ptrdiff_t) i + 2] = a->xsph * uz;
+    tm_real *u = a->xsph_v + 3 * (ptrdiff_t) i;
+    u[0] = a->xsph * tm_lanes_sum(ux);
+    u[1] = a->xsph * tm_lanes_sum(uy);
+    u[2] = a->xsph * tm_lanes_sum(uz);
   }
   if (surface) {
-    a->surface[3 * (ptrdiff_t) i] = nx;
-    a->surface[3 * (ptrdiff_t) i + 1] = ny;
-    a->surface[3 * (ptrdiff_t) i + 2] = nz;
+    tm_real *s = a->surface + 3 * (ptrdiff_t) i;
+    s[0] = tm_lanes_sum(nx);
+    s[1] = tm_lanes_sum(ny);
+    s[2] = tm_lanes_sum(nz);
   }
 }
 
