@@ -49,18 +49,19 @@ FixSPHTMHeat::FixSPHTMHeat(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, a
   mode = static_cast<Mode>(m);
   int iarg = 4;
   auto read = [&](EqualValue &value, const char *which) {
-    if (iarg >= narg) error->all(FLERR, "Fix sph/tm/heat {} needs {}", MODES[m].name, which);
+    if (iarg >= narg)
+      error->all(FLERR, "Fix sph/tm/heat {} needs {}, a number or v_name", MODES[m].name, which);
     value.set(lmp, fmt::format("Fix sph/tm/heat {} {}", MODES[m].name, which), arg[iarg]);
     const double v = value.varies() ? 1.0 : value.now();
-    if ((strcmp(which, "temperature") == 0 && !(v > 0.0)) || (m == CONVECTION && !(v >= 0.0)) ||
-        (m == RADIATION && !(v >= 0.0)))
+    const bool fits = m == TEMPERATURE ? v > 0.0 : m == CONVECTION || m == RADIATION ? v >= 0.0 : true;
+    if (!fits)
       error->all(FLERR, "Fix sph/tm/heat {} {} must be {} 0, got {}", MODES[m].name, which,
                  m == TEMPERATURE ? ">" : ">=", arg[iarg]);
     iarg++;
   };
-  static const char *const strengths[] = {"temperature", "flux", "power per volume", "coefficient", ""};
+  static const char *const strengths[] = {"T", "q", "q", "hc", ""};
   if (MODES[m].strength) read(strength, strengths[m]);
-  if (MODES[m].surroundings) read(T_inf, "temperature of the surroundings");
+  if (MODES[m].surroundings) read(T_inf, "Tinf");
   read_keywords(iarg, narg, arg);
   if (find_body()) ask();
 }
@@ -89,9 +90,9 @@ void FixSPHTMHeat::read_keywords(int iarg, int narg, char **arg)
       if (!(v[0] > 0.0)) error->all(FLERR, "Fix sph/tm/heat area must be > 0, got {}", arg[iarg + 1]);
       known_area = v[0];
     } else if (key == "threshold") {
-      if (!(v[0] >= 0.0 && v[0] <= 0.5))
-        error->all(FLERR, "Fix sph/tm/heat threshold must be >= 0 and <= 0.5, a share of one facet of the "
-                          "lattice; got {}", arg[iarg + 1]);
+      if (!(v[0] >= 0.0 && v[0] < 1.0))
+        error->all(FLERR, "Fix sph/tm/heat threshold must be >= 0 and < 1, a share of what a particle of a flat "
+                          "face carries; got {}", arg[iarg + 1]);
       threshold = v[0];
     } else {
       direction = tm_vec(v[0], v[1], v[2]);
@@ -137,6 +138,8 @@ void FixSPHTMHeat::init()
   if (!body->has(TM_FX_HEAT) || (on_surface() && !body->has(TM_FX_SURFACE)))
     error->all(FLERR, "Fix sph/tm/heat {} needs the effect{} of fix sph/tm, which 'effects ... off' forbids",
                MODES[mode].name, on_surface() ? "s heat and surface" : " heat");
+  const PairSPHTM::Settings &set = body->pair()->settings_in_use();
+  surface = tm_surface_make(set.kernel, domain->dimension, set.spacing, set.h, threshold);
   if (mode == RADIATION && !find_style_units(update->unit_style))
     error->all(FLERR, "Fix sph/tm/heat radiation needs units with a known Stefan-Boltzmann constant, not {}; "
                       "convection with a variable coefficient does the same", update->unit_style);
@@ -215,7 +218,6 @@ tm_exchange_args FixSPHTMHeat::exchange_args()
 {
   static const int modes[] = {0, TM_EXCHANGE_FLUX, TM_EXCHANGE_SOURCE, TM_EXCHANGE_CONVECTION, TM_EXCHANGE_RADIATION};
   PairSPHTM *pair = body->pair();
-  const PairSPHTM::Settings &set = pair->settings_in_use();
   tm_exchange_args a;
   a.mode = modes[mode];
   const bool varies = strength.varies() || T_inf.varies();
@@ -228,7 +230,7 @@ tm_exchange_args FixSPHTMHeat::exchange_args()
     a.strength = STEFAN_BOLTZMANN * u.time * u.time * u.time / u.mass;
   }
   a.emissivity = emissivity;
-  a.surface = tm_surface_make(set.kernel, domain->dimension, set.spacing, set.h, threshold);
+  a.surface = surface;
   a.facing = facing;
   a.d = direction;
   a.area_factor = 1.0;

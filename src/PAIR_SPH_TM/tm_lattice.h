@@ -78,19 +78,29 @@ TM_FN tm_lattice tm_lattice_sums(int kernel, int dim, tm_real h)
   return out;
 }
 
-/* Share of a flat face carried by the layers that carry at least this share of it each. */
-TM_FN tm_real tm_lattice_face(int kernel, int dim, tm_real h, tm_real threshold)
+/* 2 |n| of the particles in the first layer below a flat face */
+TM_FN tm_real tm_lattice_face_normal(int kernel, int dim, tm_real h)
 {
-  const int reach = tm_lattice_reach(kernel, h);
-  const tm_real gradient = tm_lattice_sums(kernel, dim, h).gradient;
-  tm_real n = 0.0, face = 0.0;
-  for (int x = reach; x >= 1; x--) {   /* the layer that misses all from x on: 2 |n| */
+  tm_real n = 0.0;
+  for (int x = 1; x <= tm_lattice_reach(kernel, h); x++) {
     tm_real by_x, by_r;
     tm_lattice_layer(kernel, dim, h, x, &by_x, &by_r);
     n += by_x;
-    if (n >= threshold * gradient) face += n / gradient;
   }
-  return face;
+  return n;
+}
+
+/* 2 |n| summed over the layers below a flat face that have at least 2 |n| = least */
+TM_FN tm_real tm_lattice_face_sum(int kernel, int dim, tm_real h, tm_real least)
+{
+  tm_real n = 0.0, sum = 0.0;
+  for (int x = tm_lattice_reach(kernel, h); x >= 1; x--) {   /* the layer without neighbours from x on */
+    tm_real by_x, by_r;
+    tm_lattice_layer(kernel, dim, h, x, &by_x, &by_r);
+    n += by_x;
+    if (n >= least) sum += n;
+  }
+  return sum;
 }
 
 #endif
