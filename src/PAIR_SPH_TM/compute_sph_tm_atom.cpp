@@ -91,16 +91,14 @@ constexpr int N_ATTRIBUTES = sizeof(ATTRIBUTES) / sizeof(ATTRIBUTES[0]);
 
 ComputeSPHTMAtom::ComputeSPHTMAtom(LAMMPS *lmp, int narg, char **arg) : Compute(lmp, narg, arg)
 {
-  if (narg < 4) error->all(FLERR, "Compute sph/tm/atom needs at least one attribute");
+  std::string known;
+  for (const auto &a : ATTRIBUTES) known += std::string(" ") + a.name;
+  if (narg < 4) error->all(FLERR, "Compute sph/tm/atom needs at least one attribute:{}", known);
   for (int iarg = 3; iarg < narg; iarg++) {
     int found = -1;
     for (int k = 0; k < N_ATTRIBUTES; k++)
       if (strcmp(arg[iarg], ATTRIBUTES[k].name) == 0) found = k;
-    if (found < 0) {
-      std::string known;
-      for (const auto &a : ATTRIBUTES) known += std::string(" ") + a.name;
-      error->all(FLERR, "Unknown compute sph/tm/atom attribute {}: known are{}", arg[iarg], known);
-    }
+    if (found < 0) error->all(FLERR, "Unknown compute sph/tm/atom attribute {}: known are{}", arg[iarg], known);
     wanted.push_back(found);
   }
   peratom_flag = 1;
@@ -116,7 +114,7 @@ ComputeSPHTMAtom::~ComputeSPHTMAtom()
 void ComputeSPHTMAtom::init()
 {
   auto fixes = modify->get_fix_by_style("^sph/tm$");
-  if (fixes.empty()) error->all(FLERR, "Compute sph/tm/atom needs a fix sph/tm");
+  if (fixes.empty()) error->all(FLERR, "Compute sph/tm/atom needs a fix sph/tm; write 'fix body all sph/tm'");
   fix = dynamic_cast<FixSPHTM *>(fixes[0]);
 }
 

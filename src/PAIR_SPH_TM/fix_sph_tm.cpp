@@ -1,6 +1,7 @@
 /* SPH-TM: fix sph/tm. See doc/fix_sph_tm.rst. */
 #include "fix_sph_tm.h"
 
+#include "argument.h"
 #include "effect_plan.h"
 #include "pair_sph_tm.h"
 
@@ -44,39 +45,34 @@ FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
       if (iarg + n >= narg)
         error->all(FLERR, "Fix sph/tm keyword {} needs {} value{}", key, n, n == 1 ? "" : "s");
     };
-    auto number = [&](const char *text, double lo, double hi) {
-      const double v = utils::numeric(FLERR, text, false, lmp);
-      if (!(v > lo && v <= hi))
-        error->all(FLERR, "Fix sph/tm {} must be > {} and <= {}, got {}", key, lo, hi, text);
-      return v;
-    };
+    const std::string what = "Fix sph/tm " + key;
     if (key == "temperature") {
       value(1);
-      temperature0 = number(arg[iarg + 1], 0.0, 1e6);
+      temperature0 = positive(lmp, what, arg[iarg + 1]);
       temperature_given = true;
       iarg += 2;
     } else if (key == "courant") {
       value(1);
-      courant = number(arg[iarg + 1], 0.0, 1.0);
+      courant = number_within(lmp, what, arg[iarg + 1], 0.0, 1.0);
       iarg += 2;
     } else if (key == "dt") {
       value(1);
-      fixed_dt = strcmp(arg[iarg + 1], "auto") == 0 ? 0.0 : number(arg[iarg + 1], 0.0, 1e300);
+      fixed_dt = strcmp(arg[iarg + 1], "auto") == 0 ? 0.0 : positive(lmp, what, arg[iarg + 1]);
       iarg += 2;
     } else if (key == "dt/max") {
       value(1);
-      dt_max = number(arg[iarg + 1], 0.0, 1e300);
+      dt_max = positive(lmp, what, arg[iarg + 1]);
       iarg += 2;
     } else if (key == "lost") {
       value(1);
-      const std::string what = arg[iarg + 1];
-      if (what != "error" && what != "ignore")
-        error->all(FLERR, "Fix sph/tm lost must be error or ignore, got {}", what);
-      stop_on_lost = what == "error";
+      const std::string choice = arg[iarg + 1];
+      if (choice != "error" && choice != "ignore")
+        error->all(FLERR, "Fix sph/tm lost must be error or ignore, got {}", choice);
+      stop_on_lost = choice == "error";
       iarg += 2;
     } else if (key == "energy") {
       value(1);
-      if (utils::logical(FLERR, arg[iarg + 1], false, lmp)) forced_on |= TM_FX_LEDGER;
+      if (yes_no(lmp, what, arg[iarg + 1])) forced_on |= TM_FX_LEDGER;
       iarg += 2;
     } else if (key == "effects") {
       value(1);
@@ -89,7 +85,7 @@ FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
       if (!bit)
         error->all(FLERR, "Unknown fix sph/tm effect {}: known are {}", arg[iarg + 1],
                    effect_names());
-      if (utils::logical(FLERR, arg[iarg + 2], false, lmp)) forced_on |= bit;
+      if (yes_no(lmp, what + " " + arg[iarg + 1], arg[iarg + 2])) forced_on |= bit;
       else forced_off |= bit;
       iarg += 3;
     } else
@@ -128,9 +124,7 @@ int FixSPHTM::modify_param(int narg, char **arg)
       error->all(FLERR, "Fix_modify temperature of fix sph/tm needs a group and a temperature");
     const int igroup2 = group->find(arg[1]);
     if (igroup2 < 0) error->all(FLERR, "Fix_modify temperature of fix sph/tm: no group {}", arg[1]);
-    const double T = utils::numeric(FLERR, arg[2], false, lmp);
-    if (!(T > 0.0))
-      error->all(FLERR, "Fix_modify temperature of fix sph/tm must be > 0 K, got {}", arg[2]);
+    const double T = positive(lmp, "Fix_modify temperature of fix sph/tm", arg[2]);
     preset.push_back({group->bitmask[igroup2], T});
     need(TM_FX_HEAT, fmt::format("temperature of group {} is set", arg[1]));
     return 3;
@@ -182,10 +176,16 @@ void FixSPHTM::derive_effects()
 void FixSPHTM::init()
 {
   pair_sph = dynamic_cast<PairSPHTM *>(force->pair_match("^sph/tm", 0));
-  if (!pair_sph) error->all(FLERR, "Fix sph/tm needs pair style sph/tm");
-  if (modify->get_fix_by_style("^sph/tm$").size() > 1) error->all(FLERR, "More than one fix sph/tm");
+  if (!pair_sph)
+    error->all(FLERR, "Fix sph/tm needs pair style sph/tm; write 'pair_style sph/tm hyperbolic 1.2 spacing <dp>' "
+                      "and pair_coeff before the run");
+  if (modify->get_fix_by_style("^sph/tm$").size() > 1)
+    error->all(FLERR, "More than one fix sph/tm: one owns the state of all particles; use unfix, or its group");
   if (utils::strmatch(update->integrate_style, "^respa"))
-    error->all(FLERR, "Fix sph/tm does not work with run_style respa");
+    error->all(FLERR, "Fix sph/tm does not work with run_style respa; use run_style verlet");
+  if (update->whichflag == 2)
+    error->all(FLERR, "Fix sph/tm does not work with minimize: the forces follow from the history of the "
+                      "deformation, not from an energy; use run, with fix viscous to bring a body to rest");
   for (const auto &f : modify->get_fix_list())
     if (f != this && f->time_integrate && (utils::strmatch(f->style, "^nve") || utils::strmatch(f->style, "^nvt")))
       if (comm->me == 0)
@@ -278,21 +278,14 @@ void FixSPHTM::setup(int)
     }
   }
   for (int k = 0; k < 3; k++) dt_limits[k] = std::min(dt_limits[k], limits[k]);
+  if (!started) check_start();
+  if (fixed_dt > 0.0) check_fixed_dt();
   if (!started || dt_next <= 0.0) {
     reduce_dt();
     if (!started && comm->me == 0) {
       utils::logmesg(lmp, "sph/tm: time step {:.6g}, limited by {}; rate loops: {}\n",
                      fixed_dt > 0.0 ? fixed_dt : dt_next, dt_cause_name(), rate_loop_isa());
     }
-  }
-  if (fixed_dt > 0.0) {
-    double all[TM_DT_CAUSES];
-    MPI_Allreduce(dt_limits, all, TM_DT_CAUSES, MPI_DOUBLE, MPI_MIN, world);
-    // 1.0 in units of h/c is the stability limit found for the half-step prediction
-    if (fixed_dt > 1.0 * all[TM_DT_SOUND] || fixed_dt > all[TM_DT_CONDUCTION])
-      error->all(FLERR, "Fix sph/tm dt {:.6g} is not stable: sound speed allows {:.6g}, conduction "
-                        "{:.6g}; use 'dt auto' or a smaller value", fixed_dt, all[TM_DT_SOUND],
-                 all[TM_DT_CONDUCTION]);
   }
   dt = fixed_dt > 0.0 ? fixed_dt : dt_next;
   apply_dt(dt, update->ntimestep);

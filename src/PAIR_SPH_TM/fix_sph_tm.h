@@ -56,6 +56,7 @@ class FixSPHTM : public Fix {
   tm_state state();                                // pointers valid until the next reneighbouring
   double time_ahead() const { return dt_ahead; }   // from the state to the force point
   double step_dt() const { return dt; }
+  bool restored() const { return started; }        // has taken a step, here or before a restart
   double start_temperature() const { return temperature0; }
   double temperature(int i);                       // of owned particle i, K
   PairSPHTM *pair() { return pair_sph; }
@@ -123,6 +124,8 @@ class FixSPHTM : public Fix {
   void reduce_dt();
   void setup_dt();
   const char *dt_cause_name() const;
+  void check_fixed_dt();
+  void check_start();
   void apply_dt(double, bigint);
   tm_update_args update_args();
   void stop_on(int, const tm_update_result &);

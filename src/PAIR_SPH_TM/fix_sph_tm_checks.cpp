@@ -4,6 +4,7 @@
 #include "pair_sph_tm.h"
 
 #include "atom.h"
+#include "comm.h"
 #include "domain.h"
 #include "error.h"
 #include "update.h"
@@ -65,4 +66,43 @@ void FixSPHTM::stop_on(int i, const tm_update_result &r)
   error->one(FLERR, "Fix sph/tm stops at step {}: particle {} (type {}) at {:.6g} {:.6g} {:.6g}: {}. "
                     "Likely cause: {}. Restart files written before remain valid.",
              update->ntimestep, atom->tag[i], atom->type[i], x[0], x[1], x[2], what, cause);
+}
+
+// what a script gets wrong about particles: overlaps, a spacing that is not theirs, infinite values
+void FixSPHTM::check_start()
+{
+  const double dp = pair_sph->settings_in_use().spacing;
+  const PairSPHTM::Closest c = pair_sph->closest();
+  if (c.distance < 0.1 * dp) {
+    double **x = atom->x;
+    error->one(FLERR, "Pair style sph/tm: particles {} and {} are {} at {:.6g} {:.6g} {:.6g}; remove one of "
+                      "them ('delete_atoms overlap {:.6g} all all')",
+               atom->tag[c.i], atom->tag[c.j], c.distance == 0.0 ? "in the same place" :
+               fmt::format("only {:.6g} of the spacing apart", c.distance / dp), x[c.i][0], x[c.i][1],
+               x[c.i][2], 0.5 * dp);
+  }
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double *x = atom->x[i], *v = atom->v[i], *f = atom->f[i];
+    const char *what = nullptr;
+    for (int k = 0; k < 3; k++) {
+      if (!std::isfinite(f[k])) what = "force";
+      if (!std::isfinite(v[k])) what = "velocity";
+    }
+    if (what)
+      error->one(FLERR, "Fix sph/tm: the {} of particle {} (type {}) at {:.6g} {:.6g} {:.6g} is not a finite "
+                        "number at the start; its velocity is {:.6g} {:.6g} {:.6g}", what, atom->tag[i],
+                 atom->type[i], x[0], x[1], x[2], v[0], v[1], v[2]);
+  }
+  double mine[2] = {c.sum, (double) c.count}, all[2];
+  MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
+  if (comm->me) return;
+  bigint solids = 0;
+  for (int t = 1; t <= atom->ntypes; t++) solids += pair_sph->materials()[t].body == TM_BODY_SOLID;
+  if (all[1] == 0.0 && atom->natoms > 1 && solids)
+    error->warning(FLERR, "Pair style sph/tm: no particle has a neighbor within reach; are the particles "
+                          "{:.6g} (the keyword spacing) apart?", dp);
+  else if (all[1] > 0.0 && (all[0] / all[1] > 1.4 * dp || all[0] / all[1] < 0.6 * dp))
+    error->warning(FLERR, "Pair style sph/tm: the nearest neighbors are {:.6g} apart on the mean, the keyword "
+                          "spacing says {:.6g}; masses, kernels and contact follow the keyword",
+                   all[0] / all[1], dp);
 }

@@ -4,6 +4,7 @@
 #include "pair_sph_tm.h"
 
 #include "atom.h"
+#include "error.h"
 #include "force.h"
 #include "modify.h"
 #include "output.h"
@@ -36,6 +37,20 @@ void FixSPHTM::setup_dt()
   }
   dt = limit < 1e300 ? courant * limit : update->dt;
   if (dt_max > 0.0) dt = std::min(dt, dt_max);
+}
+
+// a time step of the user's above the stability limit
+void FixSPHTM::check_fixed_dt()
+{
+  double all[TM_DT_CAUSES];
+  MPI_Allreduce(dt_limits, all, TM_DT_CAUSES, MPI_DOUBLE, MPI_MIN, world);
+  // 1.0 in units of h/c is the stability limit found for the half-step prediction
+  if (fixed_dt > 1.0 * all[TM_DT_SOUND])
+    error->all(FLERR, "Fix sph/tm dt {:.6g} is not stable: the sound speed allows {:.6g}; use 'dt auto' or a "
+                      "smaller value", fixed_dt, all[TM_DT_SOUND]);
+  if (fixed_dt > all[TM_DT_CONDUCTION])
+    error->all(FLERR, "Fix sph/tm dt {:.6g} is not stable: heat conduction allows {:.6g}; use 'dt auto' or a "
+                      "smaller value", fixed_dt, all[TM_DT_CONDUCTION]);
 }
 
 // the steps up to and with step number done had the old size

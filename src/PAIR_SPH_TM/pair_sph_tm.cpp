@@ -1,6 +1,7 @@
 /* SPH-TM: pair style sph/tm. See doc/pair_sph_tm.rst. No physics here: tm_rates.h and its kin. */
 #include "pair_sph_tm.h"
 
+#include "argument.h"
 #include "fix_sph_tm.h"
 #include "material_input.h"
 #include "tm_thermal.h"
@@ -55,7 +56,7 @@ void PairSPHTM::allocate()
   memory->create(setflag, n, n, "pair:setflag");
   memory->create(cutsq, n, n, "pair:cutsq");
   for (int i = 1; i < n; i++)
-    for (int j = 1; j < n; j++) setflag[i][j] = 0;
+    for (int j = 1; j < n; j++) setflag[i][j] = 1;    // init_style names the type without material
   material.assign(n, tm_material{});
   names.assign(n, "");
   laws.assign((size_t) n * n, PairLaw());
@@ -63,28 +64,13 @@ void PairSPHTM::allocate()
 
 /* ---------------------------------------------------------------------- */
 
-static double positive(LAMMPS *lmp, const char *what, const char *arg)
-{
-  const double v = utils::numeric(FLERR, arg, false, lmp);
-  if (!(v > 0.0) || !std::isfinite(v))
-    lmp->error->all(FLERR, "Pair style sph/tm {} must be a positive number, got {}", what, arg);
-  return v;
-}
-
-static double not_negative(LAMMPS *lmp, const char *what, const char *arg)
-{
-  const double v = utils::numeric(FLERR, arg, false, lmp);
-  if (!(v >= 0.0) || !std::isfinite(v))
-    lmp->error->all(FLERR, "Pair style sph/tm {} must be a number >= 0, got {}", what, arg);
-  return v;
-}
-
 void PairSPHTM::settings(int narg, char **arg)
 {
   if (narg < 4)
     error->all(FLERR, "Illegal pair_style sph/tm: expected 'sph/tm <kernel> <h/spacing> spacing "
                       "<dp> ...', got {} arguments", narg);
   set = Settings();
+  const std::string style = "Pair style sph/tm ";
   int kernel = -1;
   for (int k = 0; k < TM_KERNEL_COUNT; k++)
     if (strcmp(arg[0], KERNEL_NAMES[k]) == 0) kernel = k;
@@ -92,7 +78,7 @@ void PairSPHTM::settings(int narg, char **arg)
     error->all(FLERR, "Unknown pair style sph/tm kernel {}: choose hyperbolic, cubic, quintic, "
                       "wendland/c2 or wendland/c4", arg[0]);
   set.kernel = kernel;
-  set.ratio = positive(lmp, "ratio of smoothing length to spacing", arg[1]);
+  set.ratio = positive(lmp, style + "ratio of smoothing length to spacing", arg[1]);
   if (set.ratio < 0.8 || set.ratio > 4.0)
     error->all(FLERR, "Pair style sph/tm ratio of smoothing length to spacing must be between 0.8 "
                       "and 4, got {}", arg[1]);
@@ -106,27 +92,24 @@ void PairSPHTM::settings(int narg, char **arg)
     };
     if (key == "spacing") {
       args(1);
-      set.spacing = positive(lmp, "spacing", arg[iarg + 1]);
+      set.spacing = positive(lmp, style + "spacing", arg[iarg + 1]);
       iarg += 2;
     } else if (key == "viscosity") {
       args(2);
-      set.visc_alpha = not_negative(lmp, "viscosity alpha", arg[iarg + 1]);
-      set.visc_beta = not_negative(lmp, "viscosity beta", arg[iarg + 2]);
+      set.visc_alpha = not_negative(lmp, style + "viscosity alpha", arg[iarg + 1]);
+      set.visc_beta = not_negative(lmp, style + "viscosity beta", arg[iarg + 2]);
       iarg += 3;
     } else if (key == "balsara") {
       args(1);
-      set.balsara = utils::logical(FLERR, arg[iarg + 1], false, lmp) != 0;
+      set.balsara = yes_no(lmp, style + key, arg[iarg + 1]);
       iarg += 2;
     } else if (key == "artstress") {
       args(2);
-      set.art_eps = not_negative(lmp, "artstress epsilon", arg[iarg + 1]);
-      set.art_n = utils::inumeric(FLERR, arg[iarg + 2], false, lmp);
+      set.art_eps = not_negative(lmp, style + "artstress epsilon", arg[iarg + 1]);
+      set.art_n = integer_within(lmp, style + "artstress exponent", arg[iarg + 2], 1, 8);
       if (set.art_eps > 1.0)
         error->all(FLERR, "Pair style sph/tm artstress epsilon must be 0 to 1, got {}",
                    arg[iarg + 1]);
-      if (set.art_n < 1 || set.art_n > 8)
-        error->all(FLERR, "Pair style sph/tm artstress exponent must be 1 to 8, got {}",
-                   arg[iarg + 2]);
       iarg += 3;
       if (iarg < narg && (strcmp(arg[iarg], "component") == 0 || strcmp(arg[iarg], "principal") == 0)) {
         set.art_component = arg[iarg][0] == 'c';
@@ -134,7 +117,7 @@ void PairSPHTM::settings(int narg, char **arg)
       }
     } else if (key == "xsph") {
       args(1);
-      set.xsph = not_negative(lmp, "xsph epsilon", arg[iarg + 1]);
+      set.xsph = not_negative(lmp, style + "xsph epsilon", arg[iarg + 1]);
       if (set.xsph > 1.0)
         error->all(FLERR, "Pair style sph/tm xsph epsilon must be 0 to 1, got {}", arg[iarg + 1]);
       iarg += 2;
@@ -146,7 +129,7 @@ void PairSPHTM::settings(int narg, char **arg)
       iarg += 2;
     } else if (key == "correction") {
       args(1);
-      set.correction = utils::logical(FLERR, arg[iarg + 1], false, lmp) != 0;
+      set.correction = yes_no(lmp, style + key, arg[iarg + 1]);
       iarg += 2;
     } else if (key == "plane") {
       args(1);
@@ -186,6 +169,9 @@ void PairSPHTM::coeff(int narg, char **arg)
     parse_meeting(narg, arg);
     return;
   }
+  if (std::max(ilo, jlo) > std::min(ihi, jhi))
+    error->all(FLERR, "Pair sph/tm coeff {0} {1}: a material belongs to one type; write 'pair_coeff {1} {1} ...', "
+                      "and for two types bond, none, heat or contact", arg[0], arg[1]);
   const tm_material m = read_material(lmp, "Pair sph/tm coeff", narg - 2, arg + 2);
   int count = 0;
   for (int i = ilo; i <= ihi; i++)
@@ -228,15 +214,17 @@ void PairSPHTM::parse_meeting(int narg, char **arg)
     const char *val = arg[iarg + 1];
     if (key == "conductance" && (law.meeting == HEAT_ONLY || law.meeting == CONTACT)) {
       law.conductance = strcmp(val, "perfect") == 0 ? 0.0
-          : positive(lmp, "coeff conductance", val) * unit.energy;
+          : positive(lmp, "Pair sph/tm coeff " + what + " conductance", val) * unit.energy;
     } else if (key == "friction" && law.meeting == CONTACT)
-      law.contact.friction = not_negative(lmp, "coeff contact friction", val);
+      law.contact.friction = not_negative(lmp, "Pair sph/tm coeff contact friction", val);
     else if (key == "penalty" && law.meeting == CONTACT)
-      law.contact.penalty = positive(lmp, "coeff contact penalty", val);
+      law.contact.penalty = positive(lmp, "Pair sph/tm coeff contact penalty", val);
     else if (key == "damping" && law.meeting == CONTACT)
-      law.contact.damping = not_negative(lmp, "coeff contact damping", val);
+      law.contact.damping = not_negative(lmp, "Pair sph/tm coeff contact damping", val);
     else
-      error->all(FLERR, "Unknown pair sph/tm coeff {} keyword {}", what, key);
+      error->all(FLERR, "Unknown pair sph/tm coeff {} keyword {}: known {}", what, key,
+                 law.meeting == CONTACT ? "are friction, penalty, damping and conductance"
+                     : law.meeting == HEAT_ONLY ? "is conductance" : "is none");
   }
   int count = 0;
   for (int i = ilo; i <= ihi; i++)
@@ -297,16 +285,18 @@ void PairSPHTM::init_style()
   if (fixes.empty())
     error->all(FLERR, "Pair style sph/tm needs a fix sph/tm that owns the particle state; write "
                       "'fix body all sph/tm'");
-  if (fixes.size() > 1) error->all(FLERR, "More than one fix sph/tm");
+  if (fixes.size() > 1)
+    error->all(FLERR, "More than one fix sph/tm: one owns the state of all particles of pair style sph/tm; remove "
+                      "the others");
   fix = dynamic_cast<FixSPHTM *>(fixes[0]);
+  if (!restart_fix.empty() && restart_fix != fix->id && !fix->restored())
+    error->all(FLERR, "Fix {} sph/tm: the restart file holds the state of the particles under the fix ID {}; "
+                      "write 'fix {} ... sph/tm ...'", fix->id, restart_fix, restart_fix);
   if (set.plane_stress && domain->dimension != 2)
     error->all(FLERR, "Pair style sph/tm plane stress needs dimension 2");
 
-  if (!atom->rmass_flag && comm->me == 0)
-    for (int i = 1; i <= atom->ntypes; i++)
-      if (fabs(atom->mass[i] - particle_mass(i)) > 1e-6 * particle_mass(i))
-        error->warning(FLERR, "Pair sph/tm: mass of type {} is {:.8g}, density times spacing gives "
-                              "{:.8g}; the mass is kept", i, atom->mass[i], particle_mass(i));
+  check_volume();
+  check_masses();
 
   // the skin of the unit style's default is meant for molecules: take a tenth of the reach
   const double reach = tm_kernel_support(set.kernel) * set.h;
@@ -320,6 +310,66 @@ void PairSPHTM::init_style()
         utils::logmesg(lmp, "sph/tm: neighbor skin {:.6g}, a tenth of the reach\n", neighbor->skin);
     }
   neighbor->add_request(this, NeighConst::REQ_FULL);
+}
+
+void PairSPHTM::check_masses()
+{
+  auto differs = [&](double mass, int type) {
+    return fabs(mass - particle_mass(type)) > 1e-6 * particle_mass(type);
+  };
+  std::vector<bigint> wrong(atom->ntypes + 1, 0), all(atom->ntypes + 1, 0);
+  if (atom->rmass_flag) {
+    for (int i = 0; i < atom->nlocal; i++) wrong[atom->type[i]] += differs(atom->rmass[i], atom->type[i]);
+    MPI_Allreduce(wrong.data(), all.data(), atom->ntypes + 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  }
+  if (comm->me) return;
+  for (int t = 1; t <= atom->ntypes; t++)
+    if (all[t])
+      error->warning(FLERR, "Pair sph/tm: {} particles of type {} have a mass of their own, density times spacing "
+                            "gives {:.8g}; 'set type {} mass {:.8g}' sets it", all[t], t, particle_mass(t), t,
+                     particle_mass(t));
+    else if (!atom->rmass_flag && differs(atom->mass[t], t))
+      error->warning(FLERR, "Pair sph/tm: mass of type {} is {:.8g}, density times spacing gives "
+                            "{:.8g}; the mass is kept. Without a mass command it follows from the material", t, atom->mass[t], particle_mass(t));
+}
+
+// a spacing in another unit than the box: before LAMMPS complains about its bins
+void PairSPHTM::check_volume()
+{
+  const int dim = domain->dimension;
+  double box = 1.0;
+  for (int d = 0; d < dim; d++) box *= domain->prd[d];
+  const double needed = (double) atom->natoms * pow(set.spacing, dim);
+  if (needed > 3.0 * box)
+    error->all(FLERR, "Pair style sph/tm spacing {:.8g}: {} particles would need {} of {:.6g}, the box has {:.6g}; "
+                      "give the spacing of the particles in the length unit of the run", set.spacing, atom->natoms,
+               dim == 3 ? "a volume" : "an area", needed, box);
+}
+
+// what the set-up tells about spacing and overlaps: the closest mechanical neighbours
+PairSPHTM::Closest PairSPHTM::closest() const
+{
+  Closest c;
+  double **x = atom->x;
+  for (int i = 0; i < atom->nlocal; i++) {
+    double least = 1e300;
+    for (int k = 0; k < row_mechanical[i]; k++) {
+      const int j = row_index[row_first[i] + k];
+      const double dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], dz = x[i][2] - x[j][2];
+      const double r = sqrt(dx * dx + dy * dy + dz * dz);
+      if (r < c.distance) {
+        c.distance = r;
+        c.i = i;
+        c.j = j;
+      }
+      least = std::min(least, r);
+    }
+    if (least < 1e300) {
+      c.sum += least;
+      c.count++;
+    }
+  }
+  return c;
 }
 
 void PairSPHTM::init_list(int, NeighList *ptr) { list = ptr; }
@@ -667,6 +717,9 @@ double PairSPHTM::contact_stiffness_limit(int t) const
 void PairSPHTM::write_restart(FILE *fp)
 {
   write_restart_settings(fp);
+  char id[64] = {};
+  if (fix) strncpy(id, fix->id, sizeof(id) - 1);
+  fwrite(id, sizeof(id), 1, fp);
   const int n = atom_types + 1;
   fwrite(&atom_types, sizeof(int), 1, fp);
   for (int i = 1; i < n; i++) {
@@ -690,6 +743,9 @@ void PairSPHTM::read_restart(FILE *fp)
     if (comm->me == 0) utils::sfread(FLERR, p, 1, bytes, fp, nullptr, error);
     MPI_Bcast(p, (int) bytes, MPI_BYTE, 0, world);
   };
+  char id[64];
+  read(id, sizeof(id));
+  restart_fix = id;
   int types = 0;
   read(&types, sizeof(int));
   if (types != atom->ntypes)

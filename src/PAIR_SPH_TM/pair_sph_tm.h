@@ -73,6 +73,13 @@ class PairSPHTM : public Pair {
   const std::vector<tm_real> &moments() const { return moment; }
   const std::vector<tm_real> &xsph_velocities() const { return xsph_v; }
   const char *material_name(int type) const { return names[type].c_str(); }
+  struct Closest {
+    double distance = 1e300;    // of the closest mechanical neighbours of this rank
+    int i = -1, j = -1;
+    double sum = 0.0;           // of the distances to the nearest neighbour
+    int count = 0;              // of particles that have one
+  };
+  Closest closest() const;
   double neighbors_per_particle() const;    // mean over the owned particles of this rank
   int count_neighbors(int i) const;         // within reach now
   bool has_contact_pairs() const;
@@ -94,6 +101,7 @@ class PairSPHTM : public Pair {
   std::vector<PairLaw> laws;            // by type pair
   std::vector<tm_real> conductance_table;
   FixSPHTM *fix = nullptr;
+  std::string restart_fix;              // the fix whose state the restart file holds
 
   // rows of the owned particles, rebuilt with the host's list
   std::vector<int> row_index, row_mechanical, row_thermal, row_contact;
@@ -110,6 +118,8 @@ class PairSPHTM : public Pair {
 
   void allocate();
   void build_rows();
+  void check_volume();
+  void check_masses();
   void resize_arrays();
   void fill_args();
   void predict();
