@@ -135,3 +135,14 @@ def read_vtk(path):
         else:
             raise AssertionError("unknown word %s in %s" % (words[0], path))
     return out
+
+
+def write_stl(folder, name, triangles):
+    """ASCII STL of an array (n, 3, 3)."""
+    with open(os.path.join(folder, name), "w") as f:
+        f.write("solid test\n")
+        for t in np.asarray(triangles, float):
+            n = np.cross(t[1] - t[0], t[2] - t[0])
+            f.write("facet normal %.9g %.9g %.9g\nouter loop\n" % tuple(n / np.linalg.norm(n)))
+            f.write("".join("vertex %.17g %.17g %.17g\n" % tuple(p) for p in t) + "endloop\nendfacet\n")
+        f.write("endsolid test\n")
