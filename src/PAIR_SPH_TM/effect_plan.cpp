@@ -71,6 +71,15 @@ void EffectPlan::derive(const PairSPHTM &pair, int ntypes)
     if (m.damage != TM_DAMAGE_NONE) on(TM_FX_DAMAGE, of_type(t) + " has a damage law");
     if (m.eos == TM_EOS_SHOCK) on(TM_FX_ENERGY, of_type(t) + " has a shock equation of state");
   }
+  bool all_heat = true;
+  for (int t = 1; t <= ntypes; t++) all_heat = all_heat && pair.materials()[t].heat;
+  for (int i = 1; i <= ntypes && all_heat; i++)
+    for (int j = i + 1; j <= ntypes; j++) {
+      const PairSPHTM::PairLaw &l = pair.law(i, j);
+      if (l.meeting != PairSPHTM::CONTACT || !(l.contact.friction > 0.0 || l.conductance >= 0.0)) continue;
+      on(TM_FX_HEAT, "contact of " + of_type(i) + " and " + of_type(j) +
+             (l.contact.friction > 0.0 ? " has friction" : " conducts heat"));
+    }
   for (const auto &a : asked) on(a.first, a.second);
 
   if ((set.visc_alpha > 0.0 || set.visc_beta > 0.0) && mechanics) on(TM_FX_VISCOSITY, "pair_style viscosity is not 0");
