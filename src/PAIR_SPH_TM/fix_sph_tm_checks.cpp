@@ -62,6 +62,7 @@ void FixSPHTM::stop_on(int i, const tm_update_result &r)
     default:
       what = fmt::format("temperature {:.6g} is not positive", T);
       cause = "a heat sink stronger than the particle can feed in one step";
+      if (fixed_dt > 0.0) cause += ", or a constant dt that conduction has outgrown: use 'dt auto'";
   }
   error->one(FLERR, "Fix sph/tm stops at step {}: particle {} (type {}) at {:.6g} {:.6g} {:.6g}: {}. "
                     "Likely cause: {}. Restart files written before remain valid.",

@@ -44,13 +44,15 @@ void FixSPHTM::check_fixed_dt()
 {
   double all[TM_DT_CAUSES];
   MPI_Allreduce(dt_limits, all, TM_DT_CAUSES, MPI_DOUBLE, MPI_MIN, world);
-  // 1.0 in units of h/c is the stability limit found for the half-step prediction
+  // 1.0 in units of h/c is the stability limit found for the half-step prediction; that of
+  // conduction is 4/3 of the automatic step, see tm_heat_time_step
   if (fixed_dt > 1.0 * all[TM_DT_SOUND])
     error->all(FLERR, "Fix sph/tm dt {:.6g} is not stable: the sound speed allows {:.6g}; use 'dt auto' or a "
                       "smaller value", fixed_dt, all[TM_DT_SOUND]);
-  if (fixed_dt > all[TM_DT_CONDUCTION])
+  const double conduction = 4.0 / 3.0 * all[TM_DT_CONDUCTION];
+  if (fixed_dt > conduction)
     error->all(FLERR, "Fix sph/tm dt {:.6g} is not stable: heat conduction allows {:.6g}; use 'dt auto' or a "
-                      "smaller value", fixed_dt, all[TM_DT_CONDUCTION]);
+                      "smaller value", fixed_dt, conduction);
 }
 
 // the steps up to and with step number done had the old size
