@@ -181,11 +181,11 @@ def warmed(m, T, heat):
 class Body:
     def __init__(self, dim, x, v, kind, materials, box, kernel, h, spacing, viscosity=(1.0, 1.0), artstress=(0.3, 4),
                  component=False, xsph=0.0, form="f15", correction=False, balsara=False, plane_stress=False,
-                 temperature=293.15, heat=False, meets=None):
+                 temperature=293.15, heat=False, meets=None, load=(0.0, 0.0, 0.0)):
         self.__dict__.update(dim=dim, x=np.array(x, float), v=np.array(v, float), kind=kind, box=np.asarray(box, float),
                              kernel=kernel, h=h, spacing=spacing, viscosity=viscosity, artstress=artstress,
                              component=component, xsph=xsph, form=form, correction=correction, balsara=balsara,
-                             plane_stress=plane_stress, heat=heat, meets=meets or {}, T0=temperature)
+                             plane_stress=plane_stress, heat=heat, meets=meets or {}, T0=temperature, load=load)
         n = self.n = len(x)
         self.mat = [materials[k] for k in kind]
         self.m = np.array([m.rho0 for m in self.mat]) * spacing ** dim
@@ -319,6 +319,7 @@ class Body:
             pi = pi * 0.5 * (self.switch[:, None] + self.switch[None])
         art -= pi[..., None] * gm
         out["acc"] = acc + np.einsum("j,ija->ia", m, art)
+        out["acc"] = out["acc"] + np.asarray(self.load) / m[:, None]
         out["source"] = np.zeros(n)
         if touch.any():
             self.contact(out, touch, r, d, vij, dt)
