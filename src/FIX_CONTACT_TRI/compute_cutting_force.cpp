@@ -13,7 +13,8 @@
 
 using namespace LAMMPS_NS;
 
-ComputeCuttingForce::ComputeCuttingForce(LAMMPS *lmp, int narg, char **arg) : Compute(lmp, narg, arg)
+ComputeCuttingForce::ComputeCuttingForce(LAMMPS *lmp, int narg, char **arg) :
+    Compute(lmp, narg, arg)
 {
   scalar_flag = 1;
   vector_flag = 1;
@@ -47,13 +48,17 @@ ComputeCuttingForce::ComputeCuttingForce(LAMMPS *lmp, int narg, char **arg) : Co
         error->all(FLERR, "Compute cutting/force width must be > 0, got {}", arg[iarg + 1]);
       iarg += 2;
     } else
-      error->all(FLERR, "Unknown compute cutting/force keyword {}: known are direction, away, width",
+      error->all(FLERR,
+                 "Unknown compute cutting/force keyword {}: known are direction, away, width",
                  arg[iarg]);
   }
   vector = new double[size_vector];
 }
 
-ComputeCuttingForce::~ComputeCuttingForce() { delete[] vector; }
+ComputeCuttingForce::~ComputeCuttingForce()
+{
+  delete[] vector;
+}
 
 void ComputeCuttingForce::init()
 {

@@ -7,7 +7,7 @@ template <unsigned FX> static tm_contact_result loop(int n, const tm_contact_arg
   tm_contact_result sum = tm_contact_nothing();
   for (int i = 0; i < n; i++) {
     const tm_contact_result one = tm_contact_tri(i, &args, FX);
-    if (one.contacts || one.spring > 0.0) tm_contact_sum(&sum, &one);
+    if (one.depth > 0.0) tm_contact_sum(&sum, &one);
   }
   return sum;
 }
@@ -18,7 +18,7 @@ static tm_contact_result loop_any(int n, const tm_contact_args &args, unsigned f
   tm_contact_result sum = tm_contact_nothing();
   for (int i = 0; i < n; i++) {
     const tm_contact_result one = tm_contact_tri(i, &args, fx);
-    if (one.contacts || one.spring > 0.0) tm_contact_sum(&sum, &one);
+    if (one.depth > 0.0) tm_contact_sum(&sum, &one);
   }
   return sum;
 }
@@ -27,11 +27,16 @@ tm_contact_result contact_loop(int n, const tm_contact_args &args, unsigned fx)
 {
   constexpr unsigned D = TM_CT_3D, H = TM_CT_HEAT, F = TM_CT_FRICTION;
   switch (fx) {
-    case F: return loop<F>(n, args);
-    case H | F: return loop<H | F>(n, args);
-    case D | F: return loop<D | F>(n, args);
-    case D | H | F: return loop<D | H | F>(n, args);
-    default: return loop_any(n, args, fx);
+    case F:
+      return loop<F>(n, args);
+    case H | F:
+      return loop<H | F>(n, args);
+    case D | F:
+      return loop<D | F>(n, args);
+    case D | H | F:
+      return loop<D | H | F>(n, args);
+    default:
+      return loop_any(n, args, fx);
   }
 }
 

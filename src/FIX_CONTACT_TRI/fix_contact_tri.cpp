@@ -41,7 +41,8 @@ FixContactTri::FixContactTri(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
   const std::string wrong = tool.load(shape, request.two_sided);
   if (!wrong.empty()) error->all(FLERR, "Fix contact/tri {}: {}", id, wrong);
   reference_local = request.reference_given
-      ? tm_vec(request.reference[0], request.reference[1], request.reference[2]) : tool.origin();
+      ? tm_vec(request.reference[0], request.reference[1], request.reference[2])
+      : tool.origin();
   nevery = 1;
   clear_triangles();
 }
@@ -70,7 +71,8 @@ int FixContactTri::modify_param(int narg, char **arg)
     return 1 + used;
   }
   if (strcmp(arg[0], "temperature") == 0) {
-    if (narg < 2) utils::missing_cmd_args(FLERR, "fix_modify temperature of fix contact/tri", error);
+    if (narg < 2)
+      utils::missing_cmd_args(FLERR, "fix_modify temperature of fix contact/tri", error);
     temperature = utils::numeric(FLERR, arg[1], false, lmp);
     temperature_given = true;
     temperature_variable.clear();
@@ -85,8 +87,10 @@ void FixContactTri::init()
 {
   auto fixes = modify->get_fix_by_style("^sph/tm$");
   if (fixes.empty())
-    error->all(FLERR, "Fix contact/tri {} needs the fix sph/tm that owns the particles' state; "
-                      "write 'fix body all sph/tm' before it", id);
+    error->all(FLERR,
+               "Fix contact/tri {} needs the fix sph/tm that owns the particles' state; "
+               "write 'fix body all sph/tm' before it",
+               id);
   state = dynamic_cast<FixSPHTM *>(fixes[0]);
   if (modify->find_fix(id) < modify->find_fix(fixes[0]->id))
     error->all(FLERR, "Fix contact/tri {} must come after fix {} sph/tm in the input", id,
@@ -109,6 +113,18 @@ void FixContactTri::init()
   }
 }
 
+// friction heat of a type in words
+std::string FixContactTri::heat_in_words(int type) const
+{
+  const tm_material &m = pair->materials()[type];
+  const double T = state->start_temperature();
+  const double e = sqrt(tm_conductivity(&m, T) * m.rho0 * tm_capacity(&m, T));
+  const bool said = request.share >= 0.0 || request.effusivity >= 0.0 || request.body_type;
+  return fmt::format(", {:.3f} of the friction heat into the particles{}",
+                     tm_contact_share(&laws[type], e),
+                     said ? "" : " (give 'effusivity' or 'share' to change that)");
+}
+
 void FixContactTri::report()
 {
   if (comm->me) return;
@@ -118,19 +134,12 @@ void FixContactTri::report()
   for (int t = 1; t <= atom->ntypes; t++) {
     const tm_contact_law &w = laws[t];
     if (!w.active) continue;
-    std::string text = fmt::format("contact/tri {}: type {}: stiffness {:.6g}, damping {:.4g} of "
-                                   "critical, friction {}", id, t,
-                                   w.stiffness / pair->units().force, w.damping,
-                                   w.friction.n ? "by table" : fmt::format("{:.4g}", w.friction.value));
-    if (state->has(TM_FX_HEAT)) {
-      const tm_material &m = pair->materials()[t];
-      const double T = state->start_temperature();
-      const double e = sqrt(tm_conductivity(&m, T) * m.rho0 * tm_capacity(&m, T));
-      text += fmt::format(", {:.3f} of the friction heat into the particles{}", tm_contact_share(&w, e),
-                          w.share < 0.0 || request.share >= 0.0
-                              ? "" : " (give 'effusivity' or 'share' to change that)");
-    }
-    utils::logmesg(lmp, "{}\n", text);
+    const std::string mu = w.friction.n ? "by table" : fmt::format("{:.4g}", w.friction.value);
+    utils::logmesg(lmp,
+                   "contact/tri {}: type {}: stiffness {:.6g}, damping {:.4g} of critical, "
+                   "friction {}{}\n",
+                   id, t, w.stiffness / pair->units().force, w.damping, mu,
+                   state->has(TM_FX_HEAT) ? heat_in_words(t) : "");
   }
 }
 
@@ -141,9 +150,11 @@ void FixContactTri::check_dimension()
   const tm_mesh &m = tool.mesh();
   const double need = 2.0 * pair->settings_in_use().spacing;
   if (m.lo[2] > -need || m.hi[2] < need)
-    error->all(FLERR, "Fix contact/tri {}: the mesh spans z from {:.6g} to {:.6g}; in 2d it must be "
-                      "extruded along z to at least {:.6g} on both sides of z = 0: use 'scale' with "
-                      "three factors or 'move'", id, m.lo[2], m.hi[2], need);
+    error->all(FLERR,
+               "Fix contact/tri {}: the mesh spans z from {:.6g} to {:.6g}; in 2d it must be "
+               "extruded along z to at least {:.6g} on both sides of z = 0: use 'scale' with "
+               "three factors or 'move'",
+               id, m.lo[2], m.hi[2], need);
 }
 
 tm_contact_law FixContactTri::make_law(int type)
@@ -184,15 +195,17 @@ void FixContactTri::make_laws()
     if (!laws[t].active) continue;
     const double mass = pair->materials()[t].rho0 * pow(dp, domain->dimension);
     // 0.35: stability of the half-step prediction, 0.78 without and 0.70 with damping, of 2
-    dt_limit = std::min(dt_limit,
-                        0.35 * tm_contact_time_step(laws[t].stiffness, mass, laws[t].damping));
+    dt_limit =
+        std::min(dt_limit, 0.35 * tm_contact_time_step(laws[t].stiffness, mass, laws[t].damping));
   }
   if (request.body_type) {
     if (request.body_type > atom->ntypes)
       error->all(FLERR, "Fix contact/tri {} particles: there is no type {}", id, request.body_type);
     if (pair->materials()[request.body_type].body != TM_BODY_HEAT)
-      error->all(FLERR, "Fix contact/tri {} particles: type {} must be a material that only conducts "
-                        "heat", id, request.body_type);
+      error->all(FLERR,
+                 "Fix contact/tri {} particles: type {} must be a material that only conducts "
+                 "heat",
+                 id, request.body_type);
   }
 }
 
@@ -214,8 +227,8 @@ void FixContactTri::initial_integrate(int)
     modify->clearstep_compute();
     motion.evaluate_next(dt);
     if (!temperature_variable.empty())
-      temperature = input->variable->compute_equal(
-          input->variable->find(temperature_variable.c_str()));
+      temperature =
+          input->variable->compute_equal(input->variable->find(temperature_variable.c_str()));
     modify->addstep_compute(update->ntimestep + 1);
   }
   if (request.body_type)
@@ -246,6 +259,7 @@ tm_contact_args FixContactTri::make_args(const tm_pose &pose, bool output)
   a.reference = tm_pose_to_world(&pose, reference_local);
   a.deep = pair->settings_in_use().spacing;
   a.dt = state->step_dt();
+  a.after = state->time_ahead() > 0.0 ? a.dt - state->time_ahead() : 0.0;
   a.force_unit = 1.0 / pair->units().force;
   a.tool_temperature = temperature;
   a.law = laws.data();
@@ -340,10 +354,11 @@ void FixContactTri::sum_up()
   if (totals_step == update->ntimestep) return;
   totals_step = update->ntimestep;
   const double force = 1.0 / pair->units().force, power = 1.0 / pair->units().energy;
-  const double mine[10] = {force * sums.force.x, force * sums.force.y, force * sums.force.z,
-                           force * sums.torque.x, force * sums.torque.y, force * sums.torque.z,
+  const double mine[10] = {force * sums.force.x,        force * sums.force.y,
+                           force * sums.force.z,        force * sums.torque.x,
+                           force * sums.torque.y,       force * sums.torque.z,
                            power * sums.friction_power, power * sums.heat_tool,
-                           (double) sums.contacts, 0.0};
+                           (double) sums.contacts,      0.0};
   double all[10], depth;
   MPI_Allreduce(mine, all, 10, MPI_DOUBLE, MPI_SUM, world);
   MPI_Allreduce(&sums.depth, &depth, 1, MPI_DOUBLE, MPI_MAX, world);
@@ -363,7 +378,10 @@ double FixContactTri::compute_vector(int n)
   return totals[n];
 }
 
-double FixContactTri::compute_scalar() { return temperature; }
+double FixContactTri::compute_scalar()
+{
+  return temperature;
+}
 
 void FixContactTri::tool_force(double *force)
 {
@@ -399,5 +417,6 @@ void FixContactTri::restart(char *buf)
 
 double FixContactTri::memory_usage()
 {
-  return tool.bytes() + sizeof(double) * (tool_heat.capacity() + tri_force.capacity() + tri_heat.capacity());
+  const size_t own = tool_heat.capacity() + tri_force.capacity() + tri_heat.capacity();
+  return tool.bytes() + sizeof(double) * (double) own;
 }

@@ -50,10 +50,10 @@ class FixContactTri : public Fix {
     double shear = 0.0, penalty = 1.0, damping = 0.1;
     double share = -1.0, effusivity = -1.0, conductance = 0.0;
     bool approach = false, f15 = false, two_sided = false, overlap_allowed = false;
-    int body_type = 0;                // heat-only particles inside the tool
+    int body_type = 0;    // heat-only particles inside the tool
     bool reference_given = false;
     double reference[3] = {0, 0, 0};
-    double lumped_capacity = 0.0;     // mass c_p of the tool, 0: temperature is given
+    double lumped_capacity = 0.0;    // mass c_p of the tool, 0: temperature is given
   } request;
 
   SPHTM_NS::TriTool tool;
@@ -61,20 +61,20 @@ class FixContactTri : public Fix {
   SPHTM_NS::ToolMotion motion;
   FixSPHTM *state = nullptr;
   class PairSPHTM *pair = nullptr;
-  double clock = 0.0;                 // time since the fix was made
-  double temperature = 0.0;           // of the tool
+  double clock = 0.0;          // time since the fix was made
+  double temperature = 0.0;    // of the tool
   std::string temperature_variable;
   bool temperature_given = false, heat_given = false;
-  tm_vec3 reference_local;            // reference point in the tool's frame
-  std::vector<tm_contact_law> laws;   // by type
-  double dt_limit = 0.0;              // of the contact springs
+  tm_vec3 reference_local;             // reference point in the tool's frame
+  std::vector<tm_contact_law> laws;    // by type
+  double dt_limit = 0.0;               // of the contact springs
   double indexed_reach = 0.0;
   bool restored = false, checked = false;
 
-  tm_contact_result sums;             // of this rank, this step
-  double totals[14];                  // over ranks
+  tm_contact_result sums;    // of this rank, this step
+  double totals[14];         // over ranks
   bigint totals_step = -1;
-  std::vector<double> tool_heat;      // per particle: heat for the tool's own particles
+  std::vector<double> tool_heat;    // per particle: heat for the tool's own particles
 
   // files and values per triangle
   struct File {
@@ -94,10 +94,13 @@ class FixContactTri : public Fix {
   int parse_heat(int, int, char **);
   int parse_output(int, int, char **);
   void report();
+  std::string heat_in_words(int type) const;
   void make_laws();
   tm_contact_law make_law(int type);
   void check_dimension();
   void check_overlap();
+  bool overlaps(const tm_contact_args &, tm_vec3 shift, int *worst) const;
+  double way_out(const tm_contact_args &, tm_vec3 direction, double limit) const;
   int sample_inside(const tm_contact_args &) const;
   unsigned effects(bool output) const;
   tm_contact_args make_args(const tm_pose &, bool output);

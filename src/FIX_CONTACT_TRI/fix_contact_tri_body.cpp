@@ -18,59 +18,72 @@
 using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
 
-/* A tool that starts inside the work would throw its particles away. Say where, and the shortest
-   way along an axis that clears all of them: doubling, then bisection. */
+// penetration at the start that passes, in spacings: rounding of positions and of tessellated arcs
+static constexpr double OVERLAP_ALLOWED = 0.01;
+
+// does a particle of any rank overlap the tool, moved by a shift? *worst: the deepest, on its rank
+bool FixContactTri::overlaps(const tm_contact_args &args, tm_vec3 shift, int *worst) const
+{
+  const double mine = contact_overlap(atom->nlocal, args, effects(false), shift, worst);
+  double all;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  if (mine < all) *worst = -1;
+  return all > OVERLAP_ALLOWED * pair->settings_in_use().spacing;
+}
+
+/* Shortest move along one direction that clears all particles, by doubling and bisection; at least
+   `limit` when there is none shorter. */
+double FixContactTri::way_out(const tm_contact_args &args, tm_vec3 direction, double limit) const
+{
+  const double step = OVERLAP_ALLOWED * pair->settings_in_use().spacing;
+  int worst;
+  double hi = step, lo = 0.0;
+  while (hi < limit && overlaps(args, tm_vec_scale(hi, direction), &worst)) {
+    lo = hi;
+    hi *= 2.0;
+  }
+  if (lo >= limit) return limit;
+  while (hi - lo > step) {
+    const double mid = 0.5 * (lo + hi);
+    (overlaps(args, tm_vec_scale(mid, direction), &worst) ? lo : hi) = mid;
+  }
+  return hi + step;
+}
+
+/* A tool that starts inside the work would throw its particles away: say where, and the shortest
+   way along an axis that clears all of them. */
 void FixContactTri::check_overlap()
 {
-  const double dp = pair->settings_in_use().spacing, allowed = 0.01 * dp;
   const tm_contact_args args = make_args(pose_now(), false);
-  int worst;
-  auto overlaps = [&](tm_vec3 shift) {
-    const double mine = contact_overlap(atom->nlocal, args, effects(false), shift, &worst);
-    double all;
-    MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
-    if (mine < all) worst = -1;
-    return all > allowed;
-  };
-  const bool touching = overlaps(tm_vec(0, 0, 0));
-  const int where = touching ? worst : sample_inside(args);
+  int where;
+  const bool touching = overlaps(args, tm_vec(0, 0, 0), &where);
+  if (!touching) where = sample_inside(args);
   int any = where >= 0, all_any;
   MPI_Allreduce(&any, &all_any, 1, MPI_INT, MPI_MAX, world);
   if (!all_any) return;
 
-  const double far = 2.0 * tm_vec_norm(tm_vec_sub(tm_load3(domain->boxhi), tm_load3(domain->boxlo)));
-  double best = 1e300;
-  int best_axis = 0;
-  for (int axis = 0; axis < 2 * domain->dimension && touching; axis++) {
-    const double sign = axis % 2 ? -1.0 : 1.0;
-    auto shift = [&](double s) {
-      return tm_vec(axis / 2 == 0 ? sign * s : 0.0, axis / 2 == 1 ? sign * s : 0.0,
-                    axis / 2 == 2 ? sign * s : 0.0);
-    };
-    double hi = allowed, lo = 0.0;
-    while (hi < std::min(far, best) && overlaps(shift(hi))) {
-      lo = hi;
-      hi *= 2.0;
-    }
-    if (hi >= std::min(far, 2.0 * best)) continue;
-    while (hi - lo > allowed) {
-      const double mid = 0.5 * (lo + hi);
-      (overlaps(shift(mid)) ? lo : hi) = mid;
-    }
-    if (hi < best) {
-      best = hi;
-      best_axis = axis;
-    }
+  const double far = tm_vec_norm(tm_vec_sub(tm_load3(domain->boxhi), tm_load3(domain->boxlo)));
+  double best = far;
+  int way = -1;
+  for (int k = 0; k < 2 * domain->dimension && touching; k++) {
+    const double sign = k % 2 ? -1.0 : 1.0;
+    const tm_vec3 d =
+        tm_vec(k / 2 == 0 ? sign : 0.0, k / 2 == 1 ? sign : 0.0, k / 2 == 2 ? sign : 0.0);
+    const double length = way_out(args, d, best);
+    if (length >= best) continue;
+    best = length;
+    way = k;
   }
-  const std::string way = best < 1e300
-      ? fmt::format("by {:.4g} along {}: move it by that along {}{}", best, "xyz"[best_axis / 2],
-                    best_axis % 2 ? '-' : '+', "xyz"[best_axis / 2])
+  const std::string remedy = way >= 0
+      ? fmt::format("by {:.3g} along {}: move it by that along {}{}", best, "xyz"[way / 2],
+                    way % 2 ? '-' : '+', "xyz"[way / 2])
       : std::string("deeper than the contact sees: move it away, or use 'flip yes' where the "
                     "particles belong inside it");
   if (where >= 0)
-    error->one(FLERR, "Fix contact/tri {}: at the start the tool overlaps particles, {}; for "
-                      "instance particle {} at {:.6g} {:.6g} {:.6g}; or accept it with 'overlap "
-                      "allow'", id, way, atom->tag[where], atom->x[where][0], atom->x[where][1],
+    error->one(FLERR,
+               "Fix contact/tri {}: at the start the tool overlaps particles, {}; for instance "
+               "particle {} at {:.6g} {:.6g} {:.6g}; or accept it with 'overlap allow'",
+               id, remedy, atom->tag[where], atom->x[where][0], atom->x[where][1],
                atom->x[where][2]);
   MPI_Barrier(world);
 }
@@ -91,7 +104,7 @@ int FixContactTri::sample_inside(const tm_contact_args &args) const
   return -1;
 }
 
-/* ---------------------------------------------------------------------- the tool's own particles */
+/* -------------------------------------------------------------- the tool's own particles */
 
 // carried with the tool, exactly; their velocity stays zero, so that nothing else moves them
 void FixContactTri::place_body(const tm_pose &from, const tm_pose &to)
@@ -133,12 +146,15 @@ void FixContactTri::heat_body()
   for (int i = 0; i < atom->nlocal; i++) {
     if (tool_heat[i] == 0.0) continue;
     double sum = 0.0;
-    each_neighbor(i, [&](int j) { if (type[j] == request.body_type) sum += heat_weight(i, j); });
+    each_neighbor(i, [&](int j) {
+      if (type[j] == request.body_type) sum += heat_weight(i, j);
+    });
     if (sum == 0.0)
-      error->one(FLERR, "Fix contact/tri {} particles: no particle of type {} near the contact at "
-                        "{:.6g} {:.6g} {:.6g} takes up the friction heat; fill the tool with "
-                        "particles up to its surface", id, request.body_type, atom->x[i][0],
-                 atom->x[i][1], atom->x[i][2]);
+      error->one(FLERR,
+                 "Fix contact/tri {} particles: no particle of type {} near the contact at "
+                 "{:.6g} {:.6g} {:.6g} takes up the friction heat; fill the tool with "
+                 "particles up to its surface",
+                 id, request.body_type, atom->x[i][0], atom->x[i][1], atom->x[i][2]);
     tool_heat[i] /= sum;
   }
   comm->forward_comm(this);

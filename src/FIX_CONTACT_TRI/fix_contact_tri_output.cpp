@@ -17,7 +17,10 @@
 using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
 
-static bool due(int every, bigint step) { return every > 0 && step % every == 0; }
+static bool due(int every, bigint step)
+{
+  return every > 0 && step % every == 0;
+}
 
 bool FixContactTri::output_due() const
 {
@@ -84,7 +87,8 @@ void FixContactTri::write_vtk(const std::string &name, const std::vector<double>
   const tm_mesh &m = tool.mesh();
   const tm_pose p = pose_now();
   const size_t nt = m.nt;
-  std::vector<double> normal(nt), shear(nt), stress(3 * nt), flux(nt), count(nt), vel(3 * nt), T(nt), patch(nt);
+  std::vector<double> normal(nt), shear(nt), flux(nt), count(nt), T(nt), patch(nt);
+  std::vector<double> stress(3 * nt), vel(3 * nt);
   for (size_t t = 0; t < nt; t++) {
     const tm_vec3 f = tm_vec_scale(1.0 / m.area[t], tm_load3(&tri_force[3 * t]));
     const tm_vec3 n = tm_mat_mul_vec(p.turn, tm_load3(m.normal + 3 * t));
@@ -96,23 +100,27 @@ void FixContactTri::write_vtk(const std::string &name, const std::vector<double>
     T[t] = temperature;
     patch[t] = m.patch[t];
     const double *c = m.corner + 9 * t;
-    const tm_vec3 mid = tm_vec((c[0] + c[3] + c[6]) / 3.0, (c[1] + c[4] + c[7]) / 3.0,
-                               (c[2] + c[5] + c[8]) / 3.0);
+    const tm_vec3 mid =
+        tm_vec((c[0] + c[3] + c[6]) / 3.0, (c[1] + c[4] + c[7]) / 3.0, (c[2] + c[5] + c[8]) / 3.0);
     const tm_vec3 v = tm_pose_velocity_at(&p, tm_pose_to_world(&p, mid));
     const double s[6] = {f.x, f.y, f.z, v.x, v.y, v.z};
     std::copy_n(s, 3, &stress[3 * t]);
     std::copy_n(s + 3, 3, &vel[3 * t]);
   }
-  const tm_cell_array arrays[] = {
-      {"normal_stress_average", 1, normal.data()}, {"shear_stress_average", 1, shear.data()},
-      {"stress", 3, stress.data()}, {"area", 1, m.area}, {"vel", 3, vel.data()},
-      {"temp", 1, T.data()}, {"heat_flux", 1, flux.data()}, {"contacts", 1, count.data()},
-      {"patch", 1, patch.data()}};
+  const tm_cell_array arrays[] = {{"normal_stress_average", 1, normal.data()},
+                                  {"shear_stress_average", 1, shear.data()},
+                                  {"stress", 3, stress.data()},
+                                  {"area", 1, m.area},
+                                  {"vel", 3, vel.data()},
+                                  {"temp", 1, T.data()},
+                                  {"heat_flux", 1, flux.data()},
+                                  {"contacts", 1, count.data()},
+                                  {"patch", 1, patch.data()}};
   char msg[256];
   const tm_facets s = {m.nv, m.nt, x.data(), m.tri};
   const std::string title = fmt::format("SPH-TM tool {} step {}", id, update->ntimestep);
-  if (tm_write_vtk(name.c_str(), &s, arrays, sizeof arrays / sizeof arrays[0], title.c_str(), 1, msg,
-                   sizeof msg))
+  if (tm_write_vtk(name.c_str(), &s, arrays, sizeof arrays / sizeof arrays[0], title.c_str(), 1,
+                   msg, sizeof msg))
     error->one(FLERR, "Fix contact/tri {}: {}", id, msg);
 }
 
@@ -124,7 +132,8 @@ void FixContactTri::fill_local(const std::vector<double> &x)
   if (!local_rows) memory->create(local_rows, m.nt, size_local_cols, "contact/tri:local");
   for (int t = 0; t < m.nt; t++) {
     double *row = local_rows[t];
-    for (int k = 0; k < 3; k++) std::copy_n(&x[3 * (size_t) m.tri[3 * (size_t) t + k]], 3, row + 3 * k);
+    const int *v = m.tri + 3 * (size_t) t;
+    for (int k = 0; k < 3; k++) std::copy_n(&x[3 * (size_t) v[k]], 3, row + 3 * k);
     std::copy_n(&tri_force[3 * (size_t) t], 3, row + 9);
     const tm_vec3 n = tm_mat_mul_vec(p.turn, tm_load3(m.normal + 3 * (size_t) t));
     row[12] = tri_heat[t];

@@ -39,14 +39,16 @@ struct Values {
   double at_least_0(int k) const
   {
     const double x = number(k);
-    if (!(x >= 0.0)) lmp->error->all(FLERR, "Fix contact/tri {} must be >= 0, got {}", key, text(k));
+    if (!(x >= 0.0))
+      lmp->error->all(FLERR, "Fix contact/tri {} must be >= 0, got {}", key, text(k));
     return x;
   }
   double within(int k, double lo, double hi) const
   {
     const double x = number(k);
     if (!(x >= lo && x <= hi))
-      lmp->error->all(FLERR, "Fix contact/tri {} must be from {} to {}, got {}", key, lo, hi, text(k));
+      lmp->error->all(FLERR, "Fix contact/tri {} must be from {} to {}, got {}", key, lo, hi,
+                      text(k));
     return x;
   }
   bool yes(int k) const { return utils::logical(FLERR, text(k), false, lmp) == 1; }
@@ -126,14 +128,22 @@ int FixContactTri::parse_friction(int iarg, int narg, char **arg)
     if (t.n == 0) error->all(FLERR, "Fix contact/tri friction/table must read: T1 mu1 T2 mu2 ...");
     return 1 + 2 * t.n;
   }
-  if (v.key == "friction/shear") request.shear = v.within(1, 0.0, 1.0);
-  else if (v.key == "penalty") request.penalty = v.positive(1);
-  else if (v.key == "damping") request.damping = v.at_least_0(1);
-  else if (v.key == "approach") request.approach = v.yes(1);
-  else if (v.key == "method") request.f15 = v.second("closest", "f15");
-  else if (v.key == "sides") request.two_sided = v.second("one", "two");
-  else if (v.key == "overlap") request.overlap_allowed = v.second("stop", "allow");
-  else return 0;
+  if (v.key == "friction/shear")
+    request.shear = v.within(1, 0.0, 1.0);
+  else if (v.key == "penalty")
+    request.penalty = v.positive(1);
+  else if (v.key == "damping")
+    request.damping = v.at_least_0(1);
+  else if (v.key == "approach")
+    request.approach = v.yes(1);
+  else if (v.key == "method")
+    request.f15 = v.second("closest", "f15");
+  else if (v.key == "sides")
+    request.two_sided = v.second("one", "two");
+  else if (v.key == "overlap")
+    request.overlap_allowed = v.second("stop", "allow");
+  else
+    return 0;
   return 2;
 }
 
@@ -143,16 +153,23 @@ int FixContactTri::parse_heat(int iarg, int narg, char **arg)
   if (v.key == "heat") {
     const std::string how = v.text(1);
     heat_given = how != "none";
-    if (how == "none") request.conductance = 0.0;
-    else if (how == "perfect") request.conductance = -1.0;
-    else if (how == "conductance") request.conductance = v.positive(2);
-    else error->all(FLERR, "Fix contact/tri heat must be none, perfect or conductance hc, got {}", how);
+    if (how == "none")
+      request.conductance = 0.0;
+    else if (how == "perfect")
+      request.conductance = -1.0;
+    else if (how == "conductance")
+      request.conductance = v.positive(2);
+    else
+      error->all(FLERR, "Fix contact/tri heat must be none, perfect or conductance hc, got {}",
+                 how);
     return how == "conductance" ? 3 : 2;
   }
   if (v.key == "temperature") {
     temperature_given = true;
-    if (utils::strmatch(v.text(1), "^v_")) temperature_variable = v.text(1) + 2;
-    else temperature = v.positive(1);
+    if (utils::strmatch(v.text(1), "^v_"))
+      temperature_variable = v.text(1) + 2;
+    else
+      temperature = v.positive(1);
     return 2;
   }
   if (v.key == "lumped") {
@@ -161,14 +178,17 @@ int FixContactTri::parse_heat(int iarg, int narg, char **arg)
     temperature_given = heat_given = true;
     return 4;
   }
-  if (v.key == "share") request.share = v.within(1, 0.0, 1.0);
-  else if (v.key == "effusivity") request.effusivity = v.at_least_0(1);
+  if (v.key == "share")
+    request.share = v.within(1, 0.0, 1.0);
+  else if (v.key == "effusivity")
+    request.effusivity = v.at_least_0(1);
   else if (v.key == "particles") {
     request.body_type = utils::inumeric(FLERR, v.text(1), false, lmp);
     if (request.body_type < 1)
       error->all(FLERR, "Fix contact/tri particles must be an atom type, got {}", v.text(1));
     heat_given = true;
-  } else return 0;
+  } else
+    return 0;
   return 2;
 }
 
@@ -180,9 +200,11 @@ int FixContactTri::parse_output(int iarg, int narg, char **arg)
     file.every = utils::inumeric(FLERR, v.text(1), false, lmp);
     file.name = v.text(2);
     if (file.every < 1)
-      error->all(FLERR, "Fix contact/tri {}: number of steps must be > 0, got {}", v.key, v.text(1));
+      error->all(FLERR, "Fix contact/tri {}: number of steps must be > 0, got {}", v.key,
+                 v.text(1));
     if (file.name.find('*') == std::string::npos)
-      error->all(FLERR, "Fix contact/tri {}: file name {} needs a * for the step", v.key, file.name);
+      error->all(FLERR, "Fix contact/tri {}: file name {} needs a * for the step", v.key,
+                 file.name);
     return 3;
   }
   if (v.key == "local") {
@@ -227,8 +249,10 @@ void FixContactTri::parse(int narg, char **arg)
   if (request.f15 && request.two_sided)
     error->all(FLERR, "Fix contact/tri: method f15 has no sides, leave the keyword out");
   if (request.body_type && (request.conductance != 0.0 || request.lumped_capacity > 0.0))
-    error->all(FLERR, "Fix contact/tri: with particles the tool's heat is theirs; leave out heat "
-                      "and lumped, and set the conductance in pair_coeff");
+    error->all(FLERR,
+               "Fix contact/tri: with particles the tool's heat is theirs; leave out heat "
+               "and lumped, and set the conductance in pair_coeff");
   if (request.lumped_capacity > 0.0 && !temperature_variable.empty())
-    error->all(FLERR, "Fix contact/tri: a lumped tool has a temperature of its own, not a variable's");
+    error->all(FLERR,
+               "Fix contact/tri: a lumped tool has a temperature of its own, not a variable's");
 }

@@ -6,10 +6,11 @@
    each sees all that acts on the particle this step.
 
    Positions and velocities are those of the force point (x, rate_v); `v` is the velocity at the
-   start of the step, from which the step ends at v + dt F/m. Energies use the mean of both ends,
-   as the integrator's kinetic energy does, so that over any step
-     work of the tool = work on the particles + damping + friction + change of spring energy,
-   the first four to round-off of each other's powers, the spring to the order of the integrator.
+   start of the step, from which the step ends at v + dt F/m. Powers use the mean of both ends, as
+   the integrator's kinetic energy does, and the spring's energy is that of the end of the step, so
+   that over a run
+     work of the tool = work on the particles + damping + friction + energy of the springs
+   with an error of the integrator's order.
 
    Units are mass, length and time of the style; forces leave through force_unit. */
 #ifndef TM_CONTACT_TRI_H
@@ -38,6 +39,7 @@ typedef struct tm_contact_args {
   tm_vec3 reference;             /* torques are about this point */
   tm_real deep;                  /* how far behind the surface a centre is still pushed out */
   tm_real dt;
+  tm_real after;                 /* from the force point to the end of the step: dt/2, or 0 */
   tm_real force_unit;            /* mass times acceleration -> force of the unit style */
   tm_real tool_temperature;
   const tm_contact_law *law;     /* per type, index type */
@@ -219,7 +221,9 @@ TM_FN void tm_contact_account(int i, const tm_contact_args *a, const tm_contact_
   r->damping_power += (spring_force - c->fn) * tm_vec_dot(c->normal, slip);
   r->particle_power += tm_vec_dot(F, mean);
   r->tool_power += tm_vec_dot(F, c->tool_v);
-  r->spring += 0.5 * spring_force * c->delta;
+  const tm_vec3 end = tm_vec_sub(tm_vec_axpy(b->v, b->dt / b->mass, b->force), c->tool_v);
+  const tm_real left = tm_max(c->delta - a->after * tm_vec_dot(c->normal, end), 0.0);
+  r->spring += 0.5 * b->law->stiffness * left * left;
   r->depth = tm_max(r->depth, c->delta);
   r->inner = tm_max(r->inner, c->delta - b->law->radius);
   r->contacts += c->fn > 0.0;

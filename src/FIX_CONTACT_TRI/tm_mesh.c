@@ -48,6 +48,7 @@ void tm_mesh_free(tm_mesh *m)
   free(m->vertex);
   free(m->corner);
   free(m->normal);
+  free(m->ball);
   free(m->area);
   free(m->edge_normal);
   free(m->vertex_normal);
@@ -68,6 +69,7 @@ tm_tri_view tm_mesh_view(const tm_mesh *m)
   v.vertex = m->vertex;
   v.corner = m->corner;
   v.normal = m->normal;
+  v.ball = m->ball;
   v.tri = m->tri;
   v.twin = m->twin;
   v.patch = m->patch;
@@ -78,11 +80,35 @@ tm_tri_view tm_mesh_view(const tm_mesh *m)
   return v;
 }
 
-/* Corners once more in facet order, box, area and enclosed volume. */
+/* A small sphere around a triangle: about the middle of its longest edge where that holds the third
+   vertex, else about the centroid. */
+static void enclose(const double *corner, double *ball)
+{
+  const tm_vec3 p[3] = {tm_load3(corner), tm_load3(corner + 3), tm_load3(corner + 6)};
+  double longest = 0.0, radius = 0.0;
+  tm_vec3 c = p[0];
+  for (int k = 0; k < 3; k++) {
+    const double length = tm_vec_norm(tm_vec_sub(p[(k + 1) % 3], p[k]));
+    if (length <= longest) continue;
+    longest = length;
+    c = tm_vec_scale(0.5, tm_vec_add(p[k], p[(k + 1) % 3]));
+  }
+  for (int pass = 0; pass < 2; pass++) {
+    radius = 0.0;
+    for (int k = 0; k < 3; k++) radius = tm_max(radius, tm_vec_norm(tm_vec_sub(p[k], c)));
+    if (pass == 1 || radius <= 0.5 * longest * (1.0 + 1e-12)) break;
+    c = tm_vec_scale(1.0 / 3.0, tm_vec_add(p[0], tm_vec_add(p[1], p[2])));
+  }
+  ball[0] = c.x; ball[1] = c.y; ball[2] = c.z;
+  ball[3] = radius * (1.0 + 1e-12);
+}
+
+/* Corners once more in facet order, spheres around them, box, area and enclosed volume. */
 static int tm_mesh_measure(tm_mesh *m)
 {
   m->corner = (double *) malloc(sizeof(double) * 9 * (size_t) m->nt);
-  if (!m->corner) return TM_MESH_TOO_LARGE;
+  m->ball = (double *) malloc(sizeof(double) * 4 * (size_t) m->nt);
+  if (!m->corner || !m->ball) return TM_MESH_TOO_LARGE;
   for (int d = 0; d < 3; d++) m->lo[d] = m->hi[d] = m->vertex[d];
   for (ptrdiff_t i = 0; i < 3 * (ptrdiff_t) m->nv; i++) {
     m->lo[i % 3] = tm_min(m->lo[i % 3], m->vertex[i]);
@@ -96,6 +122,7 @@ static int tm_mesh_measure(tm_mesh *m)
     double *c = m->corner + 9 * t;
     for (int k = 0; k < 3; k++)
       memcpy(c + 3 * k, m->vertex + 3 * (ptrdiff_t) m->tri[3 * t + k], 3 * sizeof(double));
+    enclose(c, m->ball + 4 * t);
     m->total_area += m->area[t];
     volume += m->area[t] / 3.0
         * tm_vec_dot(tm_vec_sub(tm_load3(c), mid), tm_load3(m->normal + 3 * t));

@@ -47,7 +47,7 @@ typedef struct {
 
 typedef struct {
   int nv, nt, npatch;
-  double *vertex, *corner, *normal, *area, *edge_normal, *vertex_normal;
+  double *vertex, *corner, *normal, *ball, *area, *edge_normal, *vertex_normal;
   int *tri, *twin, *patch, *spoke_first, *spoke;
   double lo[3], hi[3];    /* bounding box */
   double total_area;

@@ -96,42 +96,45 @@ TM_FN tm_touch tm_touch_at(const tm_tri_view *m, const tm_candidate *c, tm_vec3 
   return t;
 }
 
-/* Keep the nearest candidate of each patch; when there are too many patches, the nearest ones. */
-TM_FN int tm_touch_offer(tm_candidate *list, int n, tm_closest near, int triangle, int patch)
+/* Nearest point within reach on one segment of a cell's list, which is one patch; 0: none. */
+TM_FN int tm_touch_nearest(const tm_tri_view *m, const tm_grid_view *g, int begin, int end,
+                           tm_vec3 p, tm_real away, tm_real reach, tm_candidate *best)
 {
-  int slot = n, farthest = 0;
-  for (int k = 0; k < n; k++) {
-    if (list[k].patch == patch) slot = k;
-    if (list[k].near.dist2 > list[farthest].near.dist2) farthest = k;
+  tm_real limit = reach;
+  int found = 0;
+  for (int k = begin; k < end; k++) {
+    if (g->near[k] - away >= limit) break;   /* sorted: the rest is farther still */
+    const ptrdiff_t t = g->list[k];
+    const tm_vec3 d = tm_vec_sub(p, tm_load3(m->ball + 4 * t));
+    const tm_real far = limit + m->ball[4 * t + 3];
+    if (!(tm_vec_dot(d, d) < far * far)) continue;
+    const tm_closest c = tm_closest_on_facet(p, m, (int) t);
+    if (!(c.dist2 < limit * limit)) continue;
+    limit = sqrt(c.dist2);
+    best->near = c;
+    best->triangle = (int) t;
+    best->patch = m->patch[t];
+    found = 1;
   }
-  if (slot == TM_TOUCH_MAX) slot = farthest;
-  if (slot < n && !(near.dist2 < list[slot].near.dist2)) return n;
-  list[slot].near = near;
-  list[slot].triangle = triangle;
-  list[slot].patch = patch;
-  return slot < n ? n : n + 1;
+  return found;
 }
 
-/* Nearest points of the patches within reach of p, the nearest of all first; their number. */
+/* Nearest points of the patches within reach of p, the nearest of all first; their number. When
+   there are too many patches the nearest ones are kept. */
 TM_FN int tm_touch_candidates(const tm_tri_view *m, const tm_grid_view *g, tm_vec3 p, tm_real reach,
                               tm_candidate *list)
 {
-  int length, n = 0, best = 0;
-  const int *near = tm_grid_query(g, p, &length);
-  for (int k = 0; k < length; k++) {
-    const ptrdiff_t t = near[k];
-    const tm_vec3 a = tm_vec_sub(p, tm_load3(m->corner + 9 * t));
-    const tm_real h = tm_vec_dot(a, tm_load3(m->normal + 3 * t));
-    if (!(fabs(h) < reach)) continue;   /* no point of the plane is near enough */
-    const tm_closest c = tm_closest_on_facet(p, m, (int) t);
-    if (c.dist2 < reach * reach) n = tm_touch_offer(list, n, c, (int) t, m->patch[t]);
-  }
-  for (int k = 1; k < n; k++)
-    if (list[k].near.dist2 < list[best].near.dist2) best = k;
-  if (best > 0) {
-    const tm_candidate c = list[0];
-    list[0] = list[best];
-    list[best] = c;
+  tm_real away;
+  const ptrdiff_t cell = tm_grid_cell(g, p, &away);
+  int n = 0;
+  if (cell < 0) return 0;
+  for (int s = g->first[cell]; s < g->first[cell + 1]; s++) {
+    tm_candidate c;
+    if (!tm_touch_nearest(m, g, g->segment[s], g->segment[s + 1], p, away, reach, &c)) continue;
+    int k = n < TM_TOUCH_MAX ? n++ : TM_TOUCH_MAX;   /* sorted in by distance */
+    for (; k > 0 && c.near.dist2 < list[k - 1].near.dist2; k--)
+      if (k < TM_TOUCH_MAX) list[k] = list[k - 1];
+    if (k < TM_TOUCH_MAX) list[k] = c;
   }
   return n;
 }

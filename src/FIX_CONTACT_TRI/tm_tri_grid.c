@@ -2,7 +2,7 @@
 
    Each triangle descends into the box of cells it may touch, halving it along its longest side and
    dropping halves whose centre is too far away: the work is that of the cells near the surface, not
-   of the volume. Three descents: mark blocks, count, fill. */
+   of the volume. Three descents: mark blocks, count, fill; then every list is sorted. */
 #include "tm_tri_grid.h"
 
 #include <stdlib.h>
@@ -117,6 +117,7 @@ static double lay_out(tm_tri_grid *g, const tm_mesh *m)
     g->view.blocks[k] = blocks < 1e8 ? (int) tm_max(blocks, 1.0) : 100000000;
     n *= tm_max(blocks, 1.0);
   }
+  g->view.cell = g->cell;
   g->view.inv_cell = 1.0 / g->cell;
   return n;
 }
@@ -145,16 +146,96 @@ static int prefix_sums(tm_tri_grid *g)
   return g->list != NULL;
 }
 
+/* --- segments: the list of a cell by patch, within a patch by distance from the centre -------- */
+
+typedef struct { int patch, t; double near; } listed;
+
+static int compare_listed(const void *a, const void *b)
+{
+  const listed *p = (const listed *) a, *q = (const listed *) b;
+  if (p->patch != q->patch) return p->patch < q->patch ? -1 : 1;
+  if (p->near != q->near) return p->near < q->near ? -1 : 1;
+  return p->t < q->t ? -1 : p->t > q->t;
+}
+
+static tm_vec3 cell_centre(const tm_grid_view *v, ptrdiff_t table, int cell)
+{
+  const int m = TM_GRID_EDGE - 1, nx = v->blocks[0], ny = v->blocks[1];
+  const int i = (int) (table % nx) * TM_GRID_EDGE + (cell & m);
+  const int j = (int) (table / nx % ny) * TM_GRID_EDGE + (cell >> TM_GRID_SHIFT & m);
+  const int k = (int) (table / nx / ny) * TM_GRID_EDGE + (cell >> 2 * TM_GRID_SHIFT);
+  return tm_vec(v->lo[0] + v->cell * (i + 0.5), v->lo[1] + v->cell * (j + 0.5),
+                v->lo[2] + v->cell * (k + 0.5));
+}
+
+/* Sort one list and return its number of segments; their beginnings go to `segment`. */
+static int sort_list(tm_tri_grid *g, const tm_tri_view *m, tm_vec3 centre, int begin, int n,
+                     listed *work, int *segment)
+{
+  int segments = 0;
+  for (int k = 0; k < n; k++) {
+    work[k].t = g->list[begin + k];
+    work[k].patch = m->patch[work[k].t];
+    work[k].near = sqrt(tm_closest_on_facet(centre, m, work[k].t).dist2);
+  }
+  qsort(work, (size_t) n, sizeof(listed), compare_listed);
+  for (int k = 0; k < n; k++) {
+    g->list[begin + k] = work[k].t;
+    g->near[begin + k] = (float) (work[k].near * (1.0 - 1e-6));
+    if (k == 0 || work[k].patch != work[k - 1].patch) segment[segments++] = begin + k;
+  }
+  return segments;
+}
+
+static int cut_segments(tm_tri_grid *g, const tm_mesh *mesh, size_t table)
+{
+  const tm_tri_view m = tm_mesh_view(mesh);
+  const ptrdiff_t cells = (ptrdiff_t) g->nblocks * TM_GRID_CELLS;
+  int longest = 1, segments = 0;
+  for (ptrdiff_t c = 0; c < cells; c++)
+    if (g->first[c + 1] - g->first[c] > longest) longest = g->first[c + 1] - g->first[c];
+  listed *work = (listed *) malloc(sizeof(listed) * (size_t) longest);
+  g->near = (float *) malloc(sizeof(float) * ((size_t) g->entries + 1));
+  g->segment = (int *) malloc(sizeof(int) * ((size_t) g->entries + 1));   /* as many at most */
+  const int ok = work && g->near && g->segment;
+  for (size_t b = 0; b < table && ok; b++) {
+    if (g->block[b] < 0) continue;
+    int *first = g->first + (ptrdiff_t) g->block[b] * TM_GRID_CELLS;
+    for (int c = 0; c < TM_GRID_CELLS; c++) {
+      const int begin = first[c], n = first[c + 1] - begin;
+      first[c] = segments;   /* blocks come in the order of their numbers */
+      segments += sort_list(g, &m, cell_centre(&g->view, (ptrdiff_t) b, c), begin, n, work,
+                            g->segment + segments);
+    }
+  }
+  free(work);
+  if (!ok) return 0;
+  g->first[cells] = segments;
+  g->segment[segments] = (int) g->entries;
+  int *fitted = (int *) realloc(g->segment, sizeof(int) * ((size_t) segments + 1));
+  if (fitted) g->segment = fitted;
+  return 1;
+}
+
+static void set_view(tm_tri_grid *g)
+{
+  g->view.block = g->block;
+  g->view.first = g->first;
+  g->view.segment = g->segment;
+  g->view.list = g->list;
+  g->view.near = g->near;
+}
+
 int tm_tri_grid_build(tm_tri_grid *g, const tm_mesh *mesh, double reach, double budget)
 {
   memset(g, 0, sizeof *g);
   g->view.reach = reach;
   g->cell = reach;
   double table = lay_out(g, mesh);
+  budget = tm_max(budget, 40.0 * mesh->nt);
   while (expected_entries(mesh, reach, g->cell) > budget || table > budget) {
     g->cell *= 1.26;
     table = lay_out(g, mesh);
-    if (g->cell > 1e6 * reach && table <= 1.0) break;   /* more triangles than the budget */
   }
   g->block = (int *) malloc(sizeof(int) * (size_t) table);
   if (!g->block) return TM_MESH_TOO_LARGE;
@@ -163,17 +244,18 @@ int tm_tri_grid_build(tm_tri_grid *g, const tm_mesh *mesh, double reach, double 
   int ok = number_blocks(g, (size_t) table);
   if (ok) descend_all(g, mesh, COUNT);
   ok = ok && prefix_sums(g);
+  if (ok) {
+    descend_all(g, mesh, FILL);
+    const ptrdiff_t cells = (ptrdiff_t) g->nblocks * TM_GRID_CELLS;
+    for (ptrdiff_t c = cells; c > 0; c--) g->first[c] = g->first[c - 1];
+    g->first[0] = 0;
+    ok = cut_segments(g, mesh, (size_t) table);
+  }
   if (!ok) {
     tm_tri_grid_free(g);
     return TM_MESH_TOO_LARGE;
   }
-  descend_all(g, mesh, FILL);
-  const ptrdiff_t cells = (ptrdiff_t) g->nblocks * TM_GRID_CELLS;
-  for (ptrdiff_t c = cells; c > 0; c--) g->first[c] = g->first[c - 1];
-  g->first[0] = 0;
-  g->view.block = g->block;
-  g->view.first = g->first;
-  g->view.list = g->list;
+  set_view(g);
   return TM_MESH_OK;
 }
 
@@ -181,6 +263,8 @@ void tm_tri_grid_free(tm_tri_grid *g)
 {
   free(g->block);
   free(g->first);
+  free(g->segment);
   free(g->list);
+  free(g->near);
   memset(g, 0, sizeof *g);
 }

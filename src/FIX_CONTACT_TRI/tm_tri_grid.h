@@ -3,8 +3,12 @@
    Cubic cells in the mesh's own frame; each cell lists every triangle within reach of any of its
    points, so one look-up answers a query and triangles far away cost nothing. Cells are kept in
    blocks of 4^3, and only blocks that some triangle comes near exist: a dense table of block
-   numbers (-1: empty), then cells, then the lists. Built once; rigid motion moves the query point
-   into the mesh's frame. All arrays are plain and can be copied to a device as they are. */
+   numbers (-1: empty), then cells, then the lists. The list of a cell is cut into segments, one per
+   smooth patch, and each segment is sorted by distance from the centre of the cell: once that
+   distance, less the way from the centre to the query point, exceeds the best found, the rest of
+   the segment is out. So a finely tessellated patch costs little more than a coarse one. Built
+   once; rigid motion moves the query point into the mesh's frame. All arrays are plain and can be
+   copied to a device as they are. */
 #ifndef TM_TRI_GRID_H
 #define TM_TRI_GRID_H
 
@@ -16,31 +20,45 @@
 
 typedef struct {
   tm_real lo[3];          /* corner of the grid */
-  tm_real inv_cell;       /* 1 / cell edge */
+  tm_real cell, inv_cell; /* cell edge, 1 / cell edge */
   tm_real reach;          /* lists are complete up to this distance */
   int blocks[3];          /* extent in blocks */
   const int *block;       /* number of an existing block, or -1 */
-  const int *first;       /* TM_GRID_CELLS per block, + 1: where the list of a cell begins */
+  const int *first;       /* TM_GRID_CELLS per block, + 1: where the segments of a cell begin */
+  const int *segment;     /* where the list of a segment begins, + 1 */
   const int *list;        /* triangle indices */
+  const float *near;      /* of each, a lower bound of its distance from the centre of the cell */
 } tm_grid_view;
 
-/* List of the cell that holds p: *n triangles, indices returned; n = 0 far from the mesh. */
-TM_FN const int *tm_grid_query(const tm_grid_view *g, tm_vec3 p, int *n)
+/* Cell that holds p, or -1 where no triangle is near; *away: distance of p from its centre. */
+TM_FN ptrdiff_t tm_grid_cell(const tm_grid_view *g, tm_vec3 p, tm_real *away)
 {
   const tm_real s[3] = {(p.x - g->lo[0]) * g->inv_cell, (p.y - g->lo[1]) * g->inv_cell,
                         (p.z - g->lo[2]) * g->inv_cell};
-  *n = 0;
+  *away = 0.0;
   for (int d = 0; d < 3; d++)   /* written so that NaN is outside */
-    if (!(s[d] >= 0.0 && s[d] < (tm_real) (g->blocks[d] * TM_GRID_EDGE))) return g->list;
+    if (!(s[d] >= 0.0 && s[d] < (tm_real) (g->blocks[d] * TM_GRID_EDGE))) return -1;
   const int i = (int) s[0], j = (int) s[1], k = (int) s[2];
   const int b = g->block[((ptrdiff_t) (k >> TM_GRID_SHIFT) * g->blocks[1] + (j >> TM_GRID_SHIFT))
                              * g->blocks[0] + (i >> TM_GRID_SHIFT)];
-  if (b < 0) return g->list;
+  if (b < 0) return -1;
+  const tm_vec3 d = tm_vec(s[0] - i - 0.5, s[1] - j - 0.5, s[2] - k - 0.5);
+  *away = g->cell * tm_vec_norm(d);
   const int m = TM_GRID_EDGE - 1;
-  const int *first = g->first + (ptrdiff_t) b * TM_GRID_CELLS
-      + ((((k & m) << TM_GRID_SHIFT) + (j & m)) << TM_GRID_SHIFT) + (i & m);
-  *n = first[1] - first[0];
-  return g->list + first[0];
+  return (ptrdiff_t) b * TM_GRID_CELLS + ((((k & m) << TM_GRID_SHIFT) + (j & m)) << TM_GRID_SHIFT)
+      + (i & m);
+}
+
+/* The whole list of the cell that holds p: *n triangles, indices returned; n = 0 far away. */
+TM_FN const int *tm_grid_query(const tm_grid_view *g, tm_vec3 p, int *n)
+{
+  tm_real away;
+  const ptrdiff_t c = tm_grid_cell(g, p, &away);
+  *n = 0;
+  if (c < 0) return g->list;
+  const int begin = g->segment[g->first[c]];
+  *n = g->segment[g->first[c + 1]] - begin;
+  return g->list + begin;
 }
 
 #ifdef __cplusplus
@@ -49,7 +67,8 @@ extern "C" {
 
 typedef struct {
   tm_grid_view view;      /* points into the arrays below */
-  int *block, *first, *list;
+  int *block, *first, *segment, *list;
+  float *near;
   double cell;            /* cell edge: reach, or more where memory would exceed the budget */
   int nblocks;            /* existing blocks */
   ptrdiff_t entries;      /* triangles in all lists */

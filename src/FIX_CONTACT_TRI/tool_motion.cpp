@@ -24,25 +24,26 @@ ToolMotion::ToolMotion(LAMMPS *lmp) : lmp(lmp)
 }
 
 namespace {
-struct Style {
-  const char *name;
-  int kind, numbers;
-  const char *arguments;
-};
-constexpr int BY_VARIABLE = -1;
-const Style styles[] = {
-    {"none", TM_MOTION_NONE, 0, ""},
-    {"linear", TM_MOTION_LINEAR, 3, "Vx Vy Vz"},
-    {"wiggle", TM_MOTION_WIGGLE, 4, "Ax Ay Az period"},
-    {"rotate", TM_MOTION_ROTATE, 7, "Px Py Pz Rx Ry Rz period"},
-    {"transrot", TM_MOTION_TRANSROT, 10, "Vx Vy Vz Px Py Pz Rx Ry Rz period"},
-    {"variable", BY_VARIABLE, 6, "v_dx v_dy v_dz v_vx v_vy v_vz"}};
+  struct Style {
+    const char *name;
+    int kind, numbers;
+    const char *arguments;
+  };
+  constexpr int BY_VARIABLE = -1;
+  const Style styles[] = {{"none", TM_MOTION_NONE, 0, ""},
+                          {"linear", TM_MOTION_LINEAR, 3, "Vx Vy Vz"},
+                          {"wiggle", TM_MOTION_WIGGLE, 4, "Ax Ay Az period"},
+                          {"rotate", TM_MOTION_ROTATE, 7, "Px Py Pz Rx Ry Rz period"},
+                          {"transrot", TM_MOTION_TRANSROT, 10, "Vx Vy Vz Px Py Pz Rx Ry Rz period"},
+                          {"variable", BY_VARIABLE, 6, "v_dx v_dy v_dz v_vx v_vy v_vz"}};
 }    // namespace
 
 // a motion that a restart file holds goes on when the same one is given again
 void ToolMotion::keep_if_restarted(const tm_motion &given, double clock)
 {
-  auto same = [](tm_vec3 a, tm_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
+  auto same = [](tm_vec3 a, tm_vec3 b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+  };
   const bool again = restarted && given.kind == motion.kind && same(given.v, motion.v) &&
       same(given.point, motion.point) && same(given.axis, motion.axis) &&
       given.period == motion.period && given.ramp == motion.ramp;
@@ -53,55 +54,71 @@ void ToolMotion::keep_if_restarted(const tm_motion &given, double clock)
   moved = moved_next = rate = tm_vec(0, 0, 0);
 }
 
+// numbers of a motion into its struct
+static tm_motion fill(const Style &s, const double *a)
+{
+  tm_motion m;
+  memset(&m, 0, sizeof(m));
+  m.kind = s.kind == BY_VARIABLE ? (int) TM_MOTION_NONE : s.kind;
+  m.period = 1.0;
+  if (m.kind != TM_MOTION_ROTATE) m.v = tm_vec(a[0], a[1], a[2]);
+  if (m.kind == TM_MOTION_WIGGLE) m.period = a[3];
+  if (m.kind == TM_MOTION_ROTATE || m.kind == TM_MOTION_TRANSROT) {
+    const double *turn = a + (m.kind == TM_MOTION_TRANSROT ? 3 : 0);
+    m.point = tm_vec(turn[0], turn[1], turn[2]);
+    m.axis = tm_vec(turn[3], turn[4], turn[5]);
+    m.period = turn[6];
+  }
+  return m;
+}
+
+void ToolMotion::check(const char *name, const tm_motion &m, bool along_z) const
+{
+  Error *error = lmp->error;
+  const bool turns = m.kind == TM_MOTION_ROTATE || m.kind == TM_MOTION_TRANSROT;
+  if (turns && !(tm_vec_norm(m.axis) > 0.0))
+    error->all(FLERR, "Fix contact/tri move {}: the axis Rx Ry Rz must not be zero", name);
+  if (m.period == 0.0) error->all(FLERR, "Fix contact/tri move {}: the period must not be 0", name);
+  if (lmp->domain->dimension == 3) return;
+  if (turns && (m.axis.x != 0.0 || m.axis.y != 0.0))
+    error->all(FLERR, "Fix contact/tri move {}: the axis must be along z in 2d", name);
+  if (m.v.z != 0.0 || along_z)
+    error->all(FLERR, "Fix contact/tri move {}: no motion along z in 2d, use 0 or NULL", name);
+}
+
 int ToolMotion::parse(int narg, char **arg, double clock)
 {
   Error *error = lmp->error;
   if (narg < 1) utils::missing_cmd_args(FLERR, "fix_modify move of fix contact/tri", error);
-  const Style *s = std::find_if(std::begin(styles), std::end(styles),
-                                [&](const Style &t) { return strcmp(t.name, arg[0]) == 0; });
+  const Style *s = std::find_if(std::begin(styles), std::end(styles), [&](const Style &t) {
+    return strcmp(t.name, arg[0]) == 0;
+  });
   if (s == std::end(styles))
-    error->all(FLERR, "Fix contact/tri move must be linear, wiggle, rotate, transrot, variable or "
-                      "none, got {}", arg[0]);
+    error->all(FLERR,
+               "Fix contact/tri move must be linear, wiggle, rotate, transrot, variable or none, "
+               "got {}",
+               arg[0]);
   if (narg < 1 + s->numbers)
     error->all(FLERR, "Fix contact/tri move {} needs {}", s->name, s->arguments);
-  tm_motion m;
-  memset(&m, 0, sizeof(m));
   std::vector<std::string> vars;
   double a[10] = {0};
   for (int k = 0; k < s->numbers; k++) {
     const char *text = arg[1 + k];
     const bool null = strcmp(text, "NULL") == 0;
-    if (s->kind == BY_VARIABLE) {
-      if (!null && strncmp(text, "v_", 2) != 0)
-        error->all(FLERR, "Fix contact/tri move variable needs v_name or NULL, got {}", text);
-      vars.emplace_back(null ? "" : text + 2);
-    } else {
+    if (s->kind != BY_VARIABLE) {
       a[k] = null ? 0.0 : utils::numeric(FLERR, text, false, lmp);
+      continue;
     }
+    if (!null && strncmp(text, "v_", 2) != 0)
+      error->all(FLERR, "Fix contact/tri move variable needs v_name or NULL, got {}", text);
+    vars.emplace_back(null ? "" : text + 2);
   }
-  m.kind = s->kind == BY_VARIABLE ? (int) TM_MOTION_NONE : s->kind;
-  const double *turn = a + (m.kind == TM_MOTION_TRANSROT ? 3 : 0);
-  m.v = m.kind == TM_MOTION_ROTATE ? tm_vec(0, 0, 0) : tm_vec(a[0], a[1], a[2]);
-  m.period = 1.0;
-  if (m.kind == TM_MOTION_WIGGLE) m.period = a[3];
-  if (m.kind == TM_MOTION_ROTATE || m.kind == TM_MOTION_TRANSROT) {
-    m.point = tm_vec(turn[0], turn[1], turn[2]);
-    m.axis = tm_vec(turn[3], turn[4], turn[5]);
-    m.period = turn[6];
-    if (!(tm_vec_norm(m.axis) > 0.0))
-      error->all(FLERR, "Fix contact/tri move {}: the axis Rx Ry Rz must not be zero", s->name);
-    if (lmp->domain->dimension == 2 && (m.axis.x != 0.0 || m.axis.y != 0.0))
-      error->all(FLERR, "Fix contact/tri move {}: the axis must be along z in 2d", s->name);
-  }
-  if (m.period == 0.0)
-    error->all(FLERR, "Fix contact/tri move {}: the period must not be 0", s->name);
-  if (lmp->domain->dimension == 2 && (m.v.z != 0.0 || (vars.size() && !(vars[2] + vars[5]).empty())))
-    error->all(FLERR, "Fix contact/tri move {}: no motion along z in 2d, use 0 or NULL", s->name);
+  tm_motion m = fill(*s, a);
+  check(s->name, m, !vars.empty() && !(vars[2].empty() && vars[5].empty()));
   int used = 1 + s->numbers;
   if (used < narg && strcmp(arg[used], "ramp") == 0) {
     if (used + 1 >= narg) utils::missing_cmd_args(FLERR, "fix contact/tri move ramp", error);
-    if (s->kind == BY_VARIABLE || s->kind == TM_MOTION_NONE)
-      error->all(FLERR, "Fix contact/tri move {} has no ramp", s->name);
+    if (m.kind == TM_MOTION_NONE) error->all(FLERR, "Fix contact/tri move {} has no ramp", s->name);
     m.ramp = utils::numeric(FLERR, arg[used + 1], false, lmp);
     if (!(m.ramp >= 0.0))
       error->all(FLERR, "Fix contact/tri move ramp must be >= 0 (time), got {}", arg[used + 1]);
@@ -116,26 +133,30 @@ int ToolMotion::parse(int narg, char **arg, double clock)
 void ToolMotion::init()
 {
   if (names.empty() && restarted_variable)
-    lmp->error->all(FLERR, "Fix contact/tri: the restart file holds a motion by variables; repeat "
-                           "its fix_modify move variable");
+    lmp->error->all(FLERR,
+                    "Fix contact/tri: the restart file holds a motion by variables; repeat "
+                    "its fix_modify move variable");
   restarted_variable = false;
   for (size_t k = 0; k < names.size(); k++) {
     variable[k] = -1;
     if (names[k].empty()) continue;
     variable[k] = lmp->input->variable->find(names[k].c_str());
-    if (variable[k] < 0)
-      lmp->error->all(FLERR, "Fix contact/tri move: no variable {}", names[k]);
+    if (variable[k] < 0) lmp->error->all(FLERR, "Fix contact/tri move: no variable {}", names[k]);
     if (!lmp->input->variable->equalstyle(variable[k]))
       lmp->error->all(FLERR, "Fix contact/tri move: variable {} is not equal-style", names[k]);
   }
 }
 
-double ToolMotion::value(int k) const { return lmp->input->variable->compute_equal(variable[k]); }
+double ToolMotion::value(int k) const
+{
+  return lmp->input->variable->compute_equal(variable[k]);
+}
 
 // where a displacement variable is given it rules, else what was reached
 tm_vec3 ToolMotion::displacement(tm_vec3 otherwise) const
 {
-  return tm_vec(variable[0] >= 0 ? value(0) : otherwise.x, variable[1] >= 0 ? value(1) : otherwise.y,
+  return tm_vec(variable[0] >= 0 ? value(0) : otherwise.x,
+                variable[1] >= 0 ? value(1) : otherwise.y,
                 variable[2] >= 0 ? value(2) : otherwise.z);
 }
 
@@ -179,7 +200,8 @@ double ToolMotion::top_speed(const double *lo, const double *hi) const
   if (motion.kind != TM_MOTION_ROTATE && motion.kind != TM_MOTION_TRANSROT) return speed;
   double far = 0.0;
   for (int c = 0; c < 8; c++) {
-    const tm_vec3 corner = tm_vec(c & 1 ? hi[0] : lo[0], c & 2 ? hi[1] : lo[1], c & 4 ? hi[2] : lo[2]);
+    const tm_vec3 corner =
+        tm_vec(c & 1 ? hi[0] : lo[0], c & 2 ? hi[1] : lo[1], c & 4 ? hi[2] : lo[2]);
     const tm_vec3 d = tm_vec_sub(tm_pose_to_world(&base, corner), motion.point);
     far = std::max(far, tm_vec_norm(tm_vec_cross(motion.axis, d)) / tm_vec_norm(motion.axis));
   }
@@ -212,9 +234,15 @@ void ToolMotion::unpack(const double *v)
   moved_next = moved;
   const double *r = v + 19;
   tm_mat3 &m = base.turn;
-  m.xx = r[0]; m.xy = r[1]; m.xz = r[2];
-  m.yx = r[3]; m.yy = r[4]; m.yz = r[5];
-  m.zx = r[6]; m.zy = r[7]; m.zz = r[8];
+  m.xx = r[0];
+  m.xy = r[1];
+  m.xz = r[2];
+  m.yx = r[3];
+  m.yy = r[4];
+  m.yz = r[5];
+  m.zx = r[6];
+  m.zy = r[7];
+  m.zz = r[8];
   restarted = true;
   restarted_variable = v[28] != 0.0;
 }

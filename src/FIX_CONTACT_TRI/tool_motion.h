@@ -46,8 +46,9 @@ class ToolMotion {
   double start = 0.0;                // clock then
   std::vector<std::string> names;    // x y z vx vy vz, empty: NULL
   int variable[6];
-  tm_vec3 moved, moved_next, rate;   // by variables
+  tm_vec3 moved, moved_next, rate;    // by variables
 
+  void check(const char *name, const tm_motion &, bool along_z) const;
   double value(int k) const;
   tm_vec3 displacement(tm_vec3 otherwise) const;
   void keep_if_restarted(const tm_motion &given, double clock);

@@ -62,7 +62,8 @@ std::string TriTool::load(const Shape &shape, bool two_sided)
                        shape.file, mesh_.inconsistent_edges);
   if (mesh_.closed && mesh_.volume < 0.0 && shape.flip < 0)
     return fmt::format("the normals of mesh file {} point into the body; add 'flip yes', or 'flip "
-                       "no' where the particles belong inside it", shape.file);
+                       "no' where the particles belong inside it",
+                       shape.file);
   return "";
 }
 
@@ -70,7 +71,8 @@ std::string TriTool::index(double reach)
 {
   tm_tri_grid_free(&grid_);
   if (tm_tri_grid_build(&grid_, &mesh_, reach, TM_GRID_BUDGET) == TM_MESH_OK) return "";
-  return fmt::format("no memory for the search grid of {} triangles with reach {}", mesh_.nt, reach);
+  return fmt::format("no memory for the search grid of {} triangles with reach {}", mesh_.nt,
+                     reach);
 }
 
 std::string TriTool::summary() const
@@ -78,8 +80,9 @@ std::string TriTool::summary() const
   const tm_mesh &m = mesh_;
   std::string text = fmt::format(
       "{} triangles, {} vertices, {} smooth patch{}, box {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} "
-      "{:.6g}, ", m.nt, m.nv, m.npatch, m.npatch == 1 ? "" : "es", m.lo[0], m.lo[1], m.lo[2],
-      m.hi[0], m.hi[1], m.hi[2]);
+      "{:.6g}, ",
+      m.nt, m.nv, m.npatch, m.npatch == 1 ? "" : "es", m.lo[0], m.lo[1], m.lo[2], m.hi[0], m.hi[1],
+      m.hi[2]);
   text += m.closed ? fmt::format("closed, volume {:.6g}", m.volume)
                    : fmt::format("area {:.6g}", m.total_area);
   if (m.dropped_degenerate) text += fmt::format(", {} degenerate dropped", m.dropped_degenerate);
@@ -93,20 +96,24 @@ std::vector<std::string> TriTool::flaws(bool two_sided) const
   if (mesh_.open_edges && !two_sided)
     lines.push_back(fmt::format("the mesh has {} open edges: particles are pushed towards the side "
                                 "its normals point to; use 'sides two' for a sheet that has no "
-                                "inside", mesh_.open_edges));
+                                "inside",
+                                mesh_.open_edges));
   if (mesh_.nonmanifold_edges)
-    lines.push_back(fmt::format("more than two triangles meet at {} edges", mesh_.nonmanifold_edges));
+    lines.push_back(
+        fmt::format("more than two triangles meet at {} edges", mesh_.nonmanifold_edges));
   if (mesh_.flipped_normals)
     lines.push_back(fmt::format("{} facet normals in the file oppose the order of the vertices; "
-                                "the order of the vertices counts", mesh_.flipped_normals));
+                                "the order of the vertices counts",
+                                mesh_.flipped_normals));
   return lines;
 }
 
 double TriTool::bytes() const
 {
   const double nt = mesh_.nt, nv = mesh_.nv;
-  return nt * (22 * sizeof(double) + 8 * sizeof(int)) + nv * (6 * sizeof(double) + sizeof(int))
-      + sizeof(int) * ((double) grid_.entries + (double) grid_.nblocks * (TM_GRID_CELLS + 1));
+  return nt * (26 * sizeof(double) + 8 * sizeof(int)) + nv * (6 * sizeof(double) + sizeof(int)) +
+      2 * sizeof(int) * (double) grid_.entries +
+      sizeof(int) * ((double) grid_.nblocks * (TM_GRID_CELLS + 1));
 }
 
 }    // namespace SPHTM_NS

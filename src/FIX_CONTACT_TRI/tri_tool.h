@@ -26,7 +26,7 @@ class TriTool {
     std::string file;
     std::vector<Placement> placement;
     tm_mesh_options options;
-    int flip = -1;          // 1: turn facets round, 0: leave them, -1: not said
+    int flip = -1;    // 1: turn facets round, 0: leave them, -1: not said
   };
 
   // empty, or what is wrong and how to mend it

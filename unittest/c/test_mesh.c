@@ -78,7 +78,7 @@ static void every_length(void)
     int accepted = 0;
     for (size_t n = 0; n <= size; n++) {
       tm_soup s;
-      unsigned char *copy = (unsigned char *) malloc(n + 1);   /* its end is the end of the memory */
+      unsigned char *copy = (unsigned char *) malloc(n + 1);   /* ends where the memory does */
       memcpy(copy, data, n);
       accepted += tm_mesh_read_buffer(copy, n, &s, msg, sizeof msg) == TM_MESH_OK;
       free(copy);
@@ -107,7 +107,8 @@ static void wedge_topology(void)
   tm_mesh_free(&m);
 }
 
-/* Sign of (p - q).n at the closest feature tells inside from outside, as the winding number does. */
+/* Sign of (p - q).n at the closest feature tells inside from outside, as the winding number
+   does. */
 static void pseudo_normals(void)
 {
   tm_soup soup = ut_soup(400);
