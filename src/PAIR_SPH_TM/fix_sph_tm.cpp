@@ -364,21 +364,19 @@ tm_update_args FixSPHTM::update_args()
 void FixSPHTM::final_integrate()
 {
   const tm_update_args a = update_args();
-  double limits[3] = {1e300, 1e300, 1e300};
-  for (int i = 0; i < atom->nlocal; i++) {
-    const tm_update_result r = tm_update(i, &a, fx);
-    if (r.status != TM_OK) stop_on(i, r);
-    for (int k = 0; k < 3; k++) limits[k] = tm_min(limits[k], r.dt[k]);
-    if (has(TM_FX_LEDGER)) {
-      ledger.elastic += r.elastic;
-      ledger.plastic += r.plastic;
-      ledger.plastic_heat += r.plastic_heat;
-      ledger.artificial += r.artificial;
-      ledger.kinetic_work += r.kinetic_work;
-      ledger.internal_work += r.internal_work;
-      ledger.heat += r.heat;
-    }
+  tm_update_result sum = {};
+  std::fill_n(sum.dt, 3, 1e300);
+  const int bad = update_loop()(atom->nlocal, &a, fx, &sum);
+  if (bad < atom->nlocal) stop_on(bad, sum);
+  for (int k = 0; k < 3; k++) dt_limits[k] = tm_min(dt_limits[k], sum.dt[k]);
+  if (has(TM_FX_LEDGER)) {
+    ledger.elastic += sum.elastic;
+    ledger.plastic += sum.plastic;
+    ledger.plastic_heat += sum.plastic_heat;
+    ledger.artificial += sum.artificial;
+    ledger.kinetic_work += sum.kinetic_work;
+    ledger.internal_work += sum.internal_work;
+    ledger.heat += sum.heat;
   }
-  for (int k = 0; k < 3; k++) dt_limits[k] = tm_min(dt_limits[k], limits[k]);
   if (fixed_dt <= 0.0) reduce_dt();
 }

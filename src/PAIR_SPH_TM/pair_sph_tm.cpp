@@ -510,8 +510,7 @@ void PairSPHTM::predict()
   a.art_eps = set.art_eps;
   a.art_component = set.art_component;
   a.conduct = 1.0 / lattice.gradient;
-  const unsigned fx = fix->effects();
-  for (int i = 0; i < atom->nlocal; i++) tm_predict(i, &a, fx);
+  predict_loop()(atom->nlocal, &a, fix->effects());
 }
 
 void PairSPHTM::forward_records()

@@ -40,14 +40,17 @@ const char *rate_loop_isa()
   return names[chosen()];
 }
 
-rate_loop_t rate_loop(unsigned effects)
+static const ParticleLoops &loops()
 {
-  const int index = rate_loop_index(effects);
 #if defined(SPHTM_X86_ISAS)
-  if (chosen() == ISA_AVX512) return isa_avx512::table[index];
-  if (chosen() == ISA_AVX2) return isa_avx2::table[index];
+  if (chosen() == ISA_AVX512) return isa_avx512::loops;
+  if (chosen() == ISA_AVX2) return isa_avx2::loops;
 #endif
-  return isa_default::table[index];
+  return isa_default::loops;
 }
+
+rate_loop_t rate_loop(unsigned effects) { return loops().rates[rate_loop_index(effects)]; }
+predict_loop_t predict_loop() { return loops().predict; }
+update_loop_t update_loop() { return loops().update; }
 
 }    // namespace SPHTM_NS

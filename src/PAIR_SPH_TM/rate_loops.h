@@ -1,24 +1,28 @@
-/* SPH-TM: the loops over particles of the rate pass, one instantiation per set of effects.
+/* SPH-TM: the loops over particles, compiled once per instruction set; the one in use is the best
+   that the processor has.
 
-   rate_loop(effects) returns the loop for the literal bits of `effects` (TM_FX_RATE_MASK, the
-   kernel, and TM_FX_EXTENDED when any extended effect is on), compiled for the best instruction
-   set of the processor that runs it. */
+   rate_loop(effects) returns the rate pass for the literal bits of `effects` (TM_FX_RATE_MASK, the
+   kernel, and TM_FX_EXTENDED when any extended effect is on), one instantiation per set of bits.
+   Prediction and update test the effects at run time. */
 #ifndef SPHTM_RATE_LOOPS_H
 #define SPHTM_RATE_LOOPS_H
 
+#include "tm_predict.h"
 #include "tm_rates.h"
+#include "tm_update.h"
 
 namespace SPHTM_NS {
 
 typedef void (*rate_loop_t)(int nlocal, const tm_rates_args *args);
+typedef void (*predict_loop_t)(int nlocal, const tm_predict_args *args, unsigned effects);
+// adds to the sums and lowers dt; returns the first particle with a status, or nlocal
+typedef int (*update_loop_t)(int nlocal, const tm_update_args *args, unsigned effects,
+                             tm_update_result *sum);
 
 rate_loop_t rate_loop(unsigned effects);
+predict_loop_t predict_loop();
+update_loop_t update_loop();
 const char *rate_loop_isa();    // name of the instruction set in use
-
-// one table per instruction set; index from rate_loop_index()
-namespace isa_default { extern const rate_loop_t table[]; }
-namespace isa_avx2 { extern const rate_loop_t table[]; }
-namespace isa_avx512 { extern const rate_loop_t table[]; }
 
 // kernel (5) x dimension (2) x {viscosity, artificial stress, conduction} (8) + extended (1)
 constexpr int RATE_LOOPS_PER_KERNEL = 2 * 9;
@@ -48,6 +52,16 @@ constexpr int rate_loop_index(unsigned fx)
         ((fx & TM_FX_CONDUCTION) ? 4 : 0);
   return kernel * RATE_LOOPS_PER_KERNEL + 2 * set + ((fx & TM_FX_3D) ? 1 : 0);
 }
+
+// one table per instruction set; rates by rate_loop_index()
+struct ParticleLoops {
+  rate_loop_t rates[RATE_LOOPS];
+  predict_loop_t predict;
+  update_loop_t update;
+};
+namespace isa_default { extern const ParticleLoops loops; }
+namespace isa_avx2 { extern const ParticleLoops loops; }
+namespace isa_avx512 { extern const ParticleLoops loops; }
 
 }    // namespace SPHTM_NS
 

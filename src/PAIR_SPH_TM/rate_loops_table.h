@@ -1,13 +1,42 @@
 /* SPH-TM: included once per instruction set with SPHTM_ISA set to the namespace. */
 #include "rate_loops.h"
 
-#include <utility>
-
 namespace {
 
 template <unsigned EFFECTS> void loop(int nlocal, const tm_rates_args *args)
 {
   for (int i = 0; i < nlocal; i++) tm_rates(i, args, EFFECTS);
+}
+
+// in blocks, so that the records are still in the cache for the artificial stress
+void predict(int nlocal, const tm_predict_args *args, unsigned effects)
+{
+  for (int begin = 0; begin < nlocal; begin += TM_CHUNK) {
+    const int end = nlocal - begin < TM_CHUNK ? nlocal : begin + TM_CHUNK;
+    for (int i = begin; i < end; i++) tm_predict(i, args, effects);
+    if (effects & TM_FX_ARTSTRESS) tm_predict_artstress(begin, end, args, effects);
+  }
+}
+
+int update(int nlocal, const tm_update_args *args, unsigned effects, tm_update_result *sum)
+{
+  for (int i = 0; i < nlocal; i++) {
+    const tm_update_result r = tm_update(i, args, effects);
+    if (r.status != TM_OK) {
+      sum->status = r.status;
+      return i;
+    }
+    for (int k = 0; k < 3; k++) sum->dt[k] = tm_min(sum->dt[k], r.dt[k]);
+    if (!(effects & TM_FX_LEDGER)) continue;
+    sum->elastic += r.elastic;
+    sum->plastic += r.plastic;
+    sum->plastic_heat += r.plastic_heat;
+    sum->artificial += r.artificial;
+    sum->kinetic_work += r.kinetic_work;
+    sum->internal_work += r.internal_work;
+    sum->heat += r.heat;
+  }
+  return nlocal;
 }
 
 }    // namespace
@@ -20,9 +49,10 @@ namespace SPHTM_ISA {
 #define TM_LOOPS_6(I) TM_LOOPS_2(I), TM_LOOPS_2(I + 2), TM_LOOPS_2(I + 4)
 #define TM_LOOPS_18(I) TM_LOOPS_6(I), TM_LOOPS_6(I + 6), TM_LOOPS_6(I + 12)
 
-extern const rate_loop_t table[RATE_LOOPS];
-const rate_loop_t table[RATE_LOOPS] = {TM_LOOPS_18(0), TM_LOOPS_18(18), TM_LOOPS_18(36),
-                                       TM_LOOPS_18(54), TM_LOOPS_18(72)};
+extern const ParticleLoops loops;
+const ParticleLoops loops = {
+    {TM_LOOPS_18(0), TM_LOOPS_18(18), TM_LOOPS_18(36), TM_LOOPS_18(54), TM_LOOPS_18(72)},
+    predict, update};
 
 }    // namespace SPHTM_ISA
 }    // namespace SPHTM_NS

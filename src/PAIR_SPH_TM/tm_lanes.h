@@ -18,7 +18,7 @@
 #define TM_VECTORS
 #endif
 #endif
-#if defined(TM_VECTORS) && defined(__AVX512F__) && defined(__AVX512DQ__)
+#if defined(TM_VECTORS) && defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define TM_LANES 8
 #elif defined(TM_VECTORS) && defined(__AVX__)
 #define TM_LANES 4
@@ -36,6 +36,10 @@
 #define TM_CHUNK 96
 #define TM_COLUMN (TM_CHUNK + 8)
 #endif
+
+/* Loops of scalar code that the compiler vectorises have a multiple of this many turns: so no
+   remainder, whose last bit might differ. */
+#define TM_TURNS (TM_LANES > 1 ? 8 : 1)
 
 #if TM_LANES > 1
 typedef double tm_v2 __attribute__((vector_size(16)));
@@ -108,6 +112,38 @@ TM_FN tm_v8 tm_join_four_pairs(const tm_real *p, const tm_real *q, const tm_real
   tm_v8 x = __builtin_ia32_pd512_256pd(tm_join_pairs(p, q));
   x = __builtin_ia32_insertf64x2_512_mask(x, c, 2, x, (unsigned char) -1);
   return __builtin_ia32_insertf64x2_512_mask(x, d, 3, x, (unsigned char) -1);
+#endif
+}
+#endif
+
+#if TM_LANES >= 4
+/* Bit k is set where a[k] < b and where it is set in mask. */
+TM_FN unsigned tm_lanes_below(tm_lanes a, tm_real b, unsigned mask)
+{
+  const tm_lanes limit = b + tm_lanes_zero();
+#if TM_LANES == 8
+  return (unsigned) __builtin_ia32_cmppd512_mask(a, limit, 1, (unsigned char) mask, 4);
+#else
+  return (unsigned) __builtin_ia32_movmskpd256(__builtin_ia32_cmppd256(a, limit, 1)) & mask;
+#endif
+}
+
+/* Copies p[k], k < TM_LANES, where bit k of mask is set; returns how many. Writes beyond them. */
+TM_FN int tm_compress(const int *p, unsigned mask, int *out)
+{
+#if TM_LANES == 8
+  typedef int eight __attribute__((vector_size(32)));
+  typedef int eight_mem __attribute__((vector_size(32), aligned(4), may_alias));
+  const eight v = *(const eight_mem *) p;
+  *(eight_mem *) out = (eight) __builtin_ia32_compresssi256_mask(v, v, (unsigned char) mask);
+  return __builtin_popcount(mask);
+#else
+  int n = 0;
+  for (int k = 0; k < TM_LANES; k++) {
+    out[n] = p[k];
+    n += (int) (mask >> k & 1u);
+  }
+  return n;
 #endif
 }
 #endif

@@ -1,6 +1,7 @@
 /* SPH-TM: prediction of one particle to the half step, written into its record.
 
-   The state itself stays at the full step; only the record, which the rates read, is ahead. */
+   The state itself stays at the full step; only the record, which the rates read, is ahead. The
+   artificial stress follows from the record alone, for many particles at once. */
 #ifndef TM_PREDICT_H
 #define TM_PREDICT_H
 
@@ -8,6 +9,7 @@
 #include "tm_damage.h"
 #include "tm_eos.h"
 #include "tm_heat.h"
+#include "tm_lanes.h"
 #include "tm_state.h"
 
 typedef struct {
@@ -30,11 +32,11 @@ TM_FN tm_vec3 tm_predict_velocity(int i, const tm_predict_args *a)
                 v[2] + c1 * h1[2] + c2 * h2[2]);
 }
 
+/* The record of particle i, all but the artificial stress. */
 TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
 {
   const tm_state *s = &a->state;
   const tm_material *m = s->material + s->type[i];
-  const int dim3 = (effects & TM_FX_3D) != 0;
   const tm_real c1 = (1.0 + 2.0 * TM_PREDICT_BETA) * a->dt_ahead;
   const tm_real c2 = -2.0 * TM_PREDICT_BETA * a->dt_ahead;
   const tm_real *h1 = tm_field_row(s, TM_F_HISTORY, i), *h2 = h1 + TM_H_STEP;
@@ -75,13 +77,6 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
   r[TM_REC_C] = c;
   r[TM_REC_BALSARA] = (effects & TM_FX_BALSARA) ? *tm_field_row(s, TM_F_BALSARA, i) : 1.0;
 
-  if (effects & TM_FX_ARTSTRESS) {
-    const tm_real inv_rho2 = lz / (rho_sum * rho_sum);
-    const tm_sym3 q = a->art_component
-        ? tm_artificial_stress_component(sigma, a->art_eps, inv_rho2, dim3)
-        : tm_artificial_stress_principal(sigma, a->art_eps, inv_rho2, dim3);
-    tm_sym_store(a->rec.stress + (ptrdiff_t) i * TM_REC_STRESS, q);
-  }
   if (effects & TM_FX_HEAT) {
     const tm_real *t = tm_field_row(s, TM_F_TEMP, i);
     const tm_real T = t[0] + c1 * t[1] + c2 * t[2];
@@ -97,6 +92,48 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
       rc[3 + c3] = P.xy * K[c3] + P.yy * K[3 + c3] + P.yz * K[6 + c3];
       rc[6 + c3] = P.xz * K[c3] + P.yz * K[3 + c3] + P.zz * K[6 + c3];
     }
+  }
+}
+
+/* One particle of a chunk: col[c * TM_COLUMN] holds P, and receives the artificial stress. */
+TM_FN void tm_predict_tensile(tm_real *col, tm_real eps, tm_real scale, int component, int dim3)
+{
+  const tm_sym3 P = tm_sym(col[0], col[TM_COLUMN], col[2 * TM_COLUMN], col[3 * TM_COLUMN],
+                           col[4 * TM_COLUMN], col[5 * TM_COLUMN]);
+  const tm_sym3 q = component ? tm_artificial_stress_component(P, eps, scale, dim3)
+                              : tm_artificial_stress_principal(P, eps, scale, dim3);
+  col[0] = q.xx; col[TM_COLUMN] = q.yy; col[2 * TM_COLUMN] = q.zz;
+  col[3 * TM_COLUMN] = q.xy; col[4 * TM_COLUMN] = q.xz; col[5 * TM_COLUMN] = q.yz;
+}
+
+/* The artificial stress of particles begin to end - 1, of sigma/rho^2, in chunks. */
+TM_FN void tm_predict_artstress(int begin, int end, const tm_predict_args *a, unsigned effects)
+{
+  const int dim3 = (effects & TM_FX_3D) != 0, form_f14 = (effects & TM_FX_FORM_F14) != 0;
+  const tm_real eps = a->art_eps;
+  int jj[TM_COLUMN];
+  tm_real TM_ALIGNED col[TM_REC_STRESS][TM_COLUMN], scale[TM_COLUMN];
+  for (; begin < end; begin += TM_CHUNK) {
+    const int n = end - begin < TM_CHUNK ? end - begin : TM_CHUNK;
+    const int lanes = (n + TM_TURNS - 1) / TM_TURNS * TM_TURNS;
+    for (int l = 0; l < lanes; l++) {
+      jj[l] = begin + (l < n ? l : 0);
+      const tm_real rho = a->rec.main[(ptrdiff_t) jj[l] * TM_REC + TM_REC_RHO];
+      scale[l] = form_f14 ? 1.0 / (rho * rho) : 1.0;
+    }
+    tm_transpose_rows(a->rec.main + TM_REC_P, TM_REC, jj, lanes, TM_REC_STRESS, col[0]);
+    if (a->art_component)
+      for (int l = 0; l < lanes; l++) tm_predict_tensile(col[0] + l, eps, scale[l], 1, dim3);
+    else if (dim3) {
+#if !defined(__CUDACC__)
+#pragma omp simd
+#endif
+      for (int l = 0; l < lanes; l++) tm_predict_tensile(col[0] + l, eps, scale[l], 0, 1);
+    } else
+      for (int l = 0; l < lanes; l++) tm_predict_tensile(col[0] + l, eps, scale[l], 0, 0);
+    tm_real *q = a->rec.stress + (ptrdiff_t) begin * TM_REC_STRESS;
+    for (int l = 0; l < n; l++)
+      for (int c = 0; c < TM_REC_STRESS; c++) q[l * TM_REC_STRESS + c] = col[c][l];
   }
 }
 

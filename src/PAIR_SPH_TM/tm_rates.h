@@ -80,34 +80,26 @@ enum {
   TM_COLUMNS
 };
 
-/* Appends to jj, n long, those of the m entries of a row that are within reach; returns the new n. */
+/* Appends to jj, n long, those of the m entries of a row that are within reach; returns the new n.
+   Up to TM_LANES entries beyond may be overwritten. */
 TM_FN int tm_within_reach(const tm_real *rec, const int *row, ptrdiff_t stride, int m, tm_real x,
                           tm_real y, tm_real z, tm_real reach2, int dim3, int *jj, int n)
 {
 #if TM_LANES >= 4
-  int copy[TM_COLUMN];
+  int block[TM_LANES];
   tm_real TM_ALIGNED col[4][TM_COLUMN];
-  ptrdiff_t TM_ALIGNED inside[TM_COLUMN];
-  if (stride != 1) {
-    for (int l = 0; l < m; l++) copy[l] = row[l * stride];
-    row = copy;
-  }
-  int l = 0;
-  for (; l + TM_LANES <= m; l += TM_LANES) tm_transpose(rec, TM_REC, row + l, dim3 ? 4 : 2, col[0] + l);
-  if (l < m) {
-    int tail[TM_LANES];
-    for (int k = 0; k < TM_LANES; k++) tail[k] = row[l + k < m ? l + k : l];
-    tm_transpose(rec, TM_REC, tail, dim3 ? 4 : 2, col[0] + l);
-    l += TM_LANES;
-  }
-#pragma omp simd
-  for (int k = 0; k < l; k++) {
-    const tm_real dx = x - col[0][k], dy = y - col[1][k], dz = dim3 ? z - col[2][k] : 0.0;
-    inside[k] = dx * dx + dy * dy + dz * dz < reach2;
-  }
-  for (int k = 0; k < m; k++) {
-    jj[n] = row[k];
-    n += (int) inside[k];
+  for (int l = 0; l < m; l += TM_LANES) {
+    const int *r = row + l, left = m - l;
+    if (left < TM_LANES || stride != 1) {
+      for (int k = 0; k < TM_LANES; k++) block[k] = row[(k < left ? l + k : l) * stride];
+      r = block;
+    }
+    tm_transpose(rec, TM_REC, r, dim3 ? 4 : 2, col[0]);
+    const tm_lanes dx = x - tm_lanes_load(col[0]), dy = y - tm_lanes_load(col[1]);
+    const tm_lanes dz = dim3 ? z - tm_lanes_load(col[2]) : tm_lanes_zero();
+    const tm_lanes r2 = dx * dx + dy * dy + dz * dz;
+    const unsigned inside = tm_lanes_below(r2, reach2, left < TM_LANES ? (1u << left) - 1u : 255u);
+    n += tm_compress(r, inside, jj + n);
   }
 #else
   for (int k = 0; k < m; k++) {
@@ -174,7 +166,7 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
   tm_lanes kzx = zero, kzy = zero, kzz = zero;
   tm_lanes ux = zero, uy = zero, uz = zero, nx = zero, ny = zero, nz = zero;
 
-  int jj[TM_COLUMN];
+  int jj[TM_COLUMN + TM_LANES];
   tm_real TM_ALIGNED col[TM_COLUMNS][TM_COLUMN];
   for (int k = 0, n = 0, last = 0; !last;) {
     do {

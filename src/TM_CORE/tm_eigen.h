@@ -97,7 +97,9 @@ TM_FN tm_sym3 tm_sym_positive_part_2d(tm_sym3 a)
 TM_FN tm_real tm_cos_third(tm_real r)
 {
   tm_real c = 0.86602540378443865 + r * (0.161 - 0.02702540378443865 * r);
-  for (int i = 0; i < 3; i++) c -= ((4.0 * c * c - 3.0) * c - r) / (12.0 * c * c - 3.0);
+  c -= ((4.0 * c * c - 3.0) * c - r) / (12.0 * c * c - 3.0);
+  c -= ((4.0 * c * c - 3.0) * c - r) / (12.0 * c * c - 3.0);
+  c -= ((4.0 * c * c - 3.0) * c - r) / (12.0 * c * c - 3.0);
   return c;
 }
 
@@ -108,9 +110,10 @@ TM_FN tm_vec3 tm_sym_null_vector(tm_sym3 a)
   const tm_vec3 z = tm_vec(a.xz, a.yz, a.zz);
   const tm_vec3 c1 = tm_vec_cross(x, y), c2 = tm_vec_cross(y, z), c3 = tm_vec_cross(z, x);
   const tm_real n1 = tm_vec_dot(c1, c1), n2 = tm_vec_dot(c2, c2), n3 = tm_vec_dot(c3, c3);
-  tm_vec3 c = n1 >= n2 ? c1 : c2;
-  c = n3 >= tm_max(n1, n2) ? c3 : c;
-  return tm_vec_scale(1.0 / sqrt(tm_max(n1, tm_max(n2, n3))), c);
+  const tm_real n12 = tm_max(n1, n2), s = 1.0 / sqrt(tm_max(n12, n3));
+  const int one = n1 >= n2, three = n3 >= n12;
+  return tm_vec(s * (three ? c3.x : one ? c1.x : c2.x), s * (three ? c3.y : one ? c1.y : c2.y),
+                s * (three ? c3.z : one ? c1.z : c2.z));
 }
 
 TM_FN tm_real tm_sym_det(tm_sym3 s)
@@ -126,14 +129,14 @@ TM_FN tm_real tm_sym_between(tm_vec3 u, tm_sym3 a, tm_vec3 v)
 
 /* In three dimensions, after Scherzinger and Dohrmann 2008: the eigenvalue farthest from the two
    others (mean +- 2p cos(phi), well conditioned) and its vector, then the plane across it in
-   closed form, which takes equal eigenvalues as they come. */
+   closed form, which takes equal eigenvalues as they come. Without branches, for loops over many
+   tensors; what is not a number where all eigenvalues have one sign is thrown away at the end. */
 TM_FN tm_sym3 tm_sym_positive_part(tm_sym3 a)
 {
   const tm_real mean = tm_sym_trace(a) / 3.0;
   const tm_sym3 dev = tm_sym_add_iso(a, -mean);
   const tm_real p = sqrt(tm_sym_ddot(dev, dev) / 6.0);
-  if (mean >= 2.0 * p) return a;
-  if (mean <= -2.0 * p) return tm_sym(0, 0, 0, 0, 0, 0);
+  const int all = mean >= 2.0 * p, none = mean <= -2.0 * p;
 
   const tm_sym3 s = tm_sym_scale(1.0 / p, dev);  /* eigenvalues 2 cos(phi), phi + 2 pi/3 ... */
   const tm_real half = 0.5 * tm_sym_det(s);
@@ -149,9 +152,12 @@ TM_FN tm_sym3 tm_sym_positive_part(tm_sym3 a)
   const tm_vec3 pu = tm_vec_axpy(tm_vec_scale(plane.xx, u), plane.xy, w);
   const tm_vec3 pw = tm_vec_axpy(tm_vec_scale(plane.xy, u), plane.yy, w);
   const tm_vec3 pv = tm_vec_scale(tm_max(tm_sym_between(v, a, v), 0.0), v);
-  return tm_sym(pu.x * u.x + pw.x * w.x + pv.x * v.x, pu.y * u.y + pw.y * w.y + pv.y * v.y,
-                pu.z * u.z + pw.z * w.z + pv.z * v.z, pu.x * u.y + pw.x * w.y + pv.x * v.y,
-                pu.x * u.z + pw.x * w.z + pv.x * v.z, pu.y * u.z + pw.y * w.z + pv.y * v.z);
+  const tm_real xx = pu.x * u.x + pw.x * w.x + pv.x * v.x, yy = pu.y * u.y + pw.y * w.y + pv.y * v.y;
+  const tm_real zz = pu.z * u.z + pw.z * w.z + pv.z * v.z, xy = pu.x * u.y + pw.x * w.y + pv.x * v.y;
+  const tm_real xz = pu.x * u.z + pw.x * w.z + pv.x * v.z, yz = pu.y * u.z + pw.y * w.z + pv.y * v.z;
+  return tm_sym(all ? a.xx : none ? 0.0 : xx, all ? a.yy : none ? 0.0 : yy,
+                all ? a.zz : none ? 0.0 : zz, all ? a.xy : none ? 0.0 : xy,
+                all ? a.xz : none ? 0.0 : xz, all ? a.yz : none ? 0.0 : yz);
 }
 
 /* Inverse of a; in two dimensions that of its upper left 2x2 block, with zz = 1. ok = 0 and the
