@@ -211,7 +211,7 @@ void FixContactTri::make_laws()
 
 void FixContactTri::setup(int vflag)
 {
-  motion.evaluate_now();
+  evaluate_variables(0.0);
   if (!checked && !restored && clock == 0.0 && !request.overlap_allowed) check_overlap();
   checked = true;
   post_force(vflag);
@@ -220,17 +220,29 @@ void FixContactTri::setup(int vflag)
 
 /* ---------------------------------------------------------------------- one step */
 
+// values of variables at the end of the step that begins, or now where dt is 0
+void FixContactTri::evaluate_variables(double dt)
+{
+  if (!motion.by_variable() && temperature_variable.empty()) return;
+  modify->clearstep_compute();
+  if (dt > 0.0)
+    motion.evaluate_next(dt);
+  else
+    motion.evaluate_now();
+  if (!temperature_variable.empty()) {
+    const int k = input->variable->find(temperature_variable.c_str());
+    if (k < 0 || !input->variable->equalstyle(k))
+      error->all(FLERR, "Fix contact/tri {} temperature: no equal-style variable {}", id,
+                 temperature_variable);
+    temperature = input->variable->compute_equal(k);
+  }
+  modify->addstep_compute(update->ntimestep + 1);
+}
+
 void FixContactTri::initial_integrate(int)
 {
   const double dt = state->step_dt();
-  if (motion.by_variable() || !temperature_variable.empty()) {
-    modify->clearstep_compute();
-    motion.evaluate_next(dt);
-    if (!temperature_variable.empty())
-      temperature =
-          input->variable->compute_equal(input->variable->find(temperature_variable.c_str()));
-    modify->addstep_compute(update->ntimestep + 1);
-  }
+  evaluate_variables(dt);
   if (request.body_type)
     place_body(motion.pose(clock, 0.0, dt), motion.pose(clock, state->time_ahead(), dt));
 }
@@ -304,6 +316,13 @@ void FixContactTri::post_force(int)
   totals_step = -1;
   if (request.body_type && state->has(TM_FX_CONDUCTION)) heat_body();
   if (state->time_ahead() > 0.0) book(state->step_dt());
+  if (sums.inner > 0.5 * args.deep && !warned_deep) {
+    warned_deep = true;
+    error->warning(FLERR,
+                   "Fix contact/tri {}: a particle's centre lies {:.2f} spacings behind the "
+                   "surface; beyond 1 it is no longer pushed out: raise penalty or lower the speed",
+                   id, sums.inner / args.deep);
+  }
   state->contact_spring += sums.spring;
   state->limit_dt(dt_limit, TM_DT_CONTACT);
   // no point of the tool moves by more than a fifth of a spacing in a step

@@ -69,7 +69,7 @@ class FixContactTri : public Fix {
   std::vector<tm_contact_law> laws;    // by type
   double dt_limit = 0.0;               // of the contact springs
   double indexed_reach = 0.0;
-  bool restored = false, checked = false;
+  bool restored = false, checked = false, warned_deep = false;
 
   tm_contact_result sums;    // of this rank, this step
   double totals[14];         // over ranks
@@ -93,6 +93,7 @@ class FixContactTri : public Fix {
   int parse_friction(int, int, char **);
   int parse_heat(int, int, char **);
   int parse_output(int, int, char **);
+  void evaluate_variables(double dt);
   void report();
   std::string heat_in_words(int type) const;
   void make_laws();

@@ -77,7 +77,8 @@ def books(c):
     make_tool(folder, "insert", "--rake", 10, "--radius", 0.5, "--height", 8, "--length", 8, "--width", 9)
     scene = block("""
 fix             tool all contact/tri file tool.stl scale 1e-3 rotate axis 0 0 1 angle 20 &
-                move 6.75e-3 2.1e-3 3e-3 friction 0.3 damping 0.2 heat conductance 1e5 temperature 400 reference 7e-3 2e-3 3e-3 &
+                move 6.75e-3 2.1e-3 3e-3 friction 0.3 damping 0.2 heat conductance 1e5 &
+                temperature 400 reference 7e-3 2e-3 3e-3 &
                 vtk 200 tool.*.vtk local 200
 fix_modify      tool move transrot -20 0 0 7e-3 2e-3 3e-3 0 0.1 1 -2e-3 ramp 2e-5
 fix_modify      body temperature all 310
