@@ -1,6 +1,7 @@
 /* SPH-TM: compute cutting/force. See doc/compute_cutting_force.rst. */
 #include "compute_cutting_force.h"
 
+#include "argument.h"
 #include "fix_contact_tri.h"
 
 #include "error.h"
@@ -12,6 +13,7 @@
 #include <cstring>
 
 using namespace LAMMPS_NS;
+using namespace SPHTM_NS;
 
 ComputeCuttingForce::ComputeCuttingForce(LAMMPS *lmp, int narg, char **arg) :
     Compute(lmp, narg, arg)
@@ -28,7 +30,7 @@ ComputeCuttingForce::ComputeCuttingForce(LAMMPS *lmp, int narg, char **arg) :
       error->all(FLERR, "Compute cutting/force keyword {} needs three numbers", arg[iarg]);
     double n = 0.0;
     for (int k = 0; k < 3; k++) {
-      to[k] = utils::numeric(FLERR, arg[iarg + 1 + k], false, lmp);
+      to[k] = number(lmp, std::string("Compute cutting/force ") + arg[iarg], arg[iarg + 1 + k]);
       n += to[k] * to[k];
     }
     if (!(n > 0.0)) error->all(FLERR, "Compute cutting/force {} must not be zero", arg[iarg]);
@@ -43,9 +45,7 @@ ComputeCuttingForce::ComputeCuttingForce(LAMMPS *lmp, int narg, char **arg) :
       iarg = three(iarg, away);
     } else if (strcmp(arg[iarg], "width") == 0) {
       if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "compute cutting/force width", error);
-      width = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
-      if (!(width > 0.0))
-        error->all(FLERR, "Compute cutting/force width must be > 0, got {}", arg[iarg + 1]);
+      width = positive(lmp, "Compute cutting/force width", arg[iarg + 1]);
       iarg += 2;
     } else
       error->all(FLERR,

@@ -1,6 +1,7 @@
 /* SPH-TM: fix contact/tri. See doc/fix_contact_tri.rst. */
 #include "fix_contact_tri.h"
 
+#include "argument.h"
 #include "fix_sph_tm.h"
 #include "pair_sph_tm.h"
 
@@ -73,7 +74,7 @@ int FixContactTri::modify_param(int narg, char **arg)
   if (strcmp(arg[0], "temperature") == 0) {
     if (narg < 2)
       utils::missing_cmd_args(FLERR, "fix_modify temperature of fix contact/tri", error);
-    temperature = utils::numeric(FLERR, arg[1], false, lmp);
+    temperature = positive(lmp, "Fix_modify temperature of fix contact/tri", arg[1]);
     temperature_given = true;
     temperature_variable.clear();
     return 2;

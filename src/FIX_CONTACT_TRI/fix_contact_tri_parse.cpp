@@ -1,6 +1,8 @@
 /* SPH-TM: the arguments of fix contact/tri. */
 #include "fix_contact_tri.h"
 
+#include "argument.h"
+
 #include "error.h"
 #include "utils.h"
 
@@ -29,7 +31,7 @@ struct Values {
                       k == 1 ? "" : "s");
     return arg[iarg + k];
   }
-  double number(int k) const { return utils::numeric(FLERR, text(k), false, lmp); }
+  double number(int k) const { return SPHTM_NS::number(lmp, "Fix contact/tri " + key, text(k)); }
   double positive(int k) const
   {
     const double x = number(k);
@@ -51,7 +53,7 @@ struct Values {
                       text(k));
     return x;
   }
-  bool yes(int k) const { return utils::logical(FLERR, text(k), false, lmp) == 1; }
+  bool yes(int k) const { return yes_no(lmp, "Fix contact/tri " + key, text(k)); }
   // the first of two words: false, the second: true
   bool second(const char *a, const char *b) const
   {

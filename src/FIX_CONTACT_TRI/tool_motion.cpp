@@ -1,5 +1,7 @@
 #include "tool_motion.h"
 
+#include "argument.h"
+
 #include "domain.h"
 #include "error.h"
 #include "input.h"
@@ -106,7 +108,7 @@ int ToolMotion::parse(int narg, char **arg, double clock)
     const char *text = arg[1 + k];
     const bool null = strcmp(text, "NULL") == 0;
     if (s->kind != BY_VARIABLE) {
-      a[k] = null ? 0.0 : utils::numeric(FLERR, text, false, lmp);
+      a[k] = null ? 0.0 : number(lmp, std::string("Fix contact/tri move ") + s->name, text);
       continue;
     }
     if (!null && strncmp(text, "v_", 2) != 0)
@@ -119,9 +121,7 @@ int ToolMotion::parse(int narg, char **arg, double clock)
   if (used < narg && strcmp(arg[used], "ramp") == 0) {
     if (used + 1 >= narg) utils::missing_cmd_args(FLERR, "fix contact/tri move ramp", error);
     if (m.kind == TM_MOTION_NONE) error->all(FLERR, "Fix contact/tri move {} has no ramp", s->name);
-    m.ramp = utils::numeric(FLERR, arg[used + 1], false, lmp);
-    if (!(m.ramp >= 0.0))
-      error->all(FLERR, "Fix contact/tri move ramp must be >= 0 (time), got {}", arg[used + 1]);
+    m.ramp = not_negative(lmp, "Fix contact/tri move ramp (time)", arg[used + 1]);
     used += 2;
   }
   keep_if_restarted(m, clock);

@@ -1,6 +1,7 @@
 /* SPH-TM: fix sph/tm/heat. See doc/fix_sph_tm_heat.rst. The physics is in tm_exchange.h. */
 #include "fix_sph_tm_heat.h"
 
+#include "argument.h"
 #include "fix_sph_tm.h"
 #include "material_input.h"
 #include "pair_sph_tm.h"
@@ -81,7 +82,7 @@ void FixSPHTMHeat::read_keywords(int iarg, int narg, char **arg)
     if (iarg + n >= narg)
       error->all(FLERR, "Fix sph/tm/heat {} keyword {} needs {} value{}", name, key, n, n == 1 ? "" : "s");
     double v[3] = {0.0, 0.0, 0.0};
-    for (int k = 0; k < n; k++) v[k] = utils::numeric(FLERR, arg[iarg + 1 + k], false, lmp);
+    for (int k = 0; k < n; k++) v[k] = number(lmp, "Fix sph/tm/heat " + key, arg[iarg + 1 + k]);
     if (key == "emissivity") {
       if (!(v[0] > 0.0 && v[0] <= 1.0))
         error->all(FLERR, "Fix sph/tm/heat emissivity must be > 0 and <= 1, got {}", arg[iarg + 1]);
