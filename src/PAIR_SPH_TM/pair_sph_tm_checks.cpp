@@ -1,0 +1,73 @@
+/* SPH-TM: pair style sph/tm, checks of masses, spacing and overlaps. See doc/pair_sph_tm.rst. */
+#include "pair_sph_tm.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using namespace SPHTM_NS;
+
+void PairSPHTM::check_masses()
+{
+  auto differs = [&](double mass, int type) {
+    return fabs(mass - particle_mass(type)) > 1e-6 * particle_mass(type);
+  };
+  std::vector<bigint> wrong(atom->ntypes + 1, 0), all(atom->ntypes + 1, 0);
+  if (atom->rmass_flag) {
+    for (int i = 0; i < atom->nlocal; i++) wrong[atom->type[i]] += differs(atom->rmass[i], atom->type[i]);
+    MPI_Allreduce(wrong.data(), all.data(), atom->ntypes + 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  }
+  if (comm->me) return;
+  for (int t = 1; t <= atom->ntypes; t++)
+    if (all[t])
+      error->warning(FLERR, "Pair sph/tm: {} particles of type {} have a mass of their own, density times spacing "
+                            "gives {:.8g}; 'set type {} mass {:.8g}' sets it", all[t], t, particle_mass(t), t,
+                     particle_mass(t));
+    else if (!atom->rmass_flag && differs(atom->mass[t], t))
+      error->warning(FLERR, "Pair sph/tm: mass of type {} is {:.8g}, density times spacing gives "
+                            "{:.8g}; the mass is kept. Without a mass command it follows from the material", t, atom->mass[t], particle_mass(t));
+}
+
+// a spacing in another unit than the box: before LAMMPS complains about its bins
+void PairSPHTM::check_volume()
+{
+  const int dim = domain->dimension;
+  double box = 1.0;
+  for (int d = 0; d < dim; d++) box *= domain->prd[d];
+  const double needed = (double) atom->natoms * pow(set.spacing, dim);
+  if (needed > 3.0 * box)
+    error->all(FLERR, "Pair style sph/tm spacing {:.8g}: {} particles would need {} of {:.6g}, the box has {:.6g}; "
+                      "give the spacing of the particles in the length unit of the run", set.spacing, atom->natoms,
+               dim == 3 ? "a volume" : "an area", needed, box);
+}
+
+// what the set-up tells about spacing and overlaps: the closest mechanical neighbours
+PairSPHTM::Closest PairSPHTM::closest() const
+{
+  Closest c;
+  double **x = atom->x;
+  for (int i = 0; i < atom->nlocal; i++) {
+    double least = 1e300;
+    for (int k = 0; k < row_mechanical[i]; k++) {
+      const int j = row_index[row_first[i] + k];
+      const double dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], dz = x[i][2] - x[j][2];
+      const double r = sqrt(dx * dx + dy * dy + dz * dz);
+      if (r < c.distance) {
+        c.distance = r;
+        c.i = i;
+        c.j = j;
+      }
+      least = std::min(least, r);
+    }
+    if (least < 1e300) {
+      c.sum += least;
+      c.count++;
+    }
+  }
+  return c;
+}

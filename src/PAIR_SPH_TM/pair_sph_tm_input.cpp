@@ -1,0 +1,237 @@
+/* SPH-TM: pair style sph/tm, settings, materials and how types meet. See doc/pair_sph_tm.rst. */
+#include "pair_sph_tm.h"
+
+#include "argument.h"
+#include "material_input.h"
+
+#include "atom.h"
+#include "domain.h"
+#include "error.h"
+#include "memory.h"
+#include "utils.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+using namespace SPHTM_NS;
+
+static const char *const KERNEL_NAMES[TM_KERNEL_COUNT] = {"hyperbolic", "cubic", "quintic",
+                                                          "wendland/c2", "wendland/c4"};
+
+void PairSPHTM::allocate()
+{
+  allocated = 1;
+  atom_types = atom->ntypes;
+  const int n = atom_types + 1;
+  memory->create(setflag, n, n, "pair:setflag");
+  memory->create(cutsq, n, n, "pair:cutsq");
+  for (int i = 1; i < n; i++)
+    for (int j = 1; j < n; j++) setflag[i][j] = 1;    // init_style names the type without material
+  material.assign(n, tm_material{});
+  names.assign(n, "");
+  laws.assign((size_t) n * n, PairLaw());
+}
+
+void PairSPHTM::settings(int narg, char **arg)
+{
+  if (narg < 4)
+    error->all(FLERR, "Illegal pair_style sph/tm: expected 'sph/tm <kernel> <h/spacing> spacing "
+                      "<dp> ...', got {} arguments", narg);
+  set = Settings();
+  const std::string style = "Pair style sph/tm ";
+  int kernel = -1;
+  for (int k = 0; k < TM_KERNEL_COUNT; k++)
+    if (strcmp(arg[0], KERNEL_NAMES[k]) == 0) kernel = k;
+  if (kernel < 0)
+    error->all(FLERR, "Unknown pair style sph/tm kernel {}: choose hyperbolic, cubic, quintic, "
+                      "wendland/c2 or wendland/c4", arg[0]);
+  set.kernel = kernel;
+  set.ratio = positive(lmp, style + "ratio of smoothing length to spacing", arg[1]);
+  if (set.ratio < 0.8 || set.ratio > 4.0)
+    error->all(FLERR, "Pair style sph/tm ratio of smoothing length to spacing must be between 0.8 "
+                      "and 4, got {}", arg[1]);
+
+  for (int iarg = 2; iarg < narg;) {
+    const std::string key = arg[iarg];
+    auto args = [&](int n) {
+      if (iarg + n >= narg)
+        error->all(FLERR, "Pair style sph/tm keyword {} needs {} value{}", key, n,
+                   n == 1 ? "" : "s");
+    };
+    if (key == "spacing") {
+      args(1);
+      set.spacing = positive(lmp, style + "spacing", arg[iarg + 1]);
+      iarg += 2;
+    } else if (key == "viscosity") {
+      args(2);
+      set.visc_alpha = not_negative(lmp, style + "viscosity alpha", arg[iarg + 1]);
+      set.visc_beta = not_negative(lmp, style + "viscosity beta", arg[iarg + 2]);
+      iarg += 3;
+    } else if (key == "balsara") {
+      args(1);
+      set.balsara = yes_no(lmp, style + key, arg[iarg + 1]);
+      iarg += 2;
+    } else if (key == "artstress") {
+      args(2);
+      set.art_eps = not_negative(lmp, style + "artstress epsilon", arg[iarg + 1]);
+      set.art_n = integer_within(lmp, style + "artstress exponent", arg[iarg + 2], 1, 8);
+      if (set.art_eps > 1.0)
+        error->all(FLERR, "Pair style sph/tm artstress epsilon must be 0 to 1, got {}",
+                   arg[iarg + 1]);
+      iarg += 3;
+      if (iarg < narg && (strcmp(arg[iarg], "component") == 0 || strcmp(arg[iarg], "principal") == 0)) {
+        set.art_component = arg[iarg][0] == 'c';
+        iarg++;
+      }
+    } else if (key == "xsph") {
+      args(1);
+      set.xsph = not_negative(lmp, style + "xsph epsilon", arg[iarg + 1]);
+      if (set.xsph > 1.0)
+        error->all(FLERR, "Pair style sph/tm xsph epsilon must be 0 to 1, got {}", arg[iarg + 1]);
+      iarg += 2;
+    } else if (key == "form") {
+      args(1);
+      if (strcmp(arg[iarg + 1], "f15") == 0) set.form_f14 = false;
+      else if (strcmp(arg[iarg + 1], "f14") == 0) set.form_f14 = true;
+      else error->all(FLERR, "Pair style sph/tm form must be f15 or f14, got {}", arg[iarg + 1]);
+      iarg += 2;
+    } else if (key == "correction") {
+      args(1);
+      set.correction = yes_no(lmp, style + key, arg[iarg + 1]);
+      iarg += 2;
+    } else if (key == "plane") {
+      args(1);
+      if (strcmp(arg[iarg + 1], "stress") == 0) set.plane_stress = true;
+      else if (strcmp(arg[iarg + 1], "strain") == 0) set.plane_stress = false;
+      else error->all(FLERR, "Pair style sph/tm plane must be strain or stress, got {}", arg[iarg + 1]);
+      iarg += 2;
+    } else
+      error->all(FLERR, "Unknown pair style sph/tm keyword {}: known are spacing, viscosity, "
+                        "balsara, artstress, xsph, form, correction, plane", key);
+  }
+  if (set.spacing <= 0.0)
+    error->all(FLERR, "Pair style sph/tm needs the keyword spacing with the particle spacing");
+  if (set.correction && set.form_f14)
+    error->all(FLERR, "Pair style sph/tm correction yes needs form f15");
+  set.h = set.ratio * set.spacing;
+}
+
+void PairSPHTM::coeff(int narg, char **arg)
+{
+  if (set.spacing <= 0.0) error->all(FLERR, "Pair_coeff of sph/tm before pair_style sph/tm");
+  if (!allocated) allocate();
+  if (narg < 3) error->all(FLERR, "Pair sph/tm coeff needs two types and a material or a law");
+  unit = unit_scale(lmp);
+
+  int ilo, ihi, jlo, jhi;
+  utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
+  utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
+
+  static const char *const meetings[] = {"bond", "none", "contact", "heat"};
+  const bool meeting = std::any_of(std::begin(meetings), std::end(meetings),
+                                   [&](const char *m) { return strcmp(arg[2], m) == 0; }) &&
+      !(strcmp(arg[2], "heat") == 0 && ilo == jlo && ihi == jhi && ilo == ihi);
+  if (meeting) {
+    parse_meeting(narg, arg);
+    return;
+  }
+  if (std::max(ilo, jlo) > std::min(ihi, jhi))
+    error->all(FLERR, "Pair sph/tm coeff {0} {1}: a material belongs to one type; write 'pair_coeff {1} {1} ...', "
+                      "and for two types bond, none, heat or contact", arg[0], arg[1]);
+  const tm_material m = read_material(lmp, "Pair sph/tm coeff", narg - 2, arg + 2);
+  int count = 0;
+  for (int i = ilo; i <= ihi; i++)
+    for (int j = std::max(jlo, i); j <= jhi; j++) {
+      setflag[i][j] = 1;
+      count++;
+      if (i != j) continue;
+      material[i] = m;
+      scale_material(material[i], unit);
+      names[i] = material_title(narg - 2, arg + 2);
+      if (!atom->rmass_flag && !atom->mass_setflag[i]) atom->set_mass(FLERR, i, particle_mass(i));
+    }
+  if (count == 0) error->all(FLERR, "Pair sph/tm coeff: no type pair in {} {}", arg[0], arg[1]);
+}
+
+// from density and spacing; in 2D of a plate of unit thickness
+double PairSPHTM::particle_mass(int type) const
+{
+  return material[type].rho0 * pow(set.spacing, domain->dimension);
+}
+
+// how two types meet: bond | none | heat [conductance hc] | contact [friction mu] [penalty PFAC]
+// [damping DFAC] [conductance hc]
+void PairSPHTM::parse_meeting(int narg, char **arg)
+{
+  int ilo, ihi, jlo, jhi;
+  utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
+  utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
+  const std::string what = arg[2];
+  PairLaw law;
+  law.meeting = what == "bond" ? BOND : what == "none" ? NONE : what == "heat" ? HEAT_ONLY : CONTACT;
+  law.contact.friction = 0.0;
+  law.contact.penalty = 1.0;
+  law.contact.damping = 0.2;
+  law.conductance = what == "contact" ? -1.0 : 0.0;    // contact: no heat unless asked
+  for (int iarg = 3; iarg < narg; iarg += 2) {
+    const std::string key = arg[iarg];
+    if (iarg + 1 >= narg)
+      error->all(FLERR, "Pair sph/tm coeff {} keyword {} needs a value", what, key);
+    const char *val = arg[iarg + 1];
+    if (key == "conductance" && (law.meeting == HEAT_ONLY || law.meeting == CONTACT)) {
+      law.conductance = strcmp(val, "perfect") == 0 ? 0.0
+          : positive(lmp, "Pair sph/tm coeff " + what + " conductance", val) * unit.energy;
+    } else if (key == "friction" && law.meeting == CONTACT)
+      law.contact.friction = not_negative(lmp, "Pair sph/tm coeff contact friction", val);
+    else if (key == "penalty" && law.meeting == CONTACT)
+      law.contact.penalty = positive(lmp, "Pair sph/tm coeff contact penalty", val);
+    else if (key == "damping" && law.meeting == CONTACT)
+      law.contact.damping = not_negative(lmp, "Pair sph/tm coeff contact damping", val);
+    else
+      error->all(FLERR, "Unknown pair sph/tm coeff {} keyword {}: known {}", what, key,
+                 law.meeting == CONTACT ? "are friction, penalty, damping and conductance"
+                     : law.meeting == HEAT_ONLY ? "is conductance" : "is none");
+  }
+  int count = 0;
+  for (int i = ilo; i <= ihi; i++)
+    for (int j = jlo; j <= jhi; j++) {
+      if (i == j) continue;
+      set_law(i, j, law);
+      count++;
+    }
+  if (count == 0)
+    error->all(FLERR, "Pair sph/tm coeff {} needs two different types, got {} {}", what, arg[0],
+               arg[1]);
+}
+
+void PairSPHTM::set_law(int i, int j, const PairLaw &law)
+{
+  laws[i * (atom_types + 1) + j] = law;
+  laws[j * (atom_types + 1) + i] = law;
+  setflag[std::min(i, j)][std::max(i, j)] = 1;
+}
+
+// what the script left open: solids are one continuum, a heat body meets all by perfect conduction
+void PairSPHTM::complete_laws()
+{
+  for (int i = 1; i <= atom_types; i++)
+    for (int j = i; j <= atom_types; j++) {
+      PairLaw l = law(i, j);
+      const bool heat_i = material[i].body == TM_BODY_HEAT, heat_j = material[j].body == TM_BODY_HEAT;
+      if (l.meeting == UNSET) l.meeting = (heat_i || heat_j) ? HEAT_ONLY : BOND;
+      if ((heat_i || heat_j) && (l.meeting == BOND || l.meeting == CONTACT))
+        error->all(FLERR, "Pair sph/tm coeff {} {}: a heat body takes no part in mechanics; use "
+                          "'heat' or 'none'", i, j);
+      set_law(i, j, l);
+    }
+  const int n = atom_types + 1;
+  conductance_table.assign((size_t) n * n, 0.0);
+  bool any = false;
+  for (int k = 0; k < n * n; k++) {
+    conductance_table[k] = laws[k].conductance > 0.0 ? laws[k].conductance * lattice.interface : 0.0;
+    any = any || conductance_table[k] > 0.0;
+  }
+  if (!any) conductance_table.clear();
+}
