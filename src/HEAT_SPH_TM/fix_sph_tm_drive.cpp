@@ -142,6 +142,7 @@ double FixSPHTMDrive::compute_scalar() { return compute_vector(3); }
 
 double FixSPHTMDrive::compute_vector(int n)
 {
+  if (!body || !body->pair()) return 0.0;    // before the first run
   double all = 0.0;
   MPI_Allreduce(&sum[n], &all, 1, MPI_DOUBLE, MPI_SUM, world);
   // force and work were summed in the force unit; work wants the energy unit

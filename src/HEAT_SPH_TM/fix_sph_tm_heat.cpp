@@ -282,6 +282,7 @@ double FixSPHTMHeat::compute_scalar() { return compute_vector(0); }
 
 double FixSPHTMHeat::compute_vector(int n)
 {
+  if (!body || !body->pair()) return 0.0;    // before the first run
   const double mine = n == 0 ? power : n == 1 ? energy : area;
   double all = 0.0;
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
