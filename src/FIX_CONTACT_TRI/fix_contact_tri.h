@@ -97,6 +97,7 @@ class FixContactTri : public Fix {
   void report();
   std::string heat_in_words(int type) const;
   void make_laws();
+  void limit_time_step();
   tm_contact_law make_law(int type);
   void check_dimension();
   void check_overlap();

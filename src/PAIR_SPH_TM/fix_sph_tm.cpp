@@ -160,8 +160,10 @@ void FixSPHTM::derive_effects()
                    pair_sph->material_name(t));
   const unsigned before = fx;
   fx = plan.effects;
+  // nothing is dropped before the set-up: a fix whose turn is still to come may ask for what a
+  // restart file has brought
   const unsigned had = fields.mask();
-  fields.enable(fx, atom->nmax);
+  fields.enable_mask(had | ParticleFields::needed(fx), atom->nmax);
   maxexchange = fields.columns();
   // a field that appears now starts from its initial value
   const unsigned fresh = fields.mask() & ~had;
@@ -246,6 +248,8 @@ double FixSPHTM::temperature(int i)
 
 void FixSPHTM::setup_pre_force(int vflag)
 {
+  fields.enable(fx, atom->nmax);
+  maxexchange = fields.columns();
   initialise_particles();
   dt_ahead = 0.0;
   dt = fixed_dt > 0.0 ? fixed_dt : (dt_next > 0.0 ? dt_next : 0.0);
@@ -286,6 +290,8 @@ void FixSPHTM::setup(int)
       utils::logmesg(lmp, "sph/tm: time step {:.6g}, limited by {}; rate loops: {}\n",
                      fixed_dt > 0.0 ? fixed_dt : dt_next, dt_cause_name(), rate_loop_isa());
     }
+  } else {    // a run that goes on keeps its step, unless a tool became stiffer or faster
+    dt_next = std::min({dt_next, dt_limits[TM_DT_CONTACT], dt_limits[TM_DT_MOTION]});
   }
   dt = fixed_dt > 0.0 ? fixed_dt : dt_next;
   apply_dt(dt, update->ntimestep);
@@ -313,6 +319,7 @@ void FixSPHTM::initial_integrate(int)
   started = true;
   dt = fixed_dt > 0.0 ? fixed_dt : dt_next;
   apply_dt(dt, update->ntimestep - 1);    // this step is counted already
+  std::fill(dt_limits, dt_limits + TM_DT_CAUSES, 1e300);    // those of the set-up are in use
   dt_ahead = 0.5 * dt;
   const bool xsph = has(TM_FX_XSPH);
   const double *u = xsph ? fields.data(TM_F_XSPH) : nullptr;

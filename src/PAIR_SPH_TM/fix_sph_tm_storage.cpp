@@ -6,6 +6,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
+#include "update.h"
 
 #include <cstring>
 
@@ -74,6 +75,7 @@ void FixSPHTM::restart(char *buf)
   dt_cause = g.cause;
   dt = g.dt;
   dt_next = g.dt_next;
+  update->update_time();    // the file has the time of an earlier step, which init would take for now
   if (comm->me == 0) memcpy(&ledger, g.book, sizeof(Ledger));
 }
 

@@ -55,12 +55,13 @@ void FixSPHTM::check_fixed_dt()
                       "smaller value", fixed_dt, conduction);
 }
 
-// the steps up to and with step number done had the old size
+// the steps up to and with step number done had the old size; the time is summed step by step, so that
+// a restarted run has the same bits
 void FixSPHTM::apply_dt(double value, bigint done)
 {
-  if (update->dt == value) return;
   update->atime += (done - update->atimestep) * update->dt;
   update->atimestep = done;
+  if (update->dt == value) return;
   update->dt = value;
   update->dt_default = 0;
   if (force->pair) force->pair->reset_dt();

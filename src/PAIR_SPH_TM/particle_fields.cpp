@@ -4,13 +4,18 @@
 
 namespace SPHTM_NS {
 
-unsigned ParticleFields::enable(unsigned effects, int nmax)
+unsigned ParticleFields::needed(unsigned effects)
 {
   unsigned mask = 0;
   for (int id = 0; id < TM_F_COUNT; id++)
     if (!tm_field_table[id].effects || (tm_field_table[id].effects & effects)) mask |= 1u << id;
-  enable_mask(mask, nmax);
   return mask;
+}
+
+unsigned ParticleFields::enable(unsigned effects, int nmax)
+{
+  enable_mask(needed(effects), nmax);
+  return used;
 }
 
 void ParticleFields::enable_mask(unsigned mask, int nmax)

@@ -12,6 +12,7 @@ class ParticleFields {
  public:
   // allocate what the effects call for, free the rest; returns the mask of fields in use
   unsigned enable(unsigned effects, int nmax);
+  static unsigned needed(unsigned effects);    // mask of the fields that effects need
   // allocate exactly the fields of a mask (a restart file's)
   void enable_mask(unsigned mask, int nmax);
   void grow(int nmax);
