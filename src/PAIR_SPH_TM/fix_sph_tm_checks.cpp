@@ -43,6 +43,7 @@ void FixSPHTM::check_inside_box()
 void FixSPHTM::stop_on(int i, const tm_update_result &r)
 {
   const double *x = atom->x[i], *v = atom->v[i];
+  if (!std::isfinite(x[0] + x[1] + x[2])) x = pair_sph->records().main + (size_t) i * TM_REC;    // half a step ago
   const double rho = fields.data(TM_F_RHO)[i], T = temperature(i);
   std::string what, cause;
   switch (r.status) {

@@ -84,6 +84,7 @@ void PairSPHTM::init_style()
       if (comm->me == 0)
         utils::logmesg(lmp, "sph/tm: neighbor skin {:.6g}, a tenth of the reach\n", neighbor->skin);
     }
+  make_room();
   neighbor->add_request(this, NeighConst::REQ_FULL);
 }
 

@@ -120,6 +120,7 @@ class PairSPHTM : public Pair {
   void build_rows();
   void check_volume();
   void check_masses();
+  void make_room();
   void resize_arrays();
   void fill_args();
   void predict();

@@ -5,6 +5,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "neighbor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +45,18 @@ void PairSPHTM::check_volume()
     error->all(FLERR, "Pair style sph/tm spacing {:.8g}: {} particles would need {} of {:.6g}, the box has {:.6g}; "
                       "give the spacing of the particles in the length unit of the run", set.spacing, atom->natoms,
                dim == 3 ? "a volume" : "an area", needed, box);
+}
+
+// room for the neighbors of a body compressed to a third: LAMMPS's own is meant for molecules
+void PairSPHTM::make_room()
+{
+  const double cut = (tm_kernel_support(set.kernel) * set.h + neighbor->skin) / set.spacing;
+  const int need = (int) (3.0 * (domain->dimension == 3 ? 4.0 / 3.0 * TM_PI * cut * cut * cut : TM_PI * cut * cut));
+  if (neighbor->oneatom >= need) return;
+  neighbor->oneatom = need;
+  neighbor->pgsize = std::max(neighbor->pgsize, 10 * need);
+  if (comm->me == 0)
+    utils::logmesg(lmp, "sph/tm: neigh_modify one {} page {}, for the reach of the kernel\n", need, neighbor->pgsize);
 }
 
 // what the set-up tells about spacing and overlaps: the closest mechanical neighbours

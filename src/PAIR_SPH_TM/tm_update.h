@@ -280,8 +280,8 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
         out.dt[TM_DT_CONDUCTION] = tm_heat_time_step(*tm_field_row(s, TM_F_RHO, i), tm_capacity(m, T),
                                                      a->h, k, a->k_max, a->heat_rate);
     }
-    if (!(T - T == 0.0)) out.status = TM_BAD_NAN;
-    else if (!(T > 0.0)) out.status = TM_BAD_TEMPERATURE;
+    if (out.status == TM_OK && !(T - T == 0.0)) out.status = TM_BAD_NAN;
+    else if (out.status == TM_OK && !(T > 0.0)) out.status = TM_BAD_TEMPERATURE;
   }
   return out;
 }

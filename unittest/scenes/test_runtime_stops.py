@@ -1,0 +1,98 @@
+"""What goes wrong during a run stops it: with the particle's tag, its position, the cause, a status that is not 0 and
+restart files that still read."""
+import glob
+import os
+import re
+import sys
+
+from sphtm_scene import Checks, run
+
+BASE = """
+units si
+dimension 2
+boundary f f p
+atom_style atomic
+atom_modify map array
+newton off
+lattice sq 1e-3 origin 0.5 0.5 0
+region box block {box} -0.5e-3 0.5e-3 units box
+create_box 1 box
+region work block 0 8e-3 0 8e-3 INF INF units box
+create_atoms 1 region work
+pair_style sph/tm hyperbolic 1.2 spacing 1e-3
+pair_coeff 1 1 density 2700 elastic 70e9 0.33 strength johnson/cook 428e6 327e6 1.008 0.01 1.31 293 855 1.0 &
+  heat 200 900 0.9
+fix body all sph/tm {fix}
+group one id 30
+thermo 10
+restart 10 state.*.restart
+run 20
+{lines}
+run 80
+"""
+SMALL, LARGE = "-5e-3 13e-3 -5e-3 13e-3", "-1 1 -1 1"
+AGAIN = """
+read_restart state.20.restart
+fix body all sph/tm
+thermo 10
+compute p all sph/tm/atom density temperature
+compute low all reduce min c_p[1] c_p[2]
+thermo_style custom step atoms c_low[1] c_low[2]
+run 20
+"""
+# name, box, words of fix sph/tm, lines before the second run, fragments of the message
+CASES = [
+    ("a force that becomes infinite", LARGE, "", "variable f equal exp(800*(step>25))\nfix push one addforce v_f 0 0",
+     ["particle 30", "not a number", "Likely cause"]),
+    ("a runaway particle", LARGE, "", "fix push one addforce 1e10 0 0",
+     ["particle 30", "velocity", "ten times the speed of sound", "Likely cause"]),
+    ("a velocity set too high", LARGE, "", "velocity one set 1e6 0 0 units box",
+     ["particle 30", "velocity", "ten times the speed of sound"]),
+    # torn apart twice: the second time there is less than what is taken away
+    ("a density below zero", LARGE, "courant 0.8",
+     "label again\nvariable n loop 3\nvariable k equal 0.5/dt\nvariable vx atom v_k*(x-4e-3)\nvariable vy atom v_k*(y-4e-3)\n"
+     "velocity all set v_vx v_vy NULL units box\nrun 1\nvariable bx atom -(x-4e-3)*0.5\nvariable by atom -(y-4e-3)*0.5\n"
+     "displace_atoms all move v_bx v_by 0 units box\nnext n\njump SELF again", ["particle", "density", "not positive", "Likely cause"]),
+    ("a particle that leaves the box", SMALL, "", "group last id 32\nvelocity last set 8000 0 0 units box",
+     ["particle 32", "leaves the box", "x upper boundary", "velocity", "lost ignore"]),
+    ("heat taken out without end", LARGE, "", "fix sink one sph/tm/heat source -1e20",
+     ["particle 30", "temperature", "not positive", "heat sink"]),
+]
+
+
+def stopped(checks, name, box, words, lines, fragments, ranks=1):
+    result = run(BASE.format(box=box, fix=words, lines=lines), expect_error=True, timeout=120, ranks=ranks)
+    errors = result.errors()
+    missing = [f for f in fragments if f not in errors]
+    checks.true(name + ": says what and where", result.status > 0 and not missing and "Loop time" in result.output,
+                "status %d, not said: %s <- %s" % (result.status, ", ".join(missing), errors[:300]) if missing or result.status < 1
+                else "")
+    at = re.search(r"at (-?[\d.e+-]+) (-?[\d.e+-]+) (-?[\d.e+-]+)", errors)
+    checks.true(name + ": position", at and abs(float(at.group(1))) < 1 and abs(float(at.group(2))) < 1, errors[:300] if not at else "")
+    steps = [int(re.search(r"state\.(\d+)\.", f).group(1)) for f in glob.glob(os.path.join(result.folder, "state.*.restart"))]
+    again = run(AGAIN, folder=result.folder, expect_error=True)
+    good = again.status == 0 and again.thermo and again.thermo[-1]["Step"][-1] == 40 and again.thermo[-1]["Atoms"][-1] == 64
+    checks.true(name + ": an earlier restart file goes on", 20 in steps and good, "" if good else again.output[-300:])
+
+
+checks = Checks()
+wanted = sys.argv[1:]
+for case in CASES:
+    if not wanted or any(w in case[0] for w in wanted):
+        stopped(checks, *case)
+if not wanted:
+    stopped(checks, "on two ranks, a runaway particle", *CASES[1][1:], ranks=2)
+
+    # who asks for it may lose particles; all others go on
+    result = run(BASE.format(box=SMALL, fix="lost ignore", lines=CASES[4][3] + "\nthermo_modify lost ignore"))
+    checks.near("lost ignore: one particle is gone", result.thermo[-1]["Atoms"][-1] if "Atoms" in result.thermo[-1] else
+                float(re.findall(r"with (\d+) atoms", result.output)[-1]), 63)
+
+    # a neighbour list that LAMMPS's defaults do not hold
+    dense = BASE.replace("lattice sq 1e-3", "lattice sq 0.05e-3").replace("0 8e-3 0 8e-3", "0 3e-3 0 3e-3")
+    result = run(dense.format(box=LARGE, fix="", lines=""), expect_error=True)
+    checks.true("a neighbour list that overflows", result.status > 0 and "neigh_modify one" in result.errors(), result.errors()[:200])
+    few = BASE.format(box=LARGE, fix="", lines="").replace("thermo 10", "thermo 10\nneigh_modify one 5 page 100", 1)
+    result = run(few, expect_error=True)
+    checks.true("room for too few neighbours", result.status == 0 and "neigh_modify one" in result.output, result.errors()[:200])
+checks.end()
