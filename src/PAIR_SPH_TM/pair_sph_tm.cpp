@@ -96,66 +96,6 @@ double PairSPHTM::init_one(int i, int j)
   return tm_kernel_support(set.kernel) * set.h;
 }
 
-/* ----------------------------------------------------------------------
-   rows: mechanical neighbours, heat-only ones, contact candidates; each
-   segment sorted by tag, so that sums do not depend on the order in memory
-------------------------------------------------------------------------- */
-
-void PairSPHTM::build_rows()
-{
-  const int nlocal = atom->nlocal, *type = atom->type;
-  const tagint *tag = atom->tag;
-  const bool heat_on = fix->has(TM_FX_CONDUCTION);
-  const int n1 = atom_types + 1;
-  row_first.resize(nlocal + 1);
-  row_mechanical.resize(nlocal + 1);
-  row_thermal.resize(nlocal + 1);
-  row_contact.resize(nlocal + 1);
-  row_index.clear();
-
-  struct Entry {
-    tagint tag;
-    int j;
-  };
-  std::vector<Entry> part[3];
-  auto by_tag = [](const Entry &a, const Entry &b) {
-    return a.tag != b.tag ? a.tag < b.tag : a.j < b.j;
-  };
-  std::vector<int> order(nlocal, -1);
-  for (int ii = 0; ii < list->inum; ii++) order[list->ilist[ii]] = ii;
-
-  double **x = atom->x;
-  const double cut = tm_kernel_support(set.kernel) * set.h + neighbor->skin;
-  const double cut2 = cut * cut;
-  for (int i = 0; i < nlocal; i++) {
-    for (auto &p : part) p.clear();
-    row_first[i] = (ptrdiff_t) row_index.size();
-    if (order[i] >= 0) {
-      const int *jlist = list->firstneigh[i], jnum = list->numneigh[i];
-      for (int jj = 0; jj < jnum; jj++) {
-        const int j = jlist[jj] & NEIGHMASK;
-        const double dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], dz = x[i][2] - x[j][2];
-        if (dx * dx + dy * dy + dz * dz > cut2) continue;
-        const PairLaw &l = laws[type[i] * n1 + type[j]];
-        const bool conducts = heat_on &&
-            (l.meeting == HEAT_ONLY || (l.meeting == CONTACT && l.conductance >= 0.0));
-        // a contact pair that also conducts stands in both segments
-        if (l.meeting == BOND && material[type[i]].body == TM_BODY_SOLID)
-          part[0].push_back({tag[j], j});
-        if (conducts) part[1].push_back({tag[j], j});
-        if (l.meeting == CONTACT) part[2].push_back({tag[j], j});
-      }
-    }
-    for (auto &p : part) {
-      std::sort(p.begin(), p.end(), by_tag);
-      for (const auto &e : p) row_index.push_back(e.j);
-    }
-    row_mechanical[i] = (int) part[0].size();
-    row_thermal[i] = (int) part[1].size();
-    row_contact[i] = (int) part[2].size();
-  }
-}
-
 void PairSPHTM::resize_arrays()
 {
   const size_t all = (size_t) atom->nlocal + atom->nghost + 1, own = (size_t) atom->nlocal + 1;
@@ -197,6 +137,7 @@ void PairSPHTM::fill_args()
   const double reach = tm_kernel_support(set.kernel) * set.h;
   args.reach2 = reach * reach;
   args.norm = tm_kernel_norm(set.kernel, domain->dimension, set.h);
+  args.slope_norm = args.norm / (set.h * lattice.gradient);
   args.visc_alpha = set.visc_alpha;
   args.visc_beta = set.visc_beta;
   args.art_n = set.art_n;
@@ -225,7 +166,6 @@ void PairSPHTM::predict()
   a.dt_ahead = fix->time_ahead();
   a.art_eps = set.art_eps;
   a.art_component = set.art_component;
-  a.conduct = 1.0 / lattice.gradient;
   predict_loop()(atom->nlocal, &a, fix->effects());
 }
 

@@ -117,6 +117,7 @@ class PairSPHTM : public Pair {
   unsigned loop_effects = ~0u;
 
   void allocate();
+  std::vector<unsigned char> segments_of_types() const;
   void build_rows();
   void check_volume();
   void check_masses();

@@ -29,7 +29,7 @@ run 0 post no
 """
 
 DX = 1e-3
-STEEL = ("density 7850 elastic 200e9 0.29 strength johnson/cook 350e6 275e6 0.36 0.022 1.0 1.0 293 1793 "
+STEEL = ("density 7850 elastic 200e9 0.29 strength johnson/cook 350e6 275e6 0.36 0.022 1.0 293 1793 1.0 "
          "heat 40 480 0.9")
 PLASTIC = "density 2700 elastic 70e9 0.33 strength plastic 100e6 1e9"
 CASES = {
@@ -59,7 +59,8 @@ def run_case(case, ranks=1, grid="* * 1", skin="3e-4", sort="1000 0.0", isa=None
     script = SCRIPT.format(grid=grid, skin=skin, sort=sort, bz="f" if c["dim"] == 3 else "p",
                            values="density pressure vonmises stress/xx stress/xy pstrain" +
                                   (" temperature" if "heat" in c["material"] else ""), **c)
-    return run(script, ranks=ranks, files={"data.bars": bars(c["dim"])}, environment={"SPHTM_ISA": isa} if isa else None)
+    return run(script, ranks=ranks, files={"data.bars": bars(c["dim"])},
+               environment={"SPHTM_ISA": isa} if isa else None)
 
 
 def state(result):
