@@ -230,7 +230,7 @@ void PairSPHTM::complete_laws()
   conductance_table.assign((size_t) n * n, 0.0);
   bool any = false;
   for (int k = 0; k < n * n; k++) {
-    conductance_table[k] = laws[k].conductance > 0.0 ? laws[k].conductance * lattice.interface : 0.0;
+    conductance_table[k] = laws[k].conductance > 0.0 ? laws[k].conductance * lattice.interface * lattice.gradient : 0.0;
     any = any || conductance_table[k] > 0.0;
   }
   if (!any) conductance_table.clear();

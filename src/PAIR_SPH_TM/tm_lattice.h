@@ -1,14 +1,16 @@
 /* SPH-TM: what the pair sums make of simple fields on the regular (square, cubic) lattice.
 
    A particle's own volume, the core of the kernel, adds nothing to a sum over gradW. What is missing
-   vanishes with spacing/h, not with the spacing: with the hyperbolic kernel and h = 1.2 spacings a
-   linear profile conducts 5.5 % (2D) and 3.8 % (3D) too little however fine the lattice. The sums
-   here say by how much, and heat is scaled with them. A lattice that deforms keeps the missing core,
-   so the factors stay right on the average.
+   vanishes with spacing/h, not with the spacing: with the hyperbolic kernel and h = 1.2 spacings the
+   gradient of a linear field comes out 5.5 % (2D) and 3.8 % (3D) too small however fine the lattice,
+   and so do strain rates, forces (elastic stiffness: the square) and conduction. All sums over gradW
+   are therefore divided by G, by one constant for all pairs: momentum and energy stay as exact as
+   without. A lattice that deforms keeps the missing core, so the factor stays right on the average.
 
-     gradient   G = sum_j V |W'|/r x^2, 1 in the continuum. F15 (6) conducts G k, and the surface
-                normals n = sum_j V gradW of the layers below a flat face add up to G/2
-     interface  a plane between two layers conducts hc when every pair across it gets hc * interface;
+     gradient   G = sum_j V |W'|/r x^2, 1 in the continuum. With plain gradW F15 (6) conducts G k, and
+                the surface normals sum_j V gradW of the layers below a flat face add up to G/2
+     interface  a plane between two layers conducts hc when every pair across it gets hc * interface
+                (with gradW divided by G: hc * interface * G);
                 2/3 (3D), pi/4 (2D) in the continuum, see tm_interface_conductance. Exact where the
                 interface resists more than a particle does, within 4 % for hc dp/k up to 3
      heat_rate  fastest decay of a plane wave by F15 (6), divided by G, in units of k/(rho c_p h^2)

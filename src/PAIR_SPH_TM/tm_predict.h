@@ -18,7 +18,6 @@ typedef struct {
   tm_real dt_ahead;      /* time from the state to the force point: dt/2, or 0 at set-up */
   tm_real art_eps;       /* artificial stress epsilon, 0..1 */
   int art_component;     /* nonzero: F14 (18) per component instead of principal axes */
-  tm_real conduct;       /* conductivity in the record over k(T): 1/gradient of tm_lattice.h */
 } tm_predict_args;
 
 /* Velocity of particle i at the force point. */
@@ -82,7 +81,7 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
     const tm_real T = t[0] + c1 * t[1] + c2 * t[2];
     tm_real *rt = a->rec.heat + (ptrdiff_t) i * TM_REC_HEAT;
     rt[TM_REC_T] = T;
-    rt[TM_REC_K] = a->conduct * tm_conductivity(m, T);
+    rt[TM_REC_K] = tm_conductivity(m, T);
   }
   if (effects & TM_FX_CORRECTION) {
     const tm_real *K = tm_field_row(s, TM_F_CORRECTION, i);

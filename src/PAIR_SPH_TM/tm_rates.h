@@ -47,6 +47,7 @@ typedef struct {
   tm_real h;               /* smoothing length */
   tm_real reach2;          /* (support * h)^2 */
   tm_real norm;            /* kernel constant, 1/h^dim included */
+  tm_real slope_norm;      /* of its slope: norm/h over the lattice's gradient, see tm_lattice.h */
   tm_real visc_alpha, visc_beta;
   int art_n;               /* exponent of the artificial stress */
   tm_real art_inv_w;       /* 1 / shape(dp/h) */
@@ -154,7 +155,7 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
     czx = c[6]; czy = c[7]; czz = c[8];
   }
 
-  const tm_real inv_h = 1.0 / a->h, slope_norm = a->norm * inv_h, norm = a->norm;
+  const tm_real inv_h = 1.0 / a->h, slope_norm = a->slope_norm, norm = a->norm;
   const tm_real alpha = a->visc_alpha, beta = a->visc_beta, h = a->h, inv_w = a->art_inv_w;
   const int art_n = a->art_n;
 

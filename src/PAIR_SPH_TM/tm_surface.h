@@ -23,9 +23,10 @@ typedef struct {
 TM_FN tm_surface tm_surface_make(int kernel, int dim, tm_real spacing, tm_real h, tm_real threshold)
 {
   const tm_real ratio = h / spacing, least = threshold * tm_lattice_face_normal(kernel, dim, ratio);
+  const tm_real gradient = tm_lattice_sums(kernel, dim, ratio).gradient;
   tm_surface s;
-  s.least = 0.5 * least / spacing;
-  s.scale = 2.0 / tm_lattice_face_sum(kernel, dim, ratio, least);
+  s.least = 0.5 * least / (spacing * gradient);
+  s.scale = 2.0 * gradient / tm_lattice_face_sum(kernel, dim, ratio, least);
   return s;
 }
 

@@ -25,7 +25,7 @@ TM_FN void tm_thermal(int i, const tm_rates_args *a, unsigned effects)
     const tm_real r2 = dx * dx + dy * dy + dz * dz;
     if (r2 >= a->reach2) continue;
     const tm_real r = sqrt(r2);
-    const tm_real g = a->norm / a->h * tm_kernel_slope(kernel, r / a->h) / r;
+    const tm_real g = a->slope_norm * tm_kernel_slope(kernel, r / a->h) / r;
     const tm_real vol = rj[TM_REC_M] / rj[TM_REC_RHO];
     n = tm_vec_axpy(n, vol * g, tm_vec(dx, dy, dz));
     const tm_real hc =

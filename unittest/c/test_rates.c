@@ -114,6 +114,7 @@ static void set_args(int kernel, double h, unsigned fx)
   args.h = h;
   args.reach2 = tm_kernel_support(kernel) * h * tm_kernel_support(kernel) * h;
   args.norm = tm_kernel_norm(kernel, c.dim, h);
+  args.slope_norm = 0.97 * args.norm / h;
   args.visc_alpha = 0.7;
   args.visc_beta = 1.3;
   args.art_n = 3;
@@ -177,7 +178,7 @@ static void reference(int kernel, double h, unsigned fx)
       const double *b = rec(j), r2 = distance2(i, j), r = sqrt(r2), q = r / h;
       if (r >= reach) continue;
       const double mj = b[TM_REC_M], rhoi = a[TM_REC_RHO], rhoj = b[TM_REC_RHO];
-      const double W = norm * tm_kernel_shape(kernel, q), dW = norm / h * tm_kernel_slope(kernel, q);
+      const double W = norm * tm_kernel_shape(kernel, q), dW = 0.97 * norm / h * tm_kernel_slope(kernel, q);
       long double d[3], v[3], g[3], acc[3] = {0}, extra[3] = {0}, vx = 0;
       for (int k = 0; k < 3; k++) {
         d[k] = a[k] - b[k];

@@ -261,7 +261,8 @@ class Body:
         np.fill_diagonal(r, 1e30)
         constant = CONSTANT[self.kernel][dim - 2] / self.h ** dim
         shape, slope = kernel(self.kernel, r / self.h)
-        W, dW = constant * shape, constant * slope / self.h
+        gradient, across = lattice_sums(self.kernel, dim, self.h / self.spacing)
+        W, dW = constant * shape, constant * slope / (self.h * gradient)
         grad = (dW / r)[..., None] * d                          # gradient of W with respect to x_i
         same, heat_pair = np.ones((n, n), bool), np.ones((n, n), bool)
         touch = np.zeros((n, n), bool)
@@ -328,9 +329,8 @@ class Body:
         out["heating"] = -0.5 * m * np.einsum("j,ija,ija->i", m, art, vij)
 
         if self.heat:    # F15 (6), a power per volume; a finite conductance is a resistance in series
-            gradient, across = lattice_sums(self.kernel, dim, self.h / self.spacing)
-            k = np.array([mt.conductivity(T) for mt, T in zip(self.mat, q["T"])]) / gradient
-            hc = hc / across
+            k = np.array([mt.conductivity(T) for mt, T in zip(self.mat, q["T"])])
+            hc = hc * gradient / across
             with np.errstate(divide="ignore"):
                 conduct = 1 / (1 / (2 * k[:, None]) + 1 / (2 * k[None]) + 1 / (hc * r))
             out["heat"] = np.einsum("j,ij->i", m / rho,
