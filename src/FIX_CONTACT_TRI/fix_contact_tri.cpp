@@ -112,15 +112,6 @@ void FixContactTri::init()
   } else {
     make_laws();
   }
-  limit_time_step();    // the first step of the run knows the tool
-}
-
-void FixContactTri::limit_time_step()
-{
-  state->limit_dt(dt_limit, TM_DT_CONTACT);
-  // no point of the tool moves by more than a fifth of a spacing in a step
-  const double speed = motion.top_speed(tool.mesh().lo, tool.mesh().hi);
-  if (speed > 0.0) state->limit_dt(0.2 * pair->settings_in_use().spacing / speed, TM_DT_MOTION);
 }
 
 // friction heat of a type in words
@@ -334,7 +325,10 @@ void FixContactTri::post_force(int)
                    id, sums.inner / args.deep);
   }
   state->contact_spring += sums.spring;
-  limit_time_step();
+  state->limit_dt(dt_limit, TM_DT_CONTACT);
+  // no point of the tool moves by more than a fifth of a spacing in a step
+  const double speed = motion.top_speed(tool.mesh().lo, tool.mesh().hi);
+  if (speed > 0.0) state->limit_dt(0.2 * pair->settings_in_use().spacing / speed, TM_DT_MOTION);
 }
 
 // the energy book of the state fix, in its units
@@ -371,78 +365,4 @@ void FixContactTri::update_temperature()
   double heat;
   MPI_Allreduce(&sums.heat_tool, &heat, 1, MPI_DOUBLE, MPI_SUM, world);
   temperature += state->step_dt() * heat / (request.lumped_capacity * pair->units().energy);
-}
-
-/* ---------------------------------------------------------------------- values */
-
-void FixContactTri::sum_up()
-{
-  if (totals_step == update->ntimestep) return;
-  totals_step = update->ntimestep;
-  const double force = 1.0 / pair->units().force, power = 1.0 / pair->units().energy;
-  const double mine[10] = {force * sums.force.x,        force * sums.force.y,
-                           force * sums.force.z,        force * sums.torque.x,
-                           force * sums.torque.y,       force * sums.torque.z,
-                           power * sums.friction_power, power * sums.heat_tool,
-                           (double) sums.contacts,      0.0};
-  double all[10], depth;
-  MPI_Allreduce(mine, all, 10, MPI_DOUBLE, MPI_SUM, world);
-  MPI_Allreduce(&sums.depth, &depth, 1, MPI_DOUBLE, MPI_MAX, world);
-  std::copy_n(all, 6, totals);
-  std::copy_n(all + 6, 3, totals + 9);
-  totals[12] = depth / pair->settings_in_use().spacing;
-}
-
-double FixContactTri::compute_vector(int n)
-{
-  if (n >= 6 && n < 9) {
-    const tm_pose p = pose_now();
-    const tm_vec3 r = tm_pose_to_world(&p, reference_local);
-    return n == 6 ? r.x : n == 7 ? r.y : r.z;
-  }
-  sum_up();
-  return totals[n];
-}
-
-double FixContactTri::compute_scalar()
-{
-  return temperature;
-}
-
-void FixContactTri::tool_force(double *force)
-{
-  sum_up();
-  std::copy_n(totals, 3, force);
-}
-
-/* ---------------------------------------------------------------------- restart */
-
-void FixContactTri::write_restart(FILE *fp)
-{
-  if (comm->me) return;
-  std::vector<double> v = {1.0, clock, temperature};
-  const std::vector<double> m = motion.pack();
-  v.insert(v.end(), m.begin(), m.end());
-  const int size = v.size() * sizeof(double);
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(v.data(), sizeof(double), v.size(), fp);
-}
-
-void FixContactTri::restart(char *buf)
-{
-  double v[3 + ToolMotion::PACKED];
-  memcpy(v, buf, sizeof(v));
-  if (v[0] != 1.0)
-    error->all(FLERR, "Fix contact/tri {}: restart data of version {:.0f}, 1 expected", id, v[0]);
-  clock = v[1];
-  temperature = v[2];
-  temperature_given = true;
-  motion.unpack(v + 3);
-  restored = true;
-}
-
-double FixContactTri::memory_usage()
-{
-  const size_t own = tool_heat.capacity() + tri_force.capacity() + tri_heat.capacity();
-  return tool.bytes() + sizeof(double) * (double) own;
 }
