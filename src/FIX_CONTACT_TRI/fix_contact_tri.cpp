@@ -112,6 +112,15 @@ void FixContactTri::init()
   } else {
     make_laws();
   }
+  limit_time_step();    // the first step of the run knows the tool
+}
+
+void FixContactTri::limit_time_step()
+{
+  state->limit_dt(dt_limit, TM_DT_CONTACT);
+  // no point of the tool moves by more than a fifth of a spacing in a step
+  const double speed = motion.top_speed(tool.mesh().lo, tool.mesh().hi);
+  if (speed > 0.0) state->limit_dt(0.2 * pair->settings_in_use().spacing / speed, TM_DT_MOTION);
 }
 
 // friction heat of a type in words
@@ -325,10 +334,7 @@ void FixContactTri::post_force(int)
                    id, sums.inner / args.deep);
   }
   state->contact_spring += sums.spring;
-  state->limit_dt(dt_limit, TM_DT_CONTACT);
-  // no point of the tool moves by more than a fifth of a spacing in a step
-  const double speed = motion.top_speed(tool.mesh().lo, tool.mesh().hi);
-  if (speed > 0.0) state->limit_dt(0.2 * pair->settings_in_use().spacing / speed, TM_DT_MOTION);
+  limit_time_step();
 }
 
 // the energy book of the state fix, in its units
