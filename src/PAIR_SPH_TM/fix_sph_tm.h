@@ -104,7 +104,7 @@ class FixSPHTM : public Fix {
   std::vector<Preset> preset;      // temperatures of groups, applied at the next set-up
   double temperature0 = 293.15;
   bool temperature_given = false;
-  double courant = 0.4;      // of h/c; 0.7 is the limit measured without viscosity
+  double courant = 0.4;      // of h/c; without viscosity 0.6 is stable, 0.7 is not
   double fixed_dt = 0.0;           // > 0: the user's constant time step
   double dt_max = 0.0;             // 0: no limit
   bool stop_on_lost = true;        // a particle beyond a fixed boundary stops the run
