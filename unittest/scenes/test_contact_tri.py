@@ -231,27 +231,28 @@ def slope(c):
 
 
 def restart(c):
-    """A run split by a restart file goes on bit for bit, motion and temperature included (constant step)."""
+    """A run split by a restart file goes on bit for bit, motion and temperature included."""
     folder = new_folder()
     make_tool(folder, "block", "--size", 4, 4, 4)
     tool = ("fix tool all contact/tri file tool.stl scale 1e-3 move 8.01e-3 3e-3 3e-3 friction 0.3 lumped 1e-4 480 350 "
             "heat conductance 1e5\nfix_modify tool move linear -30 0 0 ramp 1e-5")
     show = ("thermo_style custom step f_tool f_tool[1] f_tool[2] f_tool[7] f_tool[11] f_body\nthermo_modify format "
-            "float %.17g\nthermo 100\n")
+            "float %.17g\nthermo 20\n")
     scene = block("%(tool)s\n%(show)srestart 200 cut.*.rst\nrun 400\n", tool=tool, show=show)
-    whole = run(scene.replace("energy yes", "energy yes dt 3e-8"), folder=folder)
+    whole = run(scene, folder=folder)
     again = run("""read_restart cut.200.rst
 newton off
 pair_style sph/tm hyperbolic 1.2 spacing 1e-3
 pair_coeff * * %s
-fix body all sph/tm temperature 300 energy yes dt 3e-8
+fix body all sph/tm temperature 300 energy yes
 %s
 %srun 200
 """ % (STEEL, tool, show), folder=folder)
     a, b = whole.thermo[-1], again.thermo[-1]
-    c.above("restart: there is contact before the file is written", abs(a["f_tool[1]"][2]), 1.0)
+    c.above("restart: there is contact before the file is written", np.abs(a["f_tool[1]"][:10]).max(), 1.0)
+    c.above("restart: and after it", np.abs(a["f_tool[1]"][11:]).max(), 1.0)
     for name in ("f_tool", "f_tool[1]", "f_tool[2]", "f_tool[7]", "f_tool[11]"):
-        c.near("restart: " + name, b[name][-1], a[name][-1])
+        c.near("restart: " + name, np.abs(b[name][1:] - a[name][11:]).max(), 0)
 
 
 def heat(c):
