@@ -6,6 +6,7 @@
 #include "lammps.h"
 #include "lammpsplugin.h"
 
+#include <list>
 #include <string>
 
 namespace SPHTM_NS {
@@ -68,7 +69,9 @@ class Registry {
  private:
   void refuse_kokkos(const char *style, const char *name)
   {
-    if (without_kokkos_) add(style, (std::string(name) + "/kk").c_str(), "not without Kokkos");
+    static std::list<std::string> names;    // LAMMPS keeps the pointer
+    names.push_back(std::string(name) + "/kk");
+    if (without_kokkos_) add(style, names.back().c_str(), "not without Kokkos");
   }
   void add(const char *style, const char *name, const char *info)
   {

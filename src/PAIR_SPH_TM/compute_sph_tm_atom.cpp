@@ -79,7 +79,7 @@ const Attribute ATTRIBUTES[] = {
     {"surface/area",
      [](const Particle &p) {
        const auto &n = p.pair->surfaces();
-       if (n.empty()) return 0.0;
+       if (n.size() < 3 * ((size_t) p.i + 1)) return 0.0;    // made since the last run
        const double *g = &n[3 * (size_t) p.i];
        const double *r = p.pair->records().main + (size_t) p.i * TM_REC;
        return tm_surface_area(&p.pair->surface_measure(), tm_vec(g[0], g[1], g[2]), r[TM_REC_M] / r[TM_REC_RHO]);
@@ -113,6 +113,14 @@ ComputeSPHTMAtom::~ComputeSPHTMAtom()
 
 void ComputeSPHTMAtom::init()
 {
+  find_fix();
+  for (int k : wanted)
+    if (strcmp(ATTRIBUTES[k].name, "surface/area") == 0)
+      fix->need(TM_FX_SURFACE, fmt::format("compute {} shows surface/area", id));
+}
+
+void ComputeSPHTMAtom::find_fix()
+{
   auto fixes = modify->get_fix_by_style("^sph/tm$");
   if (fixes.empty()) error->all(FLERR, "Compute sph/tm/atom needs a fix sph/tm; write 'fix body all sph/tm'");
   fix = dynamic_cast<FixSPHTM *>(fixes[0]);
@@ -121,6 +129,8 @@ void ComputeSPHTMAtom::init()
 void ComputeSPHTMAtom::compute_peratom()
 {
   invoked_peratom = update->ntimestep;
+  find_fix();    // it may have gone since the last run
+  if (!fix->pair()) error->all(FLERR, "Compute sph/tm/atom {}: fix sph/tm has no state before a run; use 'run 0'", id);
   const int columns = (int) wanted.size();
   if (atom->nmax > nmax) {
     nmax = atom->nmax;

@@ -22,6 +22,8 @@ class ComputeSPHTMAtom : public Compute {
   class FixSPHTM *fix = nullptr;
   std::vector<int> wanted;    // index into the table of attributes
   int nmax = 0;
+
+  void find_fix();
 };
 
 }    // namespace LAMMPS_NS

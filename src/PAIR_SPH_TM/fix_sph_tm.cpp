@@ -259,6 +259,7 @@ void FixSPHTM::setup_pre_force(int vflag)
 
 void FixSPHTM::setup(int)
 {
+  energy_step = -1;    // velocities and particles may have changed since the last run
   const double to_acc = pair_sph->units().force;
   double limits[3] = {1e300, 1e300, 1e300};
   const double h = pair_sph->settings_in_use().h;

@@ -13,7 +13,7 @@ using namespace LAMMPS_NS;
 
 void FixSPHTM::sum_energies()
 {
-  if (energy_step == update->ntimestep) return;
+  if (energy_step == update->ntimestep && update->whichflag) return;
   energy_step = update->ntimestep;
   const tm_state s = state();
   double kinetic = 0.0, neighbors = 0.0;

@@ -49,8 +49,9 @@ void PairSPHTM::init_style()
 {
   for (int i = 1; i <= atom->ntypes; i++)
     if (material[i].rho0 <= 0.0)
-      error->all(FLERR, "Pair sph/tm: no material for atom type {}; write 'pair_coeff {} {} "
-                        "<file> <card>' or the constants inline", i, i, i);
+      error->all(FLERR, "Pair sph/tm: no material for atom type {0}; write 'pair_coeff {0} {0} {1}"
+                        "<file> <card>' or the constants inline", i,
+                 force->pair == this ? "" : "sph/tm ");
   unit = unit_scale(lmp);
   lattice = tm_lattice_sums(set.kernel, domain->dimension, set.ratio);
   surface_scale = tm_surface_make(set.kernel, domain->dimension, set.spacing, set.h, TM_SURFACE_THRESHOLD);
