@@ -205,10 +205,6 @@ void FixSPHTM::initialise_fields(int i, unsigned mask)
     row[0] = temperature0;
     row[1] = row[2] = 0.0;
   }
-  if (mask & (1u << TM_F_CORRECTION)) {
-    double *K = fields.data(TM_F_CORRECTION) + 9 * (size_t) i;
-    for (int k = 0; k < 9; k++) K[k] = k % 4 == 0 ? 1.0 : 0.0;
-  }
   if (mask & (1u << TM_F_BALSARA)) fields.data(TM_F_BALSARA)[i] = 1.0;
   if (mask & (1u << TM_F_THICKNESS)) fields.data(TM_F_THICKNESS)[i] = 1.0;
   if (mask & (1u << TM_F_RHO)) fields.data(TM_F_RHO)[i] = pair_sph->materials()[t].rho0;
@@ -269,7 +265,7 @@ void FixSPHTM::setup(int)
     if (!started) seed_history(i, to_acc);
     if (m.body == TM_BODY_SOLID) {
       const double c = pair_sph->records().main[(size_t) i * TM_REC + TM_REC_C];
-      limits[0] = std::min(limits[0], h / (c * (1.0 + 0.6 * pair_sph->settings_in_use().visc_alpha)));
+      limits[0] = std::min(limits[0], tm_sound_time_step(h, c, pair_sph->settings_in_use().visc_alpha, fx));
       const double a = to_acc / tm_particle_mass(&s, i) *
           sqrt(atom->f[i][0] * atom->f[i][0] + atom->f[i][1] * atom->f[i][1] + atom->f[i][2] * atom->f[i][2]);
       if (a > 0.0 && (atom->mask[i] & groupbit)) limits[1] = std::min(limits[1], sqrt(h / a));
@@ -351,7 +347,6 @@ tm_update_args FixSPHTM::update_args()
   a.rec = pair_sph->records();
   a.gradient = ptr(pair_sph->gradients());
   a.heat = ptr(pair_sph->conduction());
-  a.moment = ptr(pair_sph->moments());
   a.xsph_v = ptr(pair_sph->xsph_velocities());
   a.artificial = ptr(pair_sph->artificial_heating());
   a.force_internal = ptr(pair_sph->internal_forces());
@@ -365,7 +360,6 @@ tm_update_args FixSPHTM::update_args()
   a.temperature = temperature0;
   a.heat_rate = pair_sph->lattice_sums().heat_rate;
   a.k_max = pair_sph->largest_conductivity();
-  a.min_det = 0.1;
   return a;
 }
 

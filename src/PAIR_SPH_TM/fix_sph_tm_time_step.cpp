@@ -32,8 +32,8 @@ void FixSPHTM::setup_dt()
   for (int t = 1; t <= atom->ntypes; t++) {
     const tm_material &m = pair_sph->materials()[t];
     if (m.body != TM_BODY_SOLID) continue;
-    limit = std::min(limit, h / tm_eos_sound_speed(&m, m.rho0, 0.0) /
-                         (1.0 + 0.6 * pair_sph->settings_in_use().visc_alpha));
+    limit = std::min(limit, tm_sound_time_step(h, tm_eos_sound_speed(&m, m.rho0, 0.0),
+                                               pair_sph->settings_in_use().visc_alpha, fx));
   }
   dt = limit < 1e300 ? courant * limit : update->dt;
   if (dt_max > 0.0) dt = std::min(dt, dt_max);
@@ -44,11 +44,9 @@ void FixSPHTM::check_fixed_dt()
 {
   double all[TM_DT_CAUSES];
   MPI_Allreduce(dt_limits, all, TM_DT_CAUSES, MPI_DOUBLE, MPI_MIN, world);
-  // 1.0 in units of h/c is the stability limit found for the half-step prediction; that of
-  // conduction is 4/3 of the automatic step, see tm_heat_time_step
-  // a lattice of random velocities without viscosity: 0.6 h/c stays bounded, 0.7 does not
-  const double alpha = pair_sph->settings_in_use().visc_alpha;
-  const double sound = all[TM_DT_SOUND] * std::min(1.0, 0.65 * (1.0 + 0.6 * alpha));
+  // a lattice of random velocities without viscosity: 0.6 h/c stays bounded, 0.7 does not; the limit
+  // of conduction is 4/3 of the automatic step, see tm_heat_time_step
+  const double sound = 0.65 * all[TM_DT_SOUND];
   if (fixed_dt > sound)
     error->all(FLERR, "Fix sph/tm dt {:.6g} is not stable: the sound speed allows {:.6g}; use 'dt auto' or a "
                       "smaller value", fixed_dt, sound);

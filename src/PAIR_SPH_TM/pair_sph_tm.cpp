@@ -32,7 +32,7 @@ PairSPHTM::PairSPHTM(LAMMPS *lmp) : Pair(lmp)
   no_virial_fdotr_compute = 1;
   centroidstressflag = CENTROID_NOTAVAIL;
   // the most a record can hold: Comm::init() sizes its buffers by it, before the effects are known
-  comm_forward = TM_REC - 3 + TM_REC_STRESS + TM_REC_HEAT + TM_REC_CORRECTION;
+  comm_forward = TM_REC - 3 + TM_REC_STRESS + TM_REC_HEAT;
 }
 
 PairSPHTM::~PairSPHTM()
@@ -112,7 +112,7 @@ void PairSPHTM::resize_arrays()
   fit(rec_correction, fix->has(TM_FX_CORRECTION), all * TM_REC_CORRECTION);
   fit(gradient, true, own * 9);
   fit(heat, fix->has(TM_FX_CONDUCTION), own);
-  fit(moment, fix->has(TM_FX_CORRECTION), own * 9);
+  fit(correction, fix->has(TM_FX_CORRECTION), own * 6);
   fit(xsph_v, fix->has(TM_FX_XSPH), own * 3);
   fit(surface, fix->has(TM_FX_SURFACE), own * 3);
   fit(artificial, fix->has(TM_FX_LEDGER) || fix->has(TM_FX_ENERGY), own);
@@ -151,7 +151,7 @@ void PairSPHTM::fill_args()
   args.force = atom->nlocal ? &atom->f[0][0] : nullptr;
   args.gradient = gradient.data();
   args.heat = ptr(heat);
-  args.moment = ptr(moment);
+  args.correction = ptr(correction);
   args.xsph_v = ptr(xsph_v);
   args.surface = ptr(surface);
   args.artificial = ptr(artificial);
@@ -172,12 +172,20 @@ void PairSPHTM::predict()
 
 void PairSPHTM::forward_records()
 {
-  const int width = TM_REC - 3 + (rec.stress ? TM_REC_STRESS : 0) + (rec.heat ? TM_REC_HEAT : 0) +
-      (rec.correction ? TM_REC_CORRECTION : 0);
+  const int width = TM_REC - 3 + (rec.stress ? TM_REC_STRESS : 0) + (rec.heat ? TM_REC_HEAT : 0);
   comm->forward_comm(this, width);
   double **x = atom->x;
   for (int i = atom->nlocal; i < atom->nlocal + atom->nghost; i++)
     std::copy_n(x[i], 3, rec.main + (size_t) i * TM_REC);
+}
+
+// needs the positions of all neighbours; what it makes of the stress, the ghosts need
+void PairSPHTM::correct_gradients()
+{
+  if (atom->nlocal) moment_loop(fix->effects())(atom->nlocal, &args);
+  forward_correction = true;
+  comm->forward_comm(this, TM_REC_CORRECTION);
+  forward_correction = false;
 }
 
 int PairSPHTM::pack_forward_comm(int n, int *sendlist, double *buf, int, int *)
@@ -189,10 +197,13 @@ int PairSPHTM::pack_forward_comm(int n, int *sendlist, double *buf, int, int *)
   };
   for (int k = 0; k < n; k++) {
     const size_t j = sendlist[k];
+    if (forward_correction) {
+      put(rec.correction + j * TM_REC_CORRECTION, TM_REC_CORRECTION);
+      continue;
+    }
     put(rec.main + j * TM_REC + 3, TM_REC - 3);
     if (rec.stress) put(rec.stress + j * TM_REC_STRESS, TM_REC_STRESS);
     if (rec.heat) put(rec.heat + j * TM_REC_HEAT, TM_REC_HEAT);
-    if (rec.correction) put(rec.correction + j * TM_REC_CORRECTION, TM_REC_CORRECTION);
   }
   return m;
 }
@@ -205,10 +216,13 @@ void PairSPHTM::unpack_forward_comm(int n, int first, double *buf)
     m += count;
   };
   for (size_t j = first; j < (size_t) first + n; j++) {
+    if (forward_correction) {
+      get(rec.correction + j * TM_REC_CORRECTION, TM_REC_CORRECTION);
+      continue;
+    }
     get(rec.main + j * TM_REC + 3, TM_REC - 3);
     if (rec.stress) get(rec.stress + j * TM_REC_STRESS, TM_REC_STRESS);
     if (rec.heat) get(rec.heat + j * TM_REC_HEAT, TM_REC_HEAT);
-    if (rec.correction) get(rec.correction + j * TM_REC_CORRECTION, TM_REC_CORRECTION);
   }
 }
 
@@ -228,6 +242,7 @@ void PairSPHTM::compute(int eflag, int vflag)
     loop_effects = fx;
     loop = rate_loop(fx);
   }
+  if (fx & TM_FX_CORRECTION) correct_gradients();
   if (!artificial.empty()) std::fill_n(artificial.begin(), nlocal, 0.0);
   if (fx & TM_FX_LEDGER)
     for (int i = 0; i < 3 * nlocal; i++) force_internal[i] = -(&atom->f[0][0])[i];
@@ -380,7 +395,7 @@ double PairSPHTM::memory_usage()
 {
   double bytes = Pair::memory_usage();
   bytes += row_index.capacity() * sizeof(int);
-  for (auto *v : {&rec_main, &rec_stress, &rec_heat, &rec_correction, &gradient, &heat, &moment,
+  for (auto *v : {&rec_main, &rec_stress, &rec_heat, &rec_correction, &gradient, &heat, &correction,
                   &xsph_v, &surface, &artificial})
     bytes += v->capacity() * sizeof(double);
   return bytes;

@@ -70,7 +70,6 @@ class PairSPHTM : public Pair {
   const std::vector<tm_real> &surfaces() const { return surface; }
   const std::vector<tm_real> &artificial_heating() const { return artificial; }
   const std::vector<double> &internal_forces() const { return force_internal; }
-  const std::vector<tm_real> &moments() const { return moment; }
   const std::vector<tm_real> &xsph_velocities() const { return xsph_v; }
   const char *material_name(int type) const { return names[type].c_str(); }
   struct Closest {
@@ -109,12 +108,13 @@ class PairSPHTM : public Pair {
 
   // records of owned and ghost particles; results of owned ones
   std::vector<tm_real> rec_main, rec_stress, rec_heat, rec_correction;
-  std::vector<tm_real> gradient, heat, moment, xsph_v, surface, artificial;
+  std::vector<tm_real> gradient, heat, correction, xsph_v, surface, artificial;
   std::vector<double> force_internal;
   tm_records rec = {};
   tm_rates_args args = {};
   SPHTM_NS::rate_loop_t loop = nullptr;
   unsigned loop_effects = ~0u;
+  bool forward_correction = false;    // what forward_comm carries: P K, or the other records
 
   void allocate();
   std::vector<unsigned char> segments_of_types() const;
@@ -126,6 +126,7 @@ class PairSPHTM : public Pair {
   void fill_args();
   void predict();
   void forward_records();
+  void correct_gradients();
   void body_contact();
   void tally_virial_energy(int, int);
   void parse_meeting(int, char **);

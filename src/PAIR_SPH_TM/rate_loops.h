@@ -7,6 +7,7 @@
 #ifndef SPHTM_RATE_LOOPS_H
 #define SPHTM_RATE_LOOPS_H
 
+#include "tm_moment.h"
 #include "tm_predict.h"
 #include "tm_rates.h"
 #include "tm_update.h"
@@ -20,6 +21,7 @@ typedef int (*update_loop_t)(int nlocal, const tm_update_args *args, unsigned ef
                              tm_update_result *sum);
 
 rate_loop_t rate_loop(unsigned effects);
+rate_loop_t moment_loop(unsigned effects);    // the correction, before the rate pass
 predict_loop_t predict_loop();
 update_loop_t update_loop();
 const char *rate_loop_isa();    // name of the instruction set in use
@@ -53,9 +55,10 @@ constexpr int rate_loop_index(unsigned fx)
   return kernel * RATE_LOOPS_PER_KERNEL + 2 * set + ((fx & TM_FX_3D) ? 1 : 0);
 }
 
-// one table per instruction set; rates by rate_loop_index()
+// one table per instruction set; rates by rate_loop_index(), moments by kernel and dimension
 struct ParticleLoops {
   rate_loop_t rates[RATE_LOOPS];
+  rate_loop_t moments[2 * TM_KERNEL_COUNT];
   predict_loop_t predict;
   update_loop_t update;
 };

@@ -8,6 +8,11 @@ template <unsigned EFFECTS> void loop(int nlocal, const tm_rates_args *args)
   for (int i = 0; i < nlocal; i++) tm_rates(i, args, EFFECTS);
 }
 
+template <unsigned EFFECTS> void moments(int nlocal, const tm_rates_args *args)
+{
+  for (int i = 0; i < nlocal; i++) tm_moment(i, args, EFFECTS);
+}
+
 // in blocks, so that the records are still in the cache for the artificial stress
 void predict(int nlocal, const tm_predict_args *args, unsigned effects)
 {
@@ -49,9 +54,15 @@ namespace SPHTM_ISA {
 #define TM_LOOPS_6(I) TM_LOOPS_2(I), TM_LOOPS_2(I + 2), TM_LOOPS_2(I + 4)
 #define TM_LOOPS_18(I) TM_LOOPS_6(I), TM_LOOPS_6(I + 6), TM_LOOPS_6(I + 12)
 
+#define TM_MOMENTS(K)                                      \
+  moments<(unsigned) TM_KERNEL_##K << TM_FX_KERNEL_SHIFT>, \
+      moments<(unsigned) TM_KERNEL_##K << TM_FX_KERNEL_SHIFT | (unsigned) TM_FX_3D>
+
 extern const ParticleLoops loops;
 const ParticleLoops loops = {
     {TM_LOOPS_18(0), TM_LOOPS_18(18), TM_LOOPS_18(36), TM_LOOPS_18(54), TM_LOOPS_18(72)},
+    {TM_MOMENTS(HYPERBOLIC), TM_MOMENTS(CUBIC), TM_MOMENTS(QUINTIC), TM_MOMENTS(WENDLAND_C2),
+     TM_MOMENTS(WENDLAND_C4)},
     predict, update};
 
 }    // namespace SPHTM_ISA

@@ -83,15 +83,6 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
     rt[TM_REC_T] = T;
     rt[TM_REC_K] = tm_conductivity(m, T);
   }
-  if (effects & TM_FX_CORRECTION) {
-    const tm_real *K = tm_field_row(s, TM_F_CORRECTION, i);
-    tm_real *rc = a->rec.correction + (ptrdiff_t) i * TM_REC_CORRECTION;
-    for (int c3 = 0; c3 < 3; c3++) {
-      rc[c3] = P.xx * K[c3] + P.xy * K[3 + c3] + P.xz * K[6 + c3];
-      rc[3 + c3] = P.xy * K[c3] + P.yy * K[3 + c3] + P.yz * K[6 + c3];
-      rc[6 + c3] = P.xz * K[c3] + P.yz * K[3 + c3] + P.zz * K[6 + c3];
-    }
-  }
 }
 
 /* One particle of a chunk: col[c * TM_COLUMN] holds P, and receives the artificial stress. */

@@ -9,6 +9,9 @@
    XSPH                dx_i = eps sum_j m_j/rho_mean (v_j - v_i) W
    surface             n_i = sum_j m_j/rho_j gradW; area of the surface = 2 V_i |n_i|
 
+   With gradient correction (F15 form only) gradW is gradW K_i in L and in the term of P_i, and
+   gradW K_j in that of P_j; K comes from tm_moment.h.
+
    Each velocity gradient is the work conjugate of its momentum form: the power of the pair forces
    equals minus sum V sigma:L minus the artificial heating, to round-off.
 
@@ -59,9 +62,9 @@ typedef struct {
 
   /* results, rows of owned particles; added to where said so */
   double *force;           /* 3, added to */
-  tm_real *gradient;       /* 9, L row major (raw sums are corrected when correction is on) */
+  tm_real *gradient;       /* 9, L row major */
   tm_real *heat;           /* conduction, power per volume, or NULL */
-  tm_real *moment;         /* 9: sum m_j/rho (x_j - x_i) (x) gradW, with correction */
+  tm_real *correction;     /* 6, K of tm_moment.h, with correction; read by the rate pass */
   tm_real *xsph_v;         /* 3, with XSPH */
   tm_real *surface;        /* 3, with surface */
   tm_real *artificial;     /* heating by artificial terms, power, or NULL */
@@ -163,8 +166,6 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
   tm_lanes ax = zero, ay = zero, az = zero, heat = zero, art = zero;
   tm_lanes lxx = zero, lxy = zero, lxz = zero, lyx = zero, lyy = zero, lyz = zero;
   tm_lanes lzx = zero, lzy = zero, lzz = zero;
-  tm_lanes kxx = zero, kxy = zero, kxz = zero, kyx = zero, kyy = zero, kyz = zero;
-  tm_lanes kzx = zero, kzy = zero, kzz = zero;
   tm_lanes ux = zero, uy = zero, uz = zero, nx = zero, ny = zero, nz = zero;
 
   int jj[TM_COLUMN + TM_LANES];
@@ -243,13 +244,6 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
         lxz -= vx * gz; lyz -= vy * gz;
         lzx -= vz * gx; lzy -= vz * gy; lzz -= vz * gz;
       }
-      if (correction) {
-        kxx -= dx * gx; kxy -= dx * gy; kyx -= dy * gx; kyy -= dy * gy;
-        if (dim3) {
-          kxz -= dx * gz; kyz -= dy * gz;
-          kzx -= dz * gx; kzy -= dz * gy; kzz -= dz * gz;
-        }
-      }
 
       /* momentum */
       const tm_lanes mx = form_f14 ? inv_rhoi * gx : wx, my = form_f14 ? inv_rhoi * gy : wy;
@@ -325,12 +319,11 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
   L[6] = lscale * tm_lanes_sum(lzx); L[7] = lscale * tm_lanes_sum(lzy);
   L[8] = lscale * tm_lanes_sum(lzz);
   if (correction) {
-    tm_real *K = a->moment + (ptrdiff_t) i * 9;
-    K[0] = lscale * tm_lanes_sum(kxx); K[1] = lscale * tm_lanes_sum(kxy);
-    K[2] = lscale * tm_lanes_sum(kxz); K[3] = lscale * tm_lanes_sum(kyx);
-    K[4] = lscale * tm_lanes_sum(kyy); K[5] = lscale * tm_lanes_sum(kyz);
-    K[6] = lscale * tm_lanes_sum(kzx); K[7] = lscale * tm_lanes_sum(kzy);
-    K[8] = lscale * tm_lanes_sum(kzz);
+    const tm_sym3 K = tm_sym_load(a->correction + (ptrdiff_t) i * 6);
+    for (int r = 0; r < 9; r += 3) {
+      const tm_vec3 l = tm_sym_mul_vec(K, tm_vec(L[r], L[r + 1], L[r + 2]));
+      L[r] = l.x; L[r + 1] = l.y; L[r + 2] = l.z;
+    }
   }
   const tm_real mf = mi * a->force_unit;
   double *f = a->force + 3 * (ptrdiff_t) i;

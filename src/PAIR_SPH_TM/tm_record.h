@@ -3,9 +3,8 @@
    The main record is 16 reals, two cache lines. The others exist only with their effect.
 
    P is what the momentum sum needs of one particle: sigma / rho^2 in the form F15 (4), sigma in
-   the form F14 (6). With gradient correction the sums use TM_REC_C instead: the nine components
-   of (sigma / rho^2) K, K the correction matrix (Bonet and Lok 1999), so that pair forces stay
-   equal and opposite. */
+   the form F14 (6). With gradient correction the sums use the nine components of P K instead, K
+   the correction of tm_moment.h, so that pair forces stay equal and opposite. */
 #ifndef TM_RECORD_H
 #define TM_RECORD_H
 

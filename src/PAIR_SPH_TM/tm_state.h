@@ -33,18 +33,5 @@ TM_FN tm_real tm_particle_mass(const tm_state *s, int i)
 {
   return s->rmass ? s->rmass[i] : s->mass[s->type[i]];
 }
-TM_FN tm_sym3 tm_sym_load(const tm_real *p) { return tm_sym(p[0], p[1], p[2], p[3], p[4], p[5]); }
-TM_FN void tm_sym_store(tm_real *p, tm_sym3 s)
-{
-  p[0] = s.xx; p[1] = s.yy; p[2] = s.zz; p[3] = s.xy; p[4] = s.xz; p[5] = s.yz;
-}
-TM_FN tm_mat3 tm_mat_load(const tm_real *p)
-{
-  tm_mat3 m;
-  m.xx = p[0]; m.xy = p[1]; m.xz = p[2];
-  m.yx = p[3]; m.yy = p[4]; m.yz = p[5];
-  m.zx = p[6]; m.zy = p[7]; m.zz = p[8];
-  return m;
-}
 
 #endif

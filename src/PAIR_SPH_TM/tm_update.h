@@ -34,7 +34,7 @@ enum tm_dt_cause {
 typedef struct {
   tm_state state;
   tm_records rec;
-  const tm_real *gradient, *heat, *moment, *xsph_v, *artificial;
+  const tm_real *gradient, *heat, *xsph_v, *artificial;
   const double *force_internal;  /* force of the pair style alone, with the ledger */
   const tm_real *source;         /* heat given to the particle by contact and fluxes (power) */
   const int *mask;               /* LAMMPS group bits */
@@ -43,7 +43,6 @@ typedef struct {
   tm_real accel_unit;            /* force of the unit style / mass -> acceleration */
   tm_real temperature;           /* of every particle where heat is off */
   tm_real heat_rate, k_max;      /* see tm_heat_time_step */
-  tm_real min_det;               /* gradient correction is dropped below this determinant */
 } tm_update_args;
 
 typedef struct {
@@ -56,6 +55,15 @@ typedef struct {
   tm_sym3 s;
   tm_real p, rho, d_eps, yield;
 } tm_point;
+
+/* h/c, less what correction and viscosity take. The shortest waves of a lattice turn by 1.1 (most
+   kernels; C4 1.3) in h/c, with corrected gradients at free corners by 2.2 (C4 2.6), and viscosity
+   damps them by 2 alpha; tm_state.h bears turns of 0.77 and damping of 0.67 per step. */
+TM_FN tm_real tm_sound_time_step(tm_real h, tm_real c, tm_real visc_alpha, unsigned effects)
+{
+  const tm_real turn = (effects & TM_FX_CORRECTION) ? 2.2 : 1.0;
+  return h / (c * tm_max(turn, 2.0 * visc_alpha));
+}
 
 /* Density, pressure and deviator at the end of a step with velocity gradient L. */
 TM_FN tm_point tm_constitutive(const tm_material *m, tm_real rho, tm_real rho_half, tm_sym3 s,
@@ -157,19 +165,6 @@ TM_FN tm_real tm_update_temperature(int i, const tm_update_args *a, const tm_mat
   return a->dt * power;
 }
 
-/* Correction matrix K = M^-T of the moment M; the identity where M is close to singular. */
-TM_FN void tm_update_correction(int i, const tm_update_args *a, int dim3)
-{
-  int ok;
-  const tm_mat3 k = tm_mat_inverse_guarded(tm_mat_load(a->moment + (ptrdiff_t) i * 9), dim3,
-                                           a->min_det, &ok);
-  tm_real *K = tm_field_row(&a->state, TM_F_CORRECTION, i);
-  const tm_mat3 c = ok ? k : tm_mat_identity();
-  K[0] = c.xx; K[1] = c.yx; K[2] = c.zx;
-  K[3] = c.xy; K[4] = c.yy; K[5] = c.zy;
-  K[6] = c.xz; K[7] = c.yz; K[8] = c.zz;
-}
-
 TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effects)
 {
   const tm_state *s = &a->state;
@@ -188,14 +183,6 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
   const tm_real mass = rec[TM_REC_M];
   if (m->body == TM_BODY_SOLID) {
     tm_mat3 L = tm_mat_load(a->gradient + (ptrdiff_t) i * 9);
-    if (effects & TM_FX_CORRECTION) {
-      tm_update_correction(i, a, dim3);
-      const tm_real *K = tm_field_row(s, TM_F_CORRECTION, i);
-      const tm_mat3 k = tm_mat_load(K);
-      tm_mat3 kt = k;
-      kt.xy = k.yx; kt.xz = k.zx; kt.yx = k.xy; kt.yz = k.zy; kt.zx = k.xz; kt.zy = k.yz;
-      L = tm_mat_mul(L, kt);
-    }
     tm_real *rho = tm_field_row(s, TM_F_RHO, i), *dev = tm_field_row(s, TM_F_STRESS, i);
     tm_real *h1 = tm_field_row(s, TM_F_HISTORY, i), *h2 = h1 + TM_H_STEP;
     tm_real *lz = (effects & TM_FX_PLANE_STRESS) ? tm_field_row(s, TM_F_THICKNESS, i) : NULL;
@@ -260,7 +247,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       if (a->artificial) out.artificial = a->dt * a->artificial[i];
     }
 
-    out.dt[TM_DT_SOUND] = a->h / (rec[TM_REC_C] * (1.0 + 0.6 * a->visc_alpha));
+    out.dt[TM_DT_SOUND] = tm_sound_time_step(a->h, rec[TM_REC_C], a->visc_alpha, effects);
     const tm_real a2 = tm_vec_dot(acc, acc);
     if (a2 > 0.0) out.dt[TM_DT_FORCE] = sqrt(a->h / sqrt(a2));
     const double *v = s->v + 3 * (ptrdiff_t) i;

@@ -160,29 +160,30 @@ TM_FN tm_sym3 tm_sym_positive_part(tm_sym3 a)
                 all ? a.xz : none ? 0.0 : xz, all ? a.yz : none ? 0.0 : yz);
 }
 
-/* Inverse of a; in two dimensions that of its upper left 2x2 block, with zz = 1. ok = 0 and the
-   identity where |det| < min_det (or is not a number). */
-TM_FN tm_mat3 tm_mat_inverse_guarded(tm_mat3 a, int dim3, tm_real min_det, int *ok)
+/* --- inverse of a positive semidefinite tensor ------------------------------------------------ */
+
+/* Eigenvalues below low > 0 count as low. In two dimensions that of the upper left 2x2 block, with
+   zz = 1. The direct inverse where no eigenvalue can be below low; not a number stays so. */
+TM_FN tm_sym3 tm_sym_inverse_bounded(tm_sym3 a, int dim3, tm_real low)
 {
-  tm_mat3 b = tm_mat_identity();
   if (!dim3) {
-    const tm_real det = a.xx * a.yy - a.xy * a.yx;
-    *ok = fabs(det) >= min_det && det != 0.0;
-    if (!*ok) return b;
-    b.xx = a.yy / det; b.xy = -a.xy / det;
-    b.yx = -a.yx / det; b.yy = a.xx / det;
+    a.zz = 1.0;
+    a.xz = a.yz = 0.0;
+  }
+  const tm_real det = dim3 ? tm_sym_det(a) : a.xx * a.yy - a.xy * a.xy;
+  const tm_real trace = dim3 ? tm_sym_trace(a) : a.xx + a.yy;
+  /* the product of the two larger eigenvalues is at most (trace/2)^2 */
+  if (det < low * (dim3 ? 0.25 * trace * trace : trace) || det <= 0.0) {
+    const tm_eigen e = tm_sym_eigen(a);
+    tm_sym3 b = tm_sym(0, 0, 0, 0, 0, 0);
+    for (int k = 0; k < 3; k++) b = tm_sym_add_dyad(b, 1.0 / tm_max(e.value[k], low), e.vector[k]);
     return b;
   }
-  tm_mat3 c; /* transposed cofactors */
-  c.xx = a.yy * a.zz - a.yz * a.zy; c.xy = a.xz * a.zy - a.xy * a.zz;
-  c.yx = a.yz * a.zx - a.yx * a.zz; c.yy = a.xx * a.zz - a.xz * a.zx;
-  c.zx = a.yx * a.zy - a.yy * a.zx; c.zy = a.xy * a.zx - a.xx * a.zy;
-  c.xz = a.xy * a.yz - a.xz * a.yy;
-  c.yz = a.xz * a.yx - a.xx * a.yz;
-  c.zz = a.xx * a.yy - a.xy * a.yx;
-  const tm_real det = a.xx * c.xx + a.xy * c.yx + a.xz * c.zx;
-  *ok = fabs(det) >= min_det && det != 0.0;
-  return *ok ? tm_mat_scale(1.0 / det, c) : b;
+  const tm_real d = 1.0 / det;
+  if (!dim3) return tm_sym(d * a.yy, d * a.xx, 1.0, -d * a.xy, 0.0, 0.0);
+  return tm_sym(d * (a.yy * a.zz - a.yz * a.yz), d * (a.xx * a.zz - a.xz * a.xz),
+                d * (a.xx * a.yy - a.xy * a.xy), d * (a.xz * a.yz - a.xy * a.zz),
+                d * (a.xy * a.yz - a.xz * a.yy), d * (a.xy * a.xz - a.xx * a.yz));
 }
 
 #endif

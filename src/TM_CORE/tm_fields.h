@@ -16,7 +16,6 @@ enum tm_field_id {
   TM_F_TEMP,       /* temperature, its rates of the last two steps */
   TM_F_ENERGY,     /* specific internal energy */
   TM_F_DAMAGE,     /* damage 0..1, and 1 when failed */
-  TM_F_CORRECTION, /* kernel-gradient correction matrix of the last step, row major */
   TM_F_BALSARA,    /* shear switch of the last step, 0..1 */
   TM_F_XSPH,       /* XSPH velocity of the last step */
   TM_F_THICKNESS,  /* plane stress: thickness over initial thickness */
@@ -40,7 +39,6 @@ static const tm_field tm_field_table[TM_F_COUNT] = {
   {"temperature", 3, TM_FX_HEAT},
   {"energy", 1, TM_FX_ENERGY},
   {"damage", 2, TM_FX_DAMAGE},
-  {"correction", 9, TM_FX_CORRECTION},
   {"balsara", 1, TM_FX_BALSARA},
   {"xsph", 3, TM_FX_XSPH},
   {"thickness", 1, TM_FX_PLANE_STRESS}

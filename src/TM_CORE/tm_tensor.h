@@ -112,4 +112,42 @@ TM_FN tm_mat3 tm_mat_mul(tm_mat3 a, tm_mat3 b)
   return c;
 }
 
+/* product of two symmetric tensors */
+TM_FN tm_mat3 tm_sym_mul(tm_sym3 a, tm_sym3 b)
+{
+  tm_mat3 c;
+  c.xx = a.xx * b.xx + a.xy * b.xy + a.xz * b.xz;
+  c.xy = a.xx * b.xy + a.xy * b.yy + a.xz * b.yz;
+  c.xz = a.xx * b.xz + a.xy * b.yz + a.xz * b.zz;
+  c.yx = a.xy * b.xx + a.yy * b.xy + a.yz * b.xz;
+  c.yy = a.xy * b.xy + a.yy * b.yy + a.yz * b.yz;
+  c.yz = a.xy * b.xz + a.yy * b.yz + a.yz * b.zz;
+  c.zx = a.xz * b.xx + a.yz * b.xy + a.zz * b.xz;
+  c.zy = a.xz * b.xy + a.yz * b.yy + a.zz * b.yz;
+  c.zz = a.xz * b.xz + a.yz * b.yz + a.zz * b.zz;
+  return c;
+}
+
+/* --- in arrays ------------------------------------------------------------------------- */
+
+TM_FN tm_sym3 tm_sym_load(const tm_real *p) { return tm_sym(p[0], p[1], p[2], p[3], p[4], p[5]); }
+TM_FN void tm_sym_store(tm_real *p, tm_sym3 s)
+{
+  p[0] = s.xx; p[1] = s.yy; p[2] = s.zz; p[3] = s.xy; p[4] = s.xz; p[5] = s.yz;
+}
+TM_FN tm_mat3 tm_mat_load(const tm_real *p)
+{
+  tm_mat3 m;
+  m.xx = p[0]; m.xy = p[1]; m.xz = p[2];
+  m.yx = p[3]; m.yy = p[4]; m.yz = p[5];
+  m.zx = p[6]; m.zy = p[7]; m.zz = p[8];
+  return m;
+}
+TM_FN void tm_mat_store(tm_real *p, tm_mat3 m)
+{
+  p[0] = m.xx; p[1] = m.xy; p[2] = m.xz;
+  p[3] = m.yx; p[4] = m.yy; p[5] = m.yz;
+  p[6] = m.zx; p[7] = m.zy; p[8] = m.zz;
+}
+
 #endif

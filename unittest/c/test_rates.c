@@ -1,7 +1,7 @@
 /* The rate pass on random clouds: against sums written out pair by pair, and what must hold whatever
    the numbers are (momentum, power, heat, linear fields, the order of a row). Also compiled for
    AVX2 and AVX-512, see test_rates_avx2.c. */
-#include "tm_rates.h"
+#include "tm_moment.h"
 #include "tm_state.h"
 #include "ut.h"
 
@@ -17,13 +17,13 @@ enum { MOST = 700, ROOM = 400 };  /* particles, entries of a row */
 typedef struct {
   int n, dim;
   int row[MOST][ROOM], length[MOST];
-  double x[MOST][3], K[MOST][9];
+  double x[MOST][3];
   tm_real main[MOST * TM_REC], stress[MOST * TM_REC_STRESS], heat[MOST * TM_REC_HEAT];
   tm_real correction[MOST * TM_REC_CORRECTION];
 } cloud;
 
 typedef struct {
-  double force[MOST * 3], gradient[MOST * 9], heat[MOST], moment[MOST * 9], xsph[MOST * 3];
+  double force[MOST * 3], gradient[MOST * 9], heat[MOST], correction[MOST * 6], xsph[MOST * 3];
   double surface[MOST * 3], artificial[MOST];
 } rates;
 
@@ -55,18 +55,6 @@ static void fill_records(int i, unsigned fx)
   r[TM_REC_BALSARA] = (fx & TM_FX_BALSARA) ? ut_random(0, 1) : 1.0;
   c.heat[i * TM_REC_HEAT + TM_REC_T] = ut_random(300, 900);
   c.heat[i * TM_REC_HEAT + TM_REC_K] = ut_random(1, 40);
-  for (int k = 0; k < 9; k++) {
-    const int in_plane = c.dim == 3 || (k % 3 < 2 && k / 3 < 2);
-    c.K[i][k] = (k % 4 == 0) + (in_plane ? ut_random(-0.3, 0.3) : 0.0);
-  }
-  const tm_sym3 P = tm_sym_load(r + TM_REC_P);
-  const double p[9] = {P.xx, P.xy, P.xz, P.xy, P.yy, P.yz, P.xz, P.yz, P.zz};
-  for (int a = 0; a < 3; a++)
-    for (int b = 0; b < 3; b++) {
-      double sum = 0;
-      for (int k = 0; k < 3; k++) sum += p[3 * a + k] * c.K[i][3 * k + b];
-      c.correction[i * TM_REC_CORRECTION + 3 * a + b] = sum;
-    }
 }
 
 static double distance2(int i, int j)
@@ -124,7 +112,7 @@ static void set_args(int kernel, double h, unsigned fx)
   args.force = got.force;
   args.gradient = got.gradient;
   args.heat = got.heat;
-  args.moment = got.moment;
+  args.correction = got.correction;
   args.xsph_v = got.xsph;
   args.surface = got.surface;
   args.artificial = got.artificial;
@@ -132,6 +120,11 @@ static void set_args(int kernel, double h, unsigned fx)
 
 #define RUN(KERNEL)                                                                             \
   case TM_KERNEL_##KERNEL:                                                                      \
+    for (int i = 0; i < c.n && (fx & TM_FX_CORRECTION); i++) {                                  \
+      const unsigned k = (unsigned) TM_KERNEL_##KERNEL << TM_FX_KERNEL_SHIFT;                   \
+      if (c.dim == 3) tm_moment(i, &args, k | (unsigned) TM_FX_3D);                             \
+      else tm_moment(i, &args, k);                                                              \
+    }                                                                                           \
     for (int i = 0; i < c.n; i++) {                                                             \
       const unsigned k = (unsigned) TM_KERNEL_##KERNEL << TM_FX_KERNEL_SHIFT;                   \
       if (c.dim == 3) tm_rates(i, &args, k | (unsigned) TM_FX_3D | (unsigned) TM_FX_EXTENDED);  \
@@ -166,13 +159,38 @@ static void run(int kernel, double h, unsigned fx, int stride)
 
 /* --- the same sums, as the papers print them ------------------------------------------------- */
 
+/* K of all particles, and P K */
+static double PK[MOST][9];
+static void reference_correction(int kernel, double h)
+{
+  const double reach = tm_kernel_support(kernel) * h, norm = tm_kernel_norm(kernel, c.dim, h);
+  for (int i = 0; i < c.n; i++) {
+    long double M[6] = {0};
+    for (int e = 0; e < c.length[i]; e++) {
+      const int j = c.row[i][e];
+      const double r = sqrt(distance2(i, j));
+      if (r >= reach) continue;
+      const long double g = -0.97 * norm / h * tm_kernel_slope(kernel, r / h) / r * rec(j)[TM_REC_M]
+                          / rec(i)[TM_REC_RHO];
+      const double d[3] = {c.x[i][0] - c.x[j][0], c.x[i][1] - c.x[j][1], c.x[i][2] - c.x[j][2]};
+      static const int a[] = {0, 1, 2, 0, 0, 1}, b[] = {0, 1, 2, 1, 2, 2};
+      for (int k = 0; k < 6; k++) M[k] += g * d[a[k]] * d[b[k]];
+    }
+    const tm_sym3 K = tm_sym_inverse_bounded(tm_sym((double) M[0], (double) M[1], (double) M[2],
+        (double) M[3], (double) M[4], (double) M[5]), c.dim == 3, TM_MOMENT_LOW);
+    tm_sym_store(want.correction + 6 * i, K);
+    tm_mat_store(PK[i], tm_sym_mul(tm_sym_load(rec(i) + TM_REC_P), K));
+  }
+}
+
 static void reference(int kernel, double h, unsigned fx)
 {
   memset(&want, 0, sizeof(want));
+  if (fx & TM_FX_CORRECTION) reference_correction(kernel, h);
   const double reach = tm_kernel_support(kernel) * h, norm = tm_kernel_norm(kernel, c.dim, h);
   for (int i = 0; i < c.n; i++) {
     const double *a = rec(i);
-    long double f[3] = {0}, L[9] = {0}, M[9] = {0}, u[3] = {0}, s[3] = {0}, heat = 0, art = 0;
+    long double f[3] = {0}, L[9] = {0}, u[3] = {0}, s[3] = {0}, heat = 0, art = 0;
     for (int e = 0; e < c.length[i]; e++) {
       const int j = c.row[i][e];
       const double *b = rec(j), r2 = distance2(i, j), r = sqrt(r2), q = r / h;
@@ -204,12 +222,11 @@ static void reference(int kernel, double h, unsigned fx)
         for (int l = 0; l < 3; l++) {
           long double t = p[3 * k + l];
           if (fx & TM_FX_CORRECTION)
-            t = c.correction[i * 9 + 3 * k + l] + c.correction[j * 9 + 3 * k + l];
+            t = PK[i][3 * k + l] + PK[j][3 * k + l];
           if (fx & TM_FX_FORM_F14) t /= rhoi * rhoj;
           acc[k] += t * g[l];
           if (fx & TM_FX_ARTSTRESS) extra[k] += weight * q9[3 * k + l] * g[l];
           L[3 * k + l] -= per * v[k] * g[l];
-          M[3 * k + l] -= per * d[k] * g[l];
         }
         extra[k] -= Pi_ij * g[k];
         f[k] += mj * (acc[k] + extra[k]);
@@ -225,9 +242,13 @@ static void reference(int kernel, double h, unsigned fx)
       want.xsph[3 * i + k] = (double) (args.xsph * u[k]);
       want.surface[3 * i + k] = (double) s[k];
     }
-    for (int k = 0; k < 9; k++) {
-      want.gradient[9 * i + k] = (double) L[k];
-      want.moment[9 * i + k] = (double) M[k];
+    const tm_sym3 K = tm_sym_load(want.correction + 6 * i);
+    for (int k = 0; k < 9; k += 3) {
+      const tm_vec3 raw = tm_vec((double) L[k], (double) L[k + 1], (double) L[k + 2]);
+      const tm_vec3 l = (fx & TM_FX_CORRECTION) ? tm_sym_mul_vec(K, raw) : raw;
+      want.gradient[9 * i + k] = l.x;
+      want.gradient[9 * i + k + 1] = l.y;
+      want.gradient[9 * i + k + 2] = l.z;
     }
     want.heat[i] = (double) heat;
     want.artificial[i] = (double) (0.5 * a[TM_REC_M] * art);
@@ -249,7 +270,7 @@ static void compare(unsigned fx)
 {
   UT_WITHIN(off(got.force, want.force, 3 * c.n), 0, 1e-13);
   UT_WITHIN(off(got.gradient, want.gradient, 9 * c.n), 0, 1e-13);
-  if (fx & TM_FX_CORRECTION) UT_WITHIN(off(got.moment, want.moment, 9 * c.n), 0, 1e-13);
+  if (fx & TM_FX_CORRECTION) UT_WITHIN(off(got.correction, want.correction, 6 * c.n), 0, 1e-12);
   if (fx & TM_FX_CONDUCTION) UT_WITHIN(off(got.heat, want.heat, c.n), 0, 1e-13);
   if (fx & TM_FX_XSPH) UT_WITHIN(off(got.xsph, want.xsph, 3 * c.n), 0, 1e-13);
   if (fx & TM_FX_SURFACE) UT_WITHIN(off(got.surface, want.surface, 3 * c.n), 0, 1e-13);
@@ -271,13 +292,7 @@ static void balances(unsigned fx)
       sum[k] += got.force[3 * i + k];
       size += fabs(got.force[3 * i + k]);
     }
-    tm_mat3 L = tm_mat_load(got.gradient + 9 * i);
-    if (fx & TM_FX_CORRECTION) {
-      const tm_mat3 k = tm_mat_load(c.K[i]);
-      tm_mat3 kt = k;
-      kt.xy = k.yx; kt.xz = k.zx; kt.yx = k.xy; kt.yz = k.zy; kt.zx = k.xz; kt.zy = k.yz;
-      L = tm_mat_mul(L, kt);
-    }
+    const tm_mat3 L = tm_mat_load(got.gradient + 9 * i);
     const double rho2 = (fx & TM_FX_FORM_F14) ? 1.0 : r[TM_REC_RHO] * r[TM_REC_RHO];
     const double one = dot3(got.force + 3 * i, r + 4);
     power += one;
@@ -292,24 +307,32 @@ static void balances(unsigned fx)
   if (fx & TM_FX_CONDUCTION) UT_WITHIN(heat / top, 0, 1e-14);
 }
 
-/* v = A x gives L = A with the moment matrix inverted, also at the rim */
+/* v = A x gives L = A also at the rim, and stress no torque: sum x_i (x) f_i = -sum V sigma */
 static void linear_field(int kernel, double h)
 {
   double A[9];
   for (int k = 0; k < 9; k++) A[k] = c.dim == 3 || (k % 3 < 2 && k / 3 < 2) ? ut_random(-2, 2) : 0.0;
-  for (int i = 0; i < c.n; i++)
-    for (int k = 0; k < 3; k++) rec(i)[4 + k] = dot3(A + 3 * k, c.x[i]);
-  run(kernel, h, TM_FX_CORRECTION, 1);
-  double worst = 0;
+  lattice(c.dim, c.dim == 3 ? 7 : 20, 0.1, TM_FX_CORRECTION);
+  fill_rows(tm_kernel_support(kernel) * h, 0.3);
   for (int i = 0; i < c.n; i++) {
-    int ok;
-    const tm_mat3 inv = tm_mat_inverse_guarded(tm_mat_load(got.moment + 9 * i), c.dim == 3, 1e-4, &ok);
-    UT_TRUE(ok);
-    const tm_mat3 L = tm_mat_mul(tm_mat_load(got.gradient + 9 * i), inv);
-    const double l[9] = {L.xx, L.xy, L.xz, L.yx, L.yy, L.yz, L.zx, L.zy, L.zz};
-    for (int k = 0; k < 9; k++) worst = fmax(worst, fabs(l[k] - A[k]));
+    rec(i)[TM_REC_M] = 1.2;  /* no moment so small that it is bounded */
+    for (int k = 0; k < 3; k++) rec(i)[4 + k] = dot3(A + 3 * k, c.x[i]);
+  }
+  run(kernel, h, TM_FX_CORRECTION, 1);
+  double worst = 0, sum[9] = {0}, size = 0;
+  for (int i = 0; i < c.n; i++) {
+    const double *r = rec(i), volume = r[TM_REC_M] / r[TM_REC_RHO];
+    const tm_sym3 P = tm_sym_load(r + TM_REC_P);
+    const double p[9] = {P.xx, P.xy, P.xz, P.xy, P.yy, P.yz, P.xz, P.yz, P.zz};
+    for (int k = 0; k < 9; k++) {
+      worst = fmax(worst, fabs(got.gradient[9 * i + k] - A[k]));
+      const double one = volume * r[TM_REC_RHO] * r[TM_REC_RHO] * p[k];
+      if (k / 3 < c.dim && k % 3 < c.dim) sum[k] += c.x[i][k % 3] * got.force[3 * i + k / 3] + one;
+      size += fabs(one);
+    }
   }
   UT_WITHIN(worst, 0, 1e-11);
+  for (int k = 0; k < 9; k++) UT_WITHIN(sum[k] / size, 0, 1e-13);
 }
 
 /* --- rows ------------------------------------------------------------------------------------ */

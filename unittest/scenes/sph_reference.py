@@ -195,7 +195,6 @@ class Body:
         self.eps, self.eps_rate, self.e, self.D = np.zeros(n), np.zeros(n), np.zeros(n), np.zeros(n)
         self.failed = np.zeros(n, bool)
         self.lz = np.ones(n)
-        self.Kinv = np.tile(np.eye(3), (n, 1, 1))
         self.switch, self.u = np.ones(n), np.zeros((n, 3))
         self.old = None    # rates of the last two steps
 
@@ -289,7 +288,13 @@ class Body:
         sigma = q["sigma"]
         P = sigma if f14 else sigma / rho[:, None, None] ** 2
         if self.correction:
-            P = np.einsum("iab,ibc->iac", P, self.Kinv)
+            M = out["M"]
+            if dim == 2:
+                M[:, 2, 2] = 1.0
+            value, vector = np.linalg.eigh(M)    # eigenvalues below 0.1 count as 0.1
+            K = np.einsum("iab,ib,icb->iac", vector, 1 / np.maximum(value, 0.1), vector)
+            out["L"] = np.einsum("iab,ibc->iac", out["L"], K)
+            P = np.einsum("iab,ibc->iac", P, K)
         pair = P[:, None] + P[None]
         if f14:
             pair = pair / (rho[:, None] * rho[None])[..., None, None]
@@ -365,13 +370,6 @@ class Body:
         rho_half = q.get("rho3", q["rho"])
         rate = {"v": o["acc"], "rho": np.zeros(n), "s": np.zeros((n, 3, 3)), "T": np.zeros(n)}
         for i, m in enumerate(self.mat):
-            if self.correction:
-                M = o["M"][i].copy()
-                if self.dim == 2:
-                    M[2, 2] = 1.0
-                Kinv = np.linalg.inv(M).T if abs(np.linalg.det(M)) >= 0.1 else np.eye(3)
-                self.Kinv[i] = Kinv
-                L[i] = L[i] @ Kinv.T
             T, e = self.T[i], self.e[i]
             p_half = m.pressure(rho_half[i], e)
 

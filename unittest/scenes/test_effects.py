@@ -133,7 +133,7 @@ for name, columns, arguments in (
         ("plasticity", 3, (YIELDS, "viscosity 0 0 artstress 0 4")),
         ("heat", 3, (YIELDS + " heat 0 477 0.9", "viscosity 0 0 artstress 0 4")),
         ("damage", 2, (YIELDS + " damage strain 1", "viscosity 0 0 artstress 0 4")),
-        ("correction", 9 + 9, ("strength elastic", "viscosity 0 0 artstress 0 4 correction yes")),
+        ("correction", 9 + 6, ("strength elastic", "viscosity 0 0 artstress 0 4 correction yes")),
         ("balsara", 1, ("strength elastic", "viscosity 1 1 artstress 0 4 balsara yes")),
         ("xsph", 3, ("strength elastic", "viscosity 0 0 artstress 0 4 xsph 0.1")),
         ("surface", 3, ("strength elastic", "viscosity 0 0 artstress 0 4", "effects surface on")),

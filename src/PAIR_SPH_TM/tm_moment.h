@@ -1,0 +1,80 @@
+/* SPH-TM: correction of the kernel gradients (Bonet and Lok 1999), a pass of its own before the
+   rate pass.
+
+     M_i = sum_j m_j/rho_i (x_j - x_i) (x) gradW      symmetric, 1 in the continuum
+     K_i = M_i^-1
+
+   With gradW K_i the gradient of a linear field is exact, also at free surfaces, and the momentum
+   sum with (sigma/rho^2) K_i is its work conjugate: a rigid rotation makes no stress, and the
+   stress no torque. Both hold to round-off only with the positions at which the forces act; hence
+   the pass, since what a particle shows its neighbours needs its own K first.
+
+   M is half of its value across a free face, a quarter at corners (h = 1.2 spacings), and singular
+   for particles in one plane: eigenvalues below TM_MOMENT_LOW count as TM_MOMENT_LOW, so K is
+   bounded and changes without jumps when a particle comes loose. */
+#ifndef TM_MOMENT_H
+#define TM_MOMENT_H
+
+#include "tm_eigen.h"
+#include "tm_rates.h"
+
+#define TM_MOMENT_LOW 0.1
+
+/* K of particle i into a->correction, P K into its record. */
+TM_FN void tm_moment(int i, const tm_rates_args *a, unsigned effects)
+{
+  const int kernel = tm_fx_kernel(effects), dim3 = (effects & TM_FX_3D) != 0;
+  const int *row = a->rows.index + a->rows.first[i];
+  const int n_mech = a->rows.mechanical[i];
+  const tm_real *TM_RESTRICT rec = a->rec.main;
+  const tm_real *ri = rec + (ptrdiff_t) i * TM_REC;
+  const tm_real xi = ri[0], yi = ri[1], zi = ri[2], h = a->h, inv_h = 1.0 / h;
+  const tm_lanes zero = tm_lanes_zero();
+  tm_lanes mxx = zero, myy = zero, mzz = zero, mxy = zero, mxz = zero, myz = zero;
+
+  /* the row in chunks as in tm_rates() */
+  int jj[TM_COLUMN + TM_LANES];
+  tm_real TM_ALIGNED col[5][TM_COLUMN];  /* x y z m, and m_j W'/r */
+  for (int k = 0, n = 0, last = 0; !last;) {
+    do {
+      const int m = n_mech - k < TM_CHUNK ? n_mech - k : TM_CHUNK;
+      n = tm_within_reach(rec, row + k * a->rows.stride, a->rows.stride, m, xi, yi, zi, a->reach2,
+                          dim3, jj, n);
+      k += m;
+    } while (k < n_mech && n < TM_LANES);
+    last = k >= n_mech;
+    const int lanes = (last ? n + TM_LANES - 1 : n) / TM_LANES * TM_LANES;
+    for (int l = n; l < lanes; l++) jj[l] = i;
+    tm_transpose_rows(rec, TM_REC, jj, lanes, 4, col[0]);
+    for (int l = n; l < lanes; l++) col[TM_REC_X][l] = xi + 4.0 * h;
+#if !defined(__CUDACC__)
+#pragma omp simd
+#endif
+    for (int l = 0; l < lanes; l++) {
+      const tm_real dx = xi - col[0][l], dy = yi - col[1][l], dz = dim3 ? zi - col[2][l] : 0.0;
+      const tm_real r = sqrt(dx * dx + dy * dy + dz * dz);
+      col[4][l] = col[TM_REC_M][l] * tm_kernel_slope(kernel, r * inv_h) / r;
+    }
+    for (int l = 0; l < lanes; l += TM_LANES) {
+      const tm_lanes dx = xi - tm_lanes_load(col[0] + l), dy = yi - tm_lanes_load(col[1] + l);
+      const tm_lanes g = tm_lanes_load(col[4] + l), gx = g * dx, gy = g * dy;
+      mxx -= gx * dx; myy -= gy * dy; mxy -= gx * dy;
+      if (dim3) {
+        const tm_lanes dz = zi - tm_lanes_load(col[2] + l);
+        mxz -= gx * dz; myz -= gy * dz; mzz -= g * dz * dz;
+      }
+    }
+    for (int l = lanes; l < n; l++) jj[l - lanes] = jj[l];
+    n -= lanes;
+  }
+
+  const tm_real s = a->slope_norm / ri[TM_REC_RHO];
+  const tm_sym3 M = tm_sym(s * tm_lanes_sum(mxx), s * tm_lanes_sum(myy), s * tm_lanes_sum(mzz),
+                           s * tm_lanes_sum(mxy), s * tm_lanes_sum(mxz), s * tm_lanes_sum(myz));
+  const tm_sym3 K = tm_sym_inverse_bounded(M, dim3, TM_MOMENT_LOW);
+  const tm_sym3 P = tm_sym_load(ri + TM_REC_P);
+  tm_sym_store(a->correction + (ptrdiff_t) i * 6, K);
+  tm_mat_store(a->rec.correction + (ptrdiff_t) i * TM_REC_CORRECTION, tm_sym_mul(P, K));
+}
+
+#endif
