@@ -14,7 +14,7 @@ import numpy as np
 from contact_scene import block, header, mesh, particles
 from sphtm_scene import Checks, new_folder
 
-DX, LIMIT = 0.02, 1.3
+DX, LIMIT, STEPS = 0.02, 1.3, 150
 SCRIPT = """
 pair_coeff 1 1 density 1000 elastic 1e7 0.3 {material}
 fix body all sph/tm temperature 300
@@ -81,7 +81,7 @@ def main():
     times = {name: [] for name in meshes}
     for k in range(5):
         for name in meshes:
-            t, contacts = loop_time(folder, write(folder, name, (20, 20, 10), 100), 100)
+            t, contacts = loop_time(folder, write(folder, name, (20, 20, 10), STEPS), STEPS)
             times[name].append(t)
             if k == 0:
                 checks.above(name + ": contacts at the end", contacts, 100)

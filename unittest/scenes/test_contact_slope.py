@@ -10,7 +10,7 @@ from contact_scene import MATERIAL, block, header, mesh, particles, rotation
 from sphtm_scene import Checks, new_folder, run
 
 DX, G, ANGLE = 0.01, 10.0, 20.0
-RAMP, STEPS = 0.02, 4700
+RAMP, STEPS = 0.02, 5900
 SCRIPT = """
 pair_coeff 1 1 {material}
 variable g equal {g}*(time<{ramp})*time/{ramp}+{g}*(time>={ramp})

@@ -68,7 +68,7 @@ def vise(checks):
 
 def seam(checks):
     """The seam lies between two columns of particles; both tools reach beyond the block."""
-    fly = dict(v=(0.0, 0.0, -0.5), steps=300)
+    fly = dict(v=(0.0, 0.0, -0.5), steps=400)
     whole, end, _ = go(["fix w all contact/tri file plate.stl move 0 0 -0.0601 sides two"], ["f_w[*]"],
                        meshes=[("plate.stl", "plane --size 0.4 0.3 --cells 4 3")], **fly)
     halves = ["fix a all contact/tri file half.stl move -0.1 0 -0.0601 sides two",
@@ -90,7 +90,7 @@ def seam(checks):
 def groups(checks):
     first = "region left block INF 0 INF INF INF INF units box\ngroup left region left"
     t, end, _ = go([first, "fix p left contact/tri file plate.stl move 0 0 -0.1101"], ["f_p[*]"], meshes=PLATES,
-                   v=(0.0, 0.0, -0.5), steps=60)
+                   v=(0.0, 0.0, -0.5), steps=75)
     checks.near("group of the left half: contacts", t["f_p[12]"].max(), 18)
     once, _, _ = go(["fix p all contact/tri file plate.stl move 0 0 -0.1101 damping 0"], ["f_p[3]"], meshes=PLATES,
                     v=(0, 0, -0.5), steps=10)
@@ -122,7 +122,7 @@ def files(checks):
     for what in ("file plate.stl", "file ascii.stl", "file plate.vtk", "file fine.stl", "file unit.stl scale 0.5 0.2 0.6",
                  "file unit.stl move 1 0 0 scale 0.5 0.2 0.6 move -0.5 0 0"):
         tools = ["fix p all contact/tri %s %s friction 0.2" % (what, place)]
-        t, end, _ = go(tools, ["f_p[*]"], meshes=(), before=other_files, v=(0.3, 0.0, -1.0), steps=400)
+        t, end, _ = go(tools, ["f_p[*]"], meshes=(), before=other_files, v=(0.3, 0.0, -1.0), steps=540)
         values = np.array([t["f_p[%d]" % k] for k in range(1, 13) if not 7 <= k <= 9])
         if reference is None:
             reference = values
@@ -137,7 +137,7 @@ def ranks(checks):
              "effusivity 5000", "fix_modify p move rotate 0.05 0 -0.1101 0 1 0 0.5",
              "fix q all contact/tri file plate.stl rotate axis 0 1 0 angle 90 move -0.112 0 0 friction 0.1 damping 0.3"]
     columns = ["f_p", "f_p[*]", "f_q[*]", "f_body[1]", "f_body[4]", "f_body[5]", "f_body[6]", "f_body[8]", "f_body[9]"]
-    runs = [go(tools, columns, 400, n, "balance 1.0 shift x 5 1.0\ncomm_modify cutoff 0.1" if n == 4 else "",
+    runs = [go(tools, columns, 540, n, "balance 1.0 shift x 5 1.0\ncomm_modify cutoff 0.1" if n == 4 else "",
                "density 1000 elastic 1e7 0.3 heat 50 900 0.9", "energy yes temperature 300", PLATES, (-1.0, 0.3, -2.0), 20)
             for n in (1, 2, 4)]
     t1, end1, _ = runs[0]

@@ -306,7 +306,7 @@ def memory():
     cases = {"elastic": ("", elastic), "plastic": ("", elastic + " strength plastic 1e8 1e9"),
              "plastic, with heat": ("", elastic + " strength plastic 1e8 1e9 heat 200 900 0.9"),
              "plastic, with heat and correction": (" correction yes", elastic + " strength plastic 1e8 1e9 heat 200 900 0.9")}
-    columns = {"elastic": 0, "plastic": 3, "plastic, with heat": 3 + 2 + 1, "plastic, with heat and correction": 9 * 3}
+    columns = {"elastic": 0, "plastic": 3, "plastic, with heat": 3 + 2 + 1, "plastic, with heat and correction": 9 * 2}
     last = None
     for name, (style, coeff) in cases.items():
         r = run(big + "pair_style sph/tm hyperbolic 1.2 spacing 1e-3%s\n%s\nfix body all sph/tm\nrun 0\n" % (style, coeff))
