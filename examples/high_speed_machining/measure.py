@@ -277,7 +277,7 @@ def summary(runs):
         "mean_tangential_force_N": {v: s[v]["mean_tangential_force_N"] for v in runs},
         "force_ratio_heat_over_no_heat": ratio("mean_normal_force_N"),
         "force_ratio_to_1.75_mm": ratio("mean_normal_force_to_1.75_mm_N"),
-        "tangential_ratio_heat_over_no_heat": ratio("mean_tangential_force_N"),
+        "tangential_force_heat_minus_no_heat_N": float("%.4g" % (h["mean_tangential_force_N"] - n["mean_tangential_force_N"])),
         "chip_thickness_ratio_heat_over_no_heat": ratio("chip_thickness_mm"),
         "max_interface_temperature_C": h["max_interface_temperature_C"],
         "energy_error_fraction": max(h["energy_error_fraction"], n["energy_error_fraction"]),

@@ -107,23 +107,33 @@ def energy(path, runs):
 
 
 def forces(path, runs, s):
-    fig, axes = plt.subplots(2, 1, figsize=(9.5, 7.2), sharex=True, constrained_layout=True)
+    fig, axes = plt.subplots(3, 1, figsize=(9.5, 9.0), sharex=True, constrained_layout=True,
+                             gridspec_kw={"height_ratios": [3, 2, 2]})
+    smooth = {v: r.curve() for v, r in runs.items()}
     for v, r in runs.items():
-        cut, fx, fy = r.curve()
-        for ax, raw, smooth, key in ((axes[0], r.h["fx"], fx, "mean_normal_force_N"),
-                                     (axes[1], r.h["fy"], fy, "mean_tangential_force_N")):
+        cut, fx, fy = smooth[v]
+        for ax, raw, mean, key in ((axes[0], r.h["fx"], fx, "mean_normal_force_N"),
+                                   (axes[1], r.h["fy"], fy, "mean_tangential_force_N")):
             ax.plot(cut, raw, color=COLORS[v], lw=0.7, alpha=0.35)
-            ax.plot(cut, smooth, color=COLORS[v], lw=2.0, label="%s, mean %.0f N" % (LABELS[v], s[v][key]))
+            ax.plot(cut, mean, color=COLORS[v], lw=2.0, label="%s, mean %.0f N" % (LABELS[v], s[v][key]))
             ax.plot([M.STEADY_MM, cut[-1]], 2 * [s[v][key]], color=COLORS[v], lw=1.2, ls="--")
-    for ax, name in zip(axes, ("normal (cutting) force on the tool (N)", "tangential (thrust) force on the tool (N)")):
-        ax.axvspan(M.STEADY_MM, 1e3 * next(iter(runs.values())).h["cut"][-1], color="#000000", alpha=0.04, lw=0)
-        ax.axhline(0, color="#888888", lw=0.6)
+    cut = smooth["heat"][0]
+    other = np.interp(cut, smooth["no_heat"][0], smooth["no_heat"][1])
+    axes[2].plot(cut, smooth["heat"][1] / np.maximum(other, 1.0), color="#333333", lw=2.0, label="at this cut")
+    axes[2].axhline(0.854, color="#333333", ls=":", lw=1.4, label="F15, means: 0.854 (its own geometry)")
+    axes[2].plot([M.STEADY_MM, cut[-1]], 2 * [s["force_ratio_heat_over_no_heat"]], color="#333333", ls="--", lw=1.2,
+                 label="means of the shaded part: %.3f" % s["force_ratio_heat_over_no_heat"])
+    axes[2].set_ylim(0.6, 1.1)
+    names = ("normal (cutting) force (N)", "tangential (thrust) force (N)", "normal force,\nheat / no heat")
+    for ax, name in zip(axes, names):
+        ax.axvspan(M.STEADY_MM, cut[-1], color="#000000", alpha=0.04, lw=0)
         ax.set_ylabel(name)
         ax.legend(loc="best")
-    axes[0].set_title("thin: every 20 steps; thick: mean over 0.2 mm of cut; dashed: mean of the shaded part.  "
-                      "heat / no heat = %.3f  (F15: 0.854)" % s["force_ratio_heat_over_no_heat"], fontsize=10)
-    axes[1].set_xlabel("length of cut (mm)")
-    axes[1].set_xlim(0, None)
+    axes[1].axhline(0, color="#888888", lw=0.6)
+    axes[0].set_title("Forces on the tool; thin: every 20 steps, thick: mean over 0.2 mm of cut, dashed: mean of the shaded part",
+                      fontsize=10)
+    axes[2].set_xlabel("length of cut (mm)")
+    axes[2].set_xlim(0, cut[-1])
     fig.savefig(path)
     plt.close(fig)
 
@@ -135,7 +145,7 @@ def temperature(path, run, s):
     ax.axhline(s["max_interface_temperature_C"], color=COLORS["heat"], ls="--", lw=1.2,
                label="mean over the cut %.0f C" % s["max_interface_temperature_C"])
     ax.axhline(376, color="#333333", ls=":", lw=1.4, label="F15: 376 C (its own geometry)")
-    ax.axhline(582, color="#999999", lw=0.8, label="melting, 582 C")
+    ax.axhline(582, color="#999999", lw=0.8, label="melting: 582 C")
     ax.set_xlabel("length of cut (mm)")
     ax.set_ylabel("temperature (C)")
     ax.set_xlim(0, None)

@@ -135,7 +135,7 @@ def files(checks):
 def ranks(checks):
     tools = ["fix p all contact/tri file plate.stl move 0.05 0 -0.1101 friction 0.3 heat conductance 1e4 lumped 1 200 500 "
              "effusivity 5000", "fix_modify p move rotate 0.05 0 -0.1101 0 1 0 0.5",
-             "fix q all contact/tri file plate.stl rotate axis 0 1 0 angle 90 move -0.112 0 0 friction 0.1 damping 0.3"]
+             "fix q all contact/tri file plate.stl rotate axis 0 1 0 angle 90 move -0.1105 0 0 friction 0.1 damping 0.3"]
     columns = ["f_p", "f_p[*]", "f_q[*]", "f_body[1]", "f_body[4]", "f_body[5]", "f_body[6]", "f_body[8]", "f_body[9]"]
     runs = [go(tools, columns, 540, n, "balance 1.0 shift x 5 1.0\ncomm_modify cutoff 0.1" if n == 4 else "",
                "density 1000 elastic 1e7 0.3 heat 50 900 0.9", "energy yes temperature 300", PLATES, (-1.0, 0.3, -2.0), 20)
