@@ -3,7 +3,7 @@
 
 #include "argument.h"
 #include "fix_sph_tm.h"
-#include "material_input.h"
+#include "material_constants.h"
 #include "pair_sph_tm.h"
 
 #include "atom.h"

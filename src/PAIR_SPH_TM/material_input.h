@@ -6,9 +6,7 @@
      strength none | damage johnson/cook D1 D2 D3 D4 D5 | damage strain emax | damage none |
      heat k cp chi | emissivity e | body solid | body heat
    in any order; k and cp may be 'table/N T1 y1 ... TN yN'. Then, or after the name of a card,
-   'set <constant> <value>' changes one constant.
-
-   A card file holds 'material <name>', the same keywords in SI, one per line, and 'end'. */
+   'set <constant> <value>' changes one constant. Cards are in SI: see material_card.h. */
 #ifndef SPHTM_MATERIAL_INPUT_H
 #define SPHTM_MATERIAL_INPUT_H
 
@@ -21,13 +19,6 @@ class LAMMPS;
 }
 
 namespace SPHTM_NS {
-
-// SI value of the units of a LAMMPS style; temperature is K in all of them
-struct StyleUnits {
-  const char *style;
-  double mass, length, time, energy, pressure, density;
-};
-const StyleUnits *find_style_units(const std::string &style);    // nullptr: lj and unknown ones
 
 // style is the command for messages, e.g. "Pair sph/tm coeff"; the constants start at arg[first]
 tm_material material_from_args(LAMMPS_NS::LAMMPS *lmp, const char *style, int narg, char **arg,

@@ -1,0 +1,59 @@
+/* SPH-TM: the constants of a material by name: unit, range, and the keyword that they follow. */
+#ifndef SPHTM_MATERIAL_CONSTANTS_H
+#define SPHTM_MATERIAL_CONSTANTS_H
+
+#include "tm_material.h"
+
+#include <string>
+#include <vector>
+
+namespace SPHTM_NS {
+
+// SI value of the units of a LAMMPS style; temperature is K in all of them
+struct StyleUnits {
+  const char *style;
+  double mass, length, time, energy, pressure, density;
+};
+const StyleUnits *find_style_units(const std::string &style);    // nullptr: lj and unknown ones
+
+namespace Material {
+
+enum Unit { PLAIN, DENSITY, STRESS, SPEED, RATE, TEMPERATURE, CONDUCTIVITY, CAPACITY };
+
+double si_value(Unit unit, const StyleUnits &u);
+
+enum Range { ANY, POSITIVE, NOT_NEGATIVE, SHARE, POISSON };
+bool in_range(Range range, double x);
+const char *range_text(Range range);
+
+// every constant: its name for 'set' and messages, where it goes, its unit and its range
+struct Constant {
+  const char *name;
+  tm_real tm_material::*number;
+  tm_table tm_material::*table;
+  Unit unit;
+  Range range;
+};
+const std::vector<Constant> &constants();
+const Constant *find_constant(const std::string &name);    // nullptr: no such
+
+// every keyword with its option, what it selects and the constants that follow
+struct Group {
+  const char *keyword, *option;
+  int tm_material::*selector;
+  int choice;
+  std::vector<const char *> constants;
+};
+const std::vector<Group> &groups();
+bool is_keyword(const std::string &word);    // of a group, or 'set'
+
+// lists for messages
+std::string join(const std::vector<std::string> &words);
+std::string known_keywords();
+std::string known_options(const std::string &keyword);
+std::string known_constants();
+
+}    // namespace Material
+}    // namespace SPHTM_NS
+
+#endif
