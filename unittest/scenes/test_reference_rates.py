@@ -9,6 +9,7 @@ import sys
 import numpy as np
 from sph_reference import REACH, Body, Material
 from sphtm_scene import Checks, run
+from unit_styles import UNITS
 
 SCRIPT = """
 units {units}
@@ -28,14 +29,6 @@ dump d all custom 1 out.{number} id type x y z vx vy vz fx fy fz c_p[*]
 dump_modify d format float %.17g
 run {steps}
 """
-AMU, BOHR, HARTREE, MOL = 1.66053906660e-27, 5.29177210903e-11, 4.3597447222071e-18, 6.02214076e23
-UNITS = {    # SI value of mass, length, time, energy, force, pressure, density (doc page of the command units)
-    "si": (1, 1, 1, 1, 1, 1, 1), "lj": (1, 1, 1, 1, 1, 1, 1),
-    "cgs": (1e-3, 1e-2, 1, 1e-7, 1e-5, 0.1, 1e3),
-    "real": (AMU, 1e-10, 1e-15, 4184 / MOL, 4184 / MOL / 1e-10, 101325, 1e3),
-    "metal": (AMU, 1e-10, 1e-12, 1.602176634e-19, 1.602176634e-9, 1e5, 1e3),
-    "electron": (AMU, BOHR, 1e-15, HARTREE, HARTREE / BOHR, 1, AMU / BOHR ** 3),
-    "micro": (1e-15, 1e-6, 1e-6, 1e-15, 1e-9, 1e3, 1e3), "nano": (1e-21, 1e-9, 1e-9, 1e-21, 1e-12, 1e6, 1e6)}
 STEPS = 3    # the prediction has seen two steps of its own by then
 
 # --- materials, in the script's words and in those of the reference -----------------------------------------
