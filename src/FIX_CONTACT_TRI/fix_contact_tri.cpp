@@ -274,7 +274,7 @@ tm_contact_args FixContactTri::make_args(const tm_pose &pose, bool output)
 {
   tm_contact_args a = {};
   const tm_state s = state->state();
-  const tm_records &rec = pair->records();
+  const tm_records &rec = pair->rate_args().rec;
   a.mesh = tool.view();
   a.grid = tool.grid();
   a.pose = pose;
@@ -285,9 +285,9 @@ tm_contact_args FixContactTri::make_args(const tm_pose &pose, bool output)
   a.force_unit = 1.0 / pair->units().force;
   a.tool_temperature = temperature;
   a.law = laws.data();
-  a.mask = atom->mask;
+  a.mask = s.mask;
   a.group = groupbit;
-  a.type = atom->type;
+  a.type = s.type;
   a.x = s.x;
   a.v = s.v;
   a.rate_v = rec.main + TM_REC_V;
@@ -296,7 +296,7 @@ tm_contact_args FixContactTri::make_args(const tm_pose &pose, bool output)
   a.rate_v_stride = TM_REC;
   a.mass = s.mass;
   a.rmass = s.rmass;
-  a.material = pair->materials();
+  a.material = s.material;
   if (state->has(TM_FX_HEAT)) {
     a.temperature = rec.heat + TM_REC_T;
     a.temperature_stride = TM_REC_HEAT;

@@ -124,8 +124,8 @@ void FixContactTri::place_body(const tm_pose &from, const tm_pose &to)
 double FixContactTri::heat_weight(int i, int j) const
 {
   const PairSPHTM::Settings &set = pair->settings_in_use();
-  const double *a = pair->records().main + (size_t) i * TM_REC;
-  const double *b = pair->records().main + (size_t) j * TM_REC;
+  const double *main = pair->host_records().main;
+  const double *a = main + (size_t) i * TM_REC, *b = main + (size_t) j * TM_REC;
   const double dx = a[0] - b[0], dy = a[1] - b[1], dz = a[2] - b[2];
   return tm_kernel_shape(set.kernel, sqrt(dx * dx + dy * dy + dz * dz) / set.h);
 }
@@ -136,9 +136,9 @@ double FixContactTri::heat_weight(int i, int j) const
    said. */
 void FixContactTri::heat_body()
 {
-  const tm_rows &rows = pair->rate_args().rows;
+  const tm_rows rows = pair->host_rows();
   const int *type = atom->type;
-  double *source = state->heat_source();
+  double *source = state->host_heat_source();
   auto each_neighbor = [&](int i, auto &&use) {
     const int *row = rows.index + rows.first[i];
     for (int k = 0; k < rows.thermal[i]; k++) use(row[(rows.mechanical[i] + k) * rows.stride]);

@@ -83,7 +83,7 @@ void FixSPHTMDrive::warn_of_later_forces()
   for (int k = 0; k < modify->nfix; k++) {
     const Fix *f = modify->fix[k];
     if (f == this) later = true;
-    if (!later || f == this || !(modify->fmask[k] & POST_FORCE) || strcmp(f->style, "sph/tm/heat") == 0) continue;
+    if (!later || f == this || !(modify->fmask[k] & POST_FORCE) || utils::strmatch(f->style, "^sph/tm/heat")) continue;
     bigint mine = 0, all = 0;
     for (int i = 0; i < atom->nlocal; i++) mine += (atom->mask[i] & groupbit) && (atom->mask[i] & f->groupbit);
     MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
@@ -115,7 +115,7 @@ void FixSPHTMDrive::post_force(int)
     if (given[k]) target[k] = velocity[k].now();    // at the end of the step: its time is current here
   if (varies) modify->addstep_compute(update->ntimestep + 1);
 
-  const tm_state s = body->state();
+  const tm_state s = body->host_state();
   const double dt = body->step_dt(), to_acc = body->pair()->units().force;
   double work = 0.0;
   for (int i = 0; i < atom->nlocal; i++) {

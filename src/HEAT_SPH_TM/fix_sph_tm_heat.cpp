@@ -192,7 +192,7 @@ double FixSPHTMHeat::temperature_now()
 double FixSPHTMHeat::hold(double T)
 {
   double heat = 0.0;
-  const tm_state s = body->state();
+  const tm_state s = body->host_state();
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     tm_real *t = tm_field_row(&s, TM_F_TEMP, i);
@@ -235,9 +235,10 @@ tm_exchange_args FixSPHTMHeat::exchange_args()
   a.facing = facing;
   a.d = direction;
   a.area_factor = 1.0;
-  a.main = pair->records().main;
-  a.heat = pair->records().heat;
-  a.normal = pair->surfaces().data();
+  const tm_records rec = pair->host_records();
+  a.main = rec.main;
+  a.heat = rec.heat;
+  a.normal = pair->host_surface();
   a.type = atom->type;
   a.material = pair->materials();
   return a;
@@ -247,7 +248,7 @@ tm_exchange_args FixSPHTMHeat::exchange_args()
 void FixSPHTMHeat::exchange()
 {
   tm_exchange_args a = exchange_args();
-  double *source = body->heat_source();
+  double *source = body->host_heat_source();
   const int *mask = atom->mask, nlocal = atom->nlocal;
   if (known_area > 0.0) {
     double found = 0.0, all = 0.0;

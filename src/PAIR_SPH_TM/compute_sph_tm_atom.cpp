@@ -23,9 +23,10 @@ struct Particle {
   PairSPHTM *pair;
   const tm_material *m;
   int i;
+  const tm_real *main, *surface, *neighbors;    // of all particles, or nullptr
   double state(int id, int column, double otherwise) const
   {
-    double *d = fix->field(id);
+    const double *d = fix->field(id);
     return d ? d[(size_t) i * tm_field_table[id].columns + column] : otherwise;
   }
   double rho() const { return state(TM_F_RHO, 0, 0.0); }
@@ -75,13 +76,12 @@ const Attribute ATTRIBUTES[] = {
            ? tm_eos_sound_speed(p.m, p.rho(), p.state(TM_F_ENERGY, 0, 0.0)) : 0.0;
      }},
     {"h", [](const Particle &p) { return p.pair->settings_in_use().h; }},
-    {"neighbors", [](const Particle &p) { return (double) p.pair->count_neighbors(p.i); }},
+    {"neighbors", [](const Particle &p) { return p.neighbors ? p.neighbors[p.i] : 0.0; }},
     {"surface/area",
      [](const Particle &p) {
-       const auto &n = p.pair->surfaces();
-       if (n.size() < 3 * ((size_t) p.i + 1)) return 0.0;    // made since the last run
-       const double *g = &n[3 * (size_t) p.i];
-       const double *r = p.pair->records().main + (size_t) p.i * TM_REC;
+       if (!p.surface) return 0.0;
+       const double *g = p.surface + 3 * (size_t) p.i;
+       const double *r = p.main + (size_t) p.i * TM_REC;
        return tm_surface_area(&p.pair->surface_measure(), tm_vec(g[0], g[1], g[2]), r[TM_REC_M] / r[TM_REC_RHO]);
      }},
 };
@@ -139,7 +139,14 @@ void ComputeSPHTMAtom::compute_peratom()
     if (size_peratom_cols == 0) memory->create(vector_atom, nmax, "sph/tm/atom:vector");
     else memory->create(array_atom, nmax, columns, "sph/tm/atom:array");
   }
-  Particle p = {fix, fix->pair(), nullptr, 0};
+  Particle p = {fix, fix->pair(), nullptr, 0, nullptr, nullptr, nullptr};
+  for (int k : wanted) {
+    const std::string name = ATTRIBUTES[k].name;
+    if (name == "neighbors") p.neighbors = p.pair->host_neighbors();
+    if (name != "surface/area" || !p.pair->has_surface(atom->nlocal)) continue;
+    p.main = p.pair->host_records().main;
+    p.surface = p.pair->host_surface();
+  }
   for (int i = 0; i < atom->nlocal; i++) {
     p.i = i;
     p.m = p.pair->materials() + atom->type[i];

@@ -25,7 +25,8 @@ using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
 using namespace FixConst;
 
-FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
+FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg, Backend &loops) :
+    Fix(lmp, narg, arg), backend(loops), fields(loops), source(loops)
 {
   time_integrate = 1;
   create_attribute = 1;
@@ -167,7 +168,10 @@ void FixSPHTM::derive_effects()
   maxexchange = fields.columns();
   // a field that appears now starts from its initial value
   const unsigned fresh = fields.mask() & ~had;
-  for (int i = 0; i < atom->nlocal; i++) initialise_fields(i, fresh);
+  if (fresh) {
+    const tm_initial_args a = initial_args(host_state(), fresh);
+    for (int i = 0; i < atom->nlocal; i++) tm_initial(i, &a);
+  }
   if (comm->me == 0 && (before != fx || !reported)) {
     for (const auto &line : plan.report) utils::logmesg(lmp, "{}\n", line);
     for (const auto &w : plan.warnings) error->warning(FLERR, w);
@@ -196,48 +200,58 @@ void FixSPHTM::init()
   std::fill(dt_limits, dt_limits + TM_DT_CAUSES, 1e300);
 }
 
-// zeroed rows of new particles get the reference density and the start temperature
-void FixSPHTM::initialise_fields(int i, unsigned mask)
+tm_initial_args FixSPHTM::initial_args(const tm_state &s, unsigned mask) const
 {
-  const int t = atom->type[i];
-  if (mask & (1u << TM_F_TEMP)) {
-    double *row = fields.data(TM_F_TEMP) + 3 * (size_t) i;
-    row[0] = temperature0;
-    row[1] = row[2] = 0.0;
-  }
-  if (mask & (1u << TM_F_BALSARA)) fields.data(TM_F_BALSARA)[i] = 1.0;
-  if (mask & (1u << TM_F_THICKNESS)) fields.data(TM_F_THICKNESS)[i] = 1.0;
-  if (mask & (1u << TM_F_RHO)) fields.data(TM_F_RHO)[i] = pair_sph->materials()[t].rho0;
+  tm_initial_args a;
+  a.state = s;
+  a.fields = mask;
+  a.temperature = temperature0;
+  return a;
 }
 
 void FixSPHTM::initialise_particles()
 {
-  const double *rho = fields.data(TM_F_RHO);
-  for (int i = 0; i < atom->nlocal; i++)
-    if (rho[i] == 0.0) initialise_fields(i, fields.mask());
+  backend.initial_of_new(atom->nlocal, initial_args(state(), fields.mask()));
+  if (preset.empty()) return;
+  double *T = fields[TM_F_TEMP].host_write();
   for (const auto &p : preset)
     for (int i = 0; i < atom->nlocal; i++)
-      if (atom->mask[i] & p.bit) fields.data(TM_F_TEMP)[3 * (size_t) i] = p.temperature;
+      if (atom->mask[i] & p.bit) T[3 * (size_t) i] = p.temperature;
   preset.clear();
 }
 
 tm_state FixSPHTM::state()
 {
   tm_state s;
-  for (int id = 0; id < TM_F_COUNT; id++) s.field[id] = fields.data(id);
+  for (int id = 0; id < TM_F_COUNT; id++) s.field[id] = fields[id].loop_write();
+  s.material = pair_sph->loop_materials();
+  point_to_atoms(s);
+  return s;
+}
+
+tm_state FixSPHTM::host_state()
+{
+  tm_state s;
+  for (int id = 0; id < TM_F_COUNT; id++) s.field[id] = fields[id].host_write();
+  s.material = pair_sph->materials();
+  FixSPHTM::point_to_atoms(s);
+  return s;
+}
+
+void FixSPHTM::point_to_atoms(tm_state &s)
+{
   s.x = atom->nmax ? &atom->x[0][0] : nullptr;
   s.v = atom->nmax ? &atom->v[0][0] : nullptr;
   s.force = atom->nmax ? &atom->f[0][0] : nullptr;
   s.type = atom->type;
-  s.material = pair_sph->materials();
+  s.mask = atom->mask;
   s.mass = atom->mass;
   s.rmass = atom->rmass_flag ? atom->rmass : nullptr;
-  return s;
 }
 
 double FixSPHTM::temperature(int i)
 {
-  return has(TM_FX_HEAT) ? fields.data(TM_F_TEMP)[3 * (size_t) i] : temperature0;
+  return has(TM_FX_HEAT) ? fields[TM_F_TEMP].host_read()[3 * (size_t) i] : temperature0;
 }
 
 /* ---------------------------------------------------------------------- one step */
@@ -256,59 +270,21 @@ void FixSPHTM::setup_pre_force(int vflag)
 void FixSPHTM::setup(int)
 {
   energy_step = -1;    // velocities and particles may have changed since the last run
-  const double to_acc = pair_sph->units().force;
-  double limits[3] = {1e300, 1e300, 1e300};
-  const double h = pair_sph->settings_in_use().h;
-  const tm_state s = state();
-  for (int i = 0; i < atom->nlocal; i++) {
-    const tm_material &m = pair_sph->materials()[atom->type[i]];
-    if (!started) seed_history(i, to_acc);
-    if (m.body == TM_BODY_SOLID) {
-      const double c = pair_sph->records().main[(size_t) i * TM_REC + TM_REC_C];
-      limits[0] = std::min(limits[0], tm_sound_time_step(h, c, pair_sph->settings_in_use().visc_alpha, fx));
-      const double a = to_acc / tm_particle_mass(&s, i) *
-          sqrt(atom->f[i][0] * atom->f[i][0] + atom->f[i][1] * atom->f[i][1] + atom->f[i][2] * atom->f[i][2]);
-      if (a > 0.0 && (atom->mask[i] & groupbit)) limits[1] = std::min(limits[1], sqrt(h / a));
-    }
-    if (has(TM_FX_CONDUCTION)) {
-      const double T = temperature(i), k = tm_conductivity(&m, T);
-      if (k > 0.0)
-        limits[2] = std::min(limits[2], tm_heat_time_step(fields.data(TM_F_RHO)[i], tm_capacity(&m, T), h, k,
-                                                          pair_sph->largest_conductivity(),
-                                                          pair_sph->lattice_sums().heat_rate));
-    }
-  }
-  for (int k = 0; k < 3; k++) dt_limits[k] = std::min(dt_limits[k], limits[k]);
+  const tm_update_result r = backend.initial_limits(atom->nlocal, update_args(), fx, !started);
+  for (int k = 0; k < 3; k++) dt_limits[k] = std::min(dt_limits[k], r.dt[k]);
   if (!started) check_start();
   if (fixed_dt > 0.0) check_fixed_dt();
   if (!started || dt_next <= 0.0) {
     reduce_dt();
     if (!started && comm->me == 0) {
       utils::logmesg(lmp, "sph/tm: time step {:.6g}, limited by {}; rate loops: {}\n",
-                     fixed_dt > 0.0 ? fixed_dt : dt_next, dt_cause_name(), rate_loop_isa());
+                     fixed_dt > 0.0 ? fixed_dt : dt_next, dt_cause_name(), backend.name());
     }
   } else {    // a run that goes on keeps its step, unless a tool became stiffer or faster
     dt_next = std::min({dt_next, dt_limits[TM_DT_CONTACT], dt_limits[TM_DT_MOTION]});
   }
   dt = fixed_dt > 0.0 ? fixed_dt : dt_next;
   apply_dt(dt, update->ntimestep);
-}
-
-// rates of the set-up, as history of the first prediction
-void FixSPHTM::seed_history(int i, double to_acc)
-{
-  const tm_state s = state();
-  double *h1 = tm_field_row(&s, TM_F_HISTORY, i), *h2 = h1 + TM_H_STEP;
-  const double c = to_acc / tm_particle_mass(&s, i);
-  const tm_material &m = pair_sph->materials()[atom->type[i]];
-  if (m.body != TM_BODY_SOLID) return;
-  if (atom->mask[i] & groupbit)
-    for (int k = 0; k < domain->dimension; k++) h1[TM_H_V + k] = c * atom->f[i][k];
-  const tm_mat3 L = tm_mat_load(&pair_sph->gradients()[9 * (size_t) i]);
-  h1[TM_H_RHO] = -fields.data(TM_F_RHO)[i] * tm_mat_trace(L);
-  if (m.strength != TM_STRENGTH_NONE)
-    tm_sym_store(h1 + TM_H_S, tm_jaumann_rate(tm_sym_load(tm_field_row(&s, TM_F_STRESS, i)), L, m.shear));
-  std::copy_n(h1, (int) TM_H_STEP, h2);
 }
 
 void FixSPHTM::initial_integrate(int)
@@ -318,14 +294,8 @@ void FixSPHTM::initial_integrate(int)
   apply_dt(dt, update->ntimestep - 1);    // this step is counted already
   std::fill(dt_limits, dt_limits + TM_DT_CAUSES, 1e300);    // those of the set-up are in use
   dt_ahead = 0.5 * dt;
-  const bool xsph = has(TM_FX_XSPH);
-  const double *u = xsph ? fields.data(TM_F_XSPH) : nullptr;
-  double **x = atom->x, **v = atom->v;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    for (int k = 0; k < domain->dimension; k++) x[i][k] += dt_ahead * (v[i][k] + (xsph ? u[3 * (size_t) i + k] : 0.0));
-  }
-  if (stop_on_lost) check_inside_box();
+  const int lost = backend.drift(atom->nlocal, drift_args(), fx);
+  if (lost < atom->nlocal) stop_on_lost_particle(lost);
 }
 
 void FixSPHTM::post_neighbor() { initialise_particles(); }
@@ -334,24 +304,23 @@ void FixSPHTM::pre_force(int)
 {
   if (has(TM_FX_HEAT)) {
     source.resize(std::max(atom->nmax, 1));
-    std::fill_n(source.begin(), atom->nlocal, 0.0);
+    backend.zero(source.loop_write(), atom->nlocal * sizeof(double));
   }
   contact_spring = 0.0;
 }
 
 tm_update_args FixSPHTM::update_args()
 {
-  auto ptr = [](const auto &v) { return v.empty() ? nullptr : v.data(); };
   tm_update_args a;
   a.state = state();
-  a.rec = pair_sph->records();
-  a.gradient = ptr(pair_sph->gradients());
-  a.heat = ptr(pair_sph->conduction());
-  a.xsph_v = ptr(pair_sph->xsph_velocities());
-  a.artificial = ptr(pair_sph->artificial_heating());
-  a.force_internal = ptr(pair_sph->internal_forces());
+  const tm_rates_args &rates = pair_sph->rate_args();
+  a.rec = rates.rec;
+  a.gradient = rates.gradient;
+  a.heat = rates.heat;
+  a.xsph_v = rates.xsph_v;
+  a.artificial = rates.artificial;
+  a.force_internal = pair_sph->internal_force();
   a.source = heat_source();
-  a.mask = atom->mask;
   a.group = groupbit;
   a.dt = dt;
   a.h = pair_sph->settings_in_use().h;
@@ -365,11 +334,8 @@ tm_update_args FixSPHTM::update_args()
 
 void FixSPHTM::final_integrate()
 {
-  const tm_update_args a = update_args();
-  tm_update_result sum = {};
-  std::fill_n(sum.dt, 3, 1e300);
-  const int bad = update_loop()(atom->nlocal, &a, fx, &sum);
-  if (bad < atom->nlocal) stop_on(bad, sum);
+  const tm_update_result sum = backend.update(atom->nlocal, update_args(), fx);
+  if (sum.status != TM_OK) stop_on(sum.particle, sum);
   for (int k = 0; k < 3; k++) dt_limits[k] = tm_min(dt_limits[k], sum.dt[k]);
   if (has(TM_FX_LEDGER)) {
     ledger.elastic += sum.elastic;

@@ -7,8 +7,6 @@
 
 #include "fix.h"
 #include "particle_fields.h"
-#include "tm_predict.h"
-#include "tm_update.h"
 
 #include <string>
 #include <vector>
@@ -19,7 +17,7 @@ class PairSPHTM;
 
 class FixSPHTM : public Fix {
  public:
-  FixSPHTM(class LAMMPS *, int, char **);
+  FixSPHTM(class LAMMPS *, int, char **, SPHTM_NS::Backend & = SPHTM_NS::Backend::host());
   ~FixSPHTM() override;
   int setmask() override;
   void init() override;
@@ -51,18 +49,22 @@ class FixSPHTM : public Fix {
 
   unsigned effects() const { return fx; }
   bool has(unsigned effect) const { return (fx & effect) != 0; }
-  // rows of one state field (tm_fields.h), or nullptr when it is off
-  double *field(int id) { return fields.data(id); }
-  tm_state state();                                // pointers valid until the next reneighbouring
+  SPHTM_NS::Backend &loops() { return backend; }
+  // pointers valid until the next reneighbouring: of the particle loops, and of the host
+  tm_state state();
+  tm_state host_state();
+  // rows of one state field (tm_fields.h) on the host, or nullptr when it is off
+  const double *field(int id) { return fields[id].host_read(); }
   double time_ahead() const { return dt_ahead; }   // from the state to the force point
   double step_dt() const { return dt; }
   bool restored() const { return started; }        // has taken a step, here or before a restart
   double start_temperature() const { return temperature0; }
-  double temperature(int i);                       // of owned particle i, K
+  double temperature(int i);                       // of owned particle i, K; on the host
   PairSPHTM *pair() { return pair_sph; }
   // power (mass length^2/time^3) given to owned particles this step by contact and heat fixes;
   // zeroed in pre_force, added to in post_force; nullptr when heat is off
-  double *heat_source() { return has(TM_FX_HEAT) ? source.data() : nullptr; }
+  double *heat_source() { return has(TM_FX_HEAT) ? source.loop_write() : nullptr; }
+  double *host_heat_source() { return has(TM_FX_HEAT) ? source.host_write() : nullptr; }
   // another fix asks for heat as a state (called from its init(), or earlier)
   void need(unsigned effect, const std::string &reason);
   // upper limit of the time step, already with its safety factor; valid for the next step
@@ -82,6 +84,15 @@ class FixSPHTM : public Fix {
   Ledger ledger;
   double contact_spring = 0.0;    // energy stored in contact springs now, on this rank
 
+ protected:
+  SPHTM_NS::Backend &backend;
+  SPHTM_NS::ParticleFields fields;
+  PairSPHTM *pair_sph = nullptr;
+  unsigned fx = 0;                 // effects in use
+  virtual void derive_effects();
+  virtual void point_to_atoms(tm_state &);    // LAMMPS's arrays, where the loops run
+  virtual void atoms_to_host() {}             // bring them up to date on the host
+
  private:
   // entries of the output vector
   enum {
@@ -90,9 +101,6 @@ class FixSPHTM : public Fix {
     VECTOR_SIZE
   };
 
-  SPHTM_NS::ParticleFields fields;
-  PairSPHTM *pair_sph = nullptr;
-  unsigned fx = 0;                 // effects in use
   unsigned forced_on = 0, forced_off = 0;
   unsigned asked = 0;              // by other fixes
   std::vector<std::pair<unsigned, std::string>> asked_reasons;
@@ -113,14 +121,12 @@ class FixSPHTM : public Fix {
   double dt_next = 0.0;
   int dt_cause = TM_DT_SOUND;
   bool started = false;            // the first step has been taken (also after a restart)
-  std::vector<double> source;
+  SPHTM_NS::LoopArray<double> source;
   double energy_now[VECTOR_SIZE];
   bigint energy_step = -1;
 
-  void derive_effects();
-  void initialise_fields(int, unsigned);
+  tm_initial_args initial_args(const tm_state &, unsigned) const;
   void initialise_particles();
-  void seed_history(int, double);
   void reduce_dt();
   void setup_dt();
   const char *dt_cause_name() const;
@@ -129,7 +135,8 @@ class FixSPHTM : public Fix {
   void apply_dt(double, bigint);
   tm_update_args update_args();
   void stop_on(int, const tm_update_result &);
-  void check_inside_box();
+  tm_drift_args drift_args();
+  void stop_on_lost_particle(int);
   void sum_energies();
 };
 

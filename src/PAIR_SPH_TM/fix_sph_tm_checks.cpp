@@ -14,37 +14,45 @@
 using namespace LAMMPS_NS;
 
 // a particle beyond a fixed boundary would be deleted at the next reneighbouring
-void FixSPHTM::check_inside_box()
+tm_drift_args FixSPHTM::drift_args()
 {
-  const int(*b)[2] = domain->boundary;
-  enum { FIXED = 1 };
-  bool fixed[3][2], any = false;
-  for (int d = 0; d < 3; d++)
-    for (int side = 0; side < 2; side++) {
-      fixed[d][side] = b[d][side] == FIXED && (d < 2 || domain->dimension == 3);
-      any = any || fixed[d][side];
-    }
-  if (!any || domain->triclinic) return;
-  for (int i = 0; i < atom->nlocal; i++)
-    for (int d = 0; d < 3; d++) {
-      const double x = atom->x[i][d];
-      if ((!fixed[d][0] || x >= domain->boxlo[d]) && (!fixed[d][1] || x <= domain->boxhi[d])) continue;
-      const double *v = atom->v[i];
-      error->one(FLERR, "Fix sph/tm stops at step {}: particle {} (type {}) at {:.6g} {:.6g} {:.6g} with "
-                        "velocity {:.6g} {:.6g} {:.6g} leaves the box through its {} {} boundary. Likely "
-                        "cause: a box too small for the motion, or a particle shot out by an unstable "
-                        "contact. Make the box larger, use boundary m or s, or 'lost ignore' to let it go",
-                 update->ntimestep, atom->tag[i], atom->type[i], atom->x[i][0], atom->x[i][1],
-                 atom->x[i][2], v[0], v[1], v[2], "xyz"[d], x < domain->boxlo[d] ? "lower" : "upper");
-    }
+  enum { FIXED = 1 };    // of Domain
+  tm_drift_args a;
+  a.state = state();
+  a.group = groupbit;
+  a.half = dt_ahead;
+  for (int d = 0; d < 3; d++) {
+    for (int side = 0; side < 2; side++)
+      a.closed[d][side] = stop_on_lost && !domain->triclinic && domain->boundary[d][side] == FIXED;
+    a.lo[d] = domain->boxlo[d];
+    a.hi[d] = domain->boxhi[d];
+  }
+  return a;
+}
+
+void FixSPHTM::stop_on_lost_particle(int i)
+{
+  atoms_to_host();
+  const tm_drift_args a = drift_args();
+  const double *x = atom->x[i], *v = atom->v[i];
+  int d = 0;
+  while ((!a.closed[d][0] || x[d] >= a.lo[d]) && (!a.closed[d][1] || x[d] <= a.hi[d])) d++;
+  error->one(FLERR, "Fix sph/tm stops at step {}: particle {} (type {}) at {:.6g} {:.6g} {:.6g} with "
+                    "velocity {:.6g} {:.6g} {:.6g} leaves the box through its {} {} boundary. Likely "
+                    "cause: a box too small for the motion, or a particle shot out by an unstable "
+                    "contact. Make the box larger, use boundary m or s, or 'lost ignore' to let it go",
+             update->ntimestep, atom->tag[i], atom->type[i], x[0], x[1], x[2], v[0], v[1], v[2],
+             "xyz"[d], x[d] < a.lo[d] ? "lower" : "upper");
 }
 
 // a state that cannot go on: say where and why, leave the last restart file as it is
 void FixSPHTM::stop_on(int i, const tm_update_result &r)
 {
+  atoms_to_host();
   const double *x = atom->x[i], *v = atom->v[i];
-  if (!std::isfinite(x[0] + x[1] + x[2])) x = pair_sph->records().main + (size_t) i * TM_REC;    // half a step ago
-  const double rho = fields.data(TM_F_RHO)[i], T = temperature(i);
+  if (!std::isfinite(x[0] + x[1] + x[2]))
+    x = pair_sph->host_records().main + (size_t) i * TM_REC;    // half a step ago
+  const double rho = field(TM_F_RHO)[i], T = temperature(i);
   std::string what, cause;
   switch (r.status) {
     case TM_BAD_NAN:
@@ -74,7 +82,7 @@ void FixSPHTM::stop_on(int i, const tm_update_result &r)
 void FixSPHTM::check_start()
 {
   const double dp = pair_sph->settings_in_use().spacing;
-  const PairSPHTM::Closest c = pair_sph->closest();
+  const tm_nearest c = pair_sph->nearest();
   if (c.distance < 0.1 * dp) {
     double **x = atom->x;
     error->one(FLERR, "Pair style sph/tm: particles {} and {} are {} at {:.6g} {:.6g} {:.6g}; remove one of "
@@ -95,7 +103,7 @@ void FixSPHTM::check_start()
                         "number at the start; its velocity is {:.6g} {:.6g} {:.6g}", what, atom->tag[i],
                  atom->type[i], x[0], x[1], x[2], v[0], v[1], v[2]);
   }
-  double mine[2] = {c.sum, (double) c.count}, all[2];
+  double mine[2] = {c.sum, c.count}, all[2];
   MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
   if (comm->me) return;
   bigint solids = 0;

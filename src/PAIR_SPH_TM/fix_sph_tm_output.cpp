@@ -15,16 +15,9 @@ void FixSPHTM::sum_energies()
 {
   if (energy_step == update->ntimestep && update->whichflag) return;
   energy_step = update->ntimestep;
-  const tm_state s = state();
-  double kinetic = 0.0, neighbors = 0.0;
-  for (int i = 0; i < atom->nlocal; i++) {
-    const double *v = atom->v[i];
-    kinetic += 0.5 * tm_particle_mass(&s, i) * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-  }
-  neighbors = pair_sph ? pair_sph->neighbors_per_particle() * atom->nlocal : 0.0;
   const Ledger &l = ledger;
   double mine[VECTOR_SIZE] = {};
-  mine[ENERGY_KINETIC] = kinetic;
+  mine[ENERGY_KINETIC] = backend.kinetic_energy(atom->nlocal, state());
   mine[ENERGY_ELASTIC] = l.elastic;
   mine[ENERGY_PLASTIC] = l.plastic - l.plastic_heat;
   mine[ENERGY_HEAT] = l.heat - l.heat_exchanged;
@@ -32,7 +25,7 @@ void FixSPHTM::sum_energies()
   mine[ENERGY_FRICTION] = l.friction;
   mine[ENERGY_ARTIFICIAL] = l.artificial;
   mine[ENERGY_EXTERNAL] = -(l.kinetic_work - l.internal_work - l.contact_work + l.tool_work);
-  mine[VECTOR_NEIGHBORS] = neighbors;
+  mine[VECTOR_NEIGHBORS] = pair_sph->neighbors();
   MPI_Allreduce(mine, energy_now, VECTOR_SIZE, MPI_DOUBLE, MPI_SUM, world);
   const double unit = pair_sph->units().energy;
   double sum = 0.0;

@@ -79,4 +79,4 @@ void FixSPHTM::restart(char *buf)
   if (comm->me == 0) memcpy(&ledger, g.book, sizeof(Ledger));
 }
 
-double FixSPHTM::memory_usage() { return fields.bytes() + source.capacity() * sizeof(double); }
+double FixSPHTM::memory_usage() { return fields.bytes() + source.bytes(); }

@@ -2,7 +2,6 @@
 #include "pair_sph_tm.h"
 
 #include "fix_sph_tm.h"
-#include "tm_thermal.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -23,8 +22,14 @@
 using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
 
-PairSPHTM::PairSPHTM(LAMMPS *lmp) : Pair(lmp)
+PairSPHTM::PairSPHTM(LAMMPS *lmp, Backend &loops) : Pair(lmp), backend(loops)
 {
+  tables.live_in(loops);
+  for (auto *a : {&row_index, &row_mechanical, &row_thermal, &row_contact}) a->live_in(loops);
+  row_first.live_in(loops);
+  for (auto *a : {&rec_main, &rec_stress, &rec_heat, &rec_correction, &gradient, &heat, &correction, &xsph_v,
+                  &surface, &artificial, &near_count, &tally, &force_internal})
+    a->live_in(loops);
   restartinfo = 1;
   single_enable = 0;
   one_coeff = 0;
@@ -85,7 +90,8 @@ void PairSPHTM::init_style()
       if (comm->me == 0)
         utils::logmesg(lmp, "sph/tm: neighbor skin {:.6g}, a tenth of the reach\n", neighbor->skin);
     }
-  make_room();
+  check_list_size();
+  make_tables();
   neighbor->add_request(this, NeighConst::REQ_FULL);
 }
 
@@ -97,41 +103,81 @@ double PairSPHTM::init_one(int i, int j)
   return tm_kernel_support(set.kernel) * set.h;
 }
 
+void PairSPHTM::Tables::live_in(Backend &loops)
+{
+  material.live_in(loops);
+  for (auto *a : {&conductance, &young, &effusivity}) a->live_in(loops);
+  law.live_in(loops);
+  touch.live_in(loops);
+}
+
+void PairSPHTM::make_tables()
+{
+  const int n = atom_types + 1;
+  const double T = fix->start_temperature();
+  std::vector<double> conductance(n * n), young(n), effusivity(n);
+  std::vector<tm_body_law> contact(n * n);
+  std::vector<int> touch(n * n);
+  bool conducts = false;
+  for (int k = 0; k < n * n; k++) {
+    conductance[k] = laws[k].conductance > 0.0 ? laws[k].conductance * lattice.interface * lattice.gradient : 0.0;
+    conducts = conducts || conductance[k] > 0.0;
+    contact[k] = laws[k].contact;
+    touch[k] = laws[k].meeting == CONTACT;
+  }
+  for (int t = 1; t < n; t++) {
+    const tm_material &m = material[t];
+    young[t] = m.young;
+    effusivity[t] = m.heat ? sqrt(tm_conductivity(&m, T) * tm_capacity(&m, T) * m.rho0) : 0.0;
+  }
+  tables.material.assign(material.data(), n);
+  tables.conductance.assign(conductance.data(), conducts ? n * n : 0);
+  tables.law.assign(contact.data(), n * n);
+  tables.touch.assign(touch.data(), n * n);
+  tables.young.assign(young.data(), n);
+  tables.effusivity.assign(effusivity.data(), n);
+}
+
 void PairSPHTM::resize_arrays()
 {
   const size_t all = (size_t) atom->nlocal + atom->nghost + 1, own = (size_t) atom->nlocal + 1;
-  auto fit = [](auto &v, bool on, size_t n) {
-    if (!on) {
-      if (!v.empty()) typename std::decay<decltype(v)>::type().swap(v);
-    } else if (v.size() < n)
-      v.resize(n + n / 8);
-  };
-  fit(rec_main, true, all * TM_REC);
-  fit(rec_stress, fix->has(TM_FX_ARTSTRESS), all * TM_REC_STRESS);
-  fit(rec_heat, fix->has(TM_FX_HEAT), all * TM_REC_HEAT);
-  fit(rec_correction, fix->has(TM_FX_CORRECTION), all * TM_REC_CORRECTION);
-  fit(gradient, true, own * 9);
-  fit(heat, fix->has(TM_FX_CONDUCTION), own);
-  fit(correction, fix->has(TM_FX_CORRECTION), own * 6);
-  fit(xsph_v, fix->has(TM_FX_XSPH), own * 3);
-  fit(surface, fix->has(TM_FX_SURFACE), own * 3);
-  fit(artificial, fix->has(TM_FX_LEDGER) || fix->has(TM_FX_ENERGY), own);
-  fit(force_internal, fix->has(TM_FX_LEDGER), own * 3);
-  rec.main = rec_main.data();
-  rec.stress = rec_stress.empty() ? nullptr : rec_stress.data();
-  rec.heat = rec_heat.empty() ? nullptr : rec_heat.data();
-  rec.correction = rec_correction.empty() ? nullptr : rec_correction.data();
+  rec_main.make_room(true, all * TM_REC);
+  rec_stress.make_room(fix->has(TM_FX_ARTSTRESS), all * TM_REC_STRESS);
+  rec_heat.make_room(fix->has(TM_FX_HEAT), all * TM_REC_HEAT);
+  rec_correction.make_room(fix->has(TM_FX_CORRECTION), all * TM_REC_CORRECTION);
+  gradient.make_room(true, own * 9);
+  heat.make_room(fix->has(TM_FX_CONDUCTION), own);
+  correction.make_room(fix->has(TM_FX_CORRECTION), own * 6);
+  xsph_v.make_room(fix->has(TM_FX_XSPH), own * 3);
+  surface.make_room(fix->has(TM_FX_SURFACE), own * 3);
+  artificial.make_room(fix->has(TM_FX_LEDGER) || fix->has(TM_FX_ENERGY), own);
+  force_internal.make_room(fix->has(TM_FX_LEDGER), own * 3);
+  rec.main = rec_main.loop_write();
+  rec.stress = rec_stress.loop_write();
+  rec.heat = rec_heat.loop_write();
+  rec.correction = rec_correction.loop_write();
 }
 
-void PairSPHTM::fill_args()
+tm_records PairSPHTM::host_records()
 {
-  auto ptr = [](auto &v) { return v.empty() ? nullptr : v.data(); };
-  args.rows.index = row_index.data();
-  args.rows.first = row_first.data();
-  args.rows.mechanical = row_mechanical.data();
-  args.rows.thermal = row_thermal.data();
-  args.rows.contact = row_contact.data();
-  args.rows.stride = 1;
+  tm_records r;
+  r.main = const_cast<tm_real *>(rec_main.host_read());
+  r.stress = const_cast<tm_real *>(rec_stress.host_read());
+  r.heat = const_cast<tm_real *>(rec_heat.host_read());
+  r.correction = const_cast<tm_real *>(rec_correction.host_read());
+  return r;
+}
+
+tm_rows PairSPHTM::host_rows()
+{
+  return {row_index.host_read(),   row_first.host_read(),   row_mechanical.host_read(),
+          row_thermal.host_read(), row_contact.host_read(), row_stride};
+}
+
+void PairSPHTM::fill_args(const tm_state &s)
+{
+  args.rows = {row_index.loop_read(),   row_first.loop_read(),   row_mechanical.loop_read(),
+               row_thermal.loop_read(), row_contact.loop_read(), row_stride};
   args.rec = rec;
   args.effects = fix->effects();
   args.h = set.h;
@@ -145,35 +191,40 @@ void PairSPHTM::fill_args()
   args.art_inv_w = 1.0 / tm_kernel_shape(set.kernel, set.spacing / set.h);
   args.xsph = set.xsph;
   args.force_unit = 1.0 / unit.force;
-  args.conductance = ptr(conductance_table);
-  args.type = atom->type;
+  args.conductance = tables.conductance.loop_read();
+  args.type = s.type;
   args.ntypes = atom_types;
-  args.force = atom->nlocal ? &atom->f[0][0] : nullptr;
-  args.gradient = gradient.data();
-  args.heat = ptr(heat);
-  args.correction = ptr(correction);
-  args.xsph_v = ptr(xsph_v);
-  args.surface = ptr(surface);
-  args.artificial = ptr(artificial);
+  args.force = s.force;
+  args.gradient = gradient.loop_write();
+  args.heat = heat.loop_write();
+  args.correction = correction.loop_write();
+  args.xsph_v = xsph_v.loop_write();
+  args.surface = surface.loop_write();
+  args.artificial = artificial.loop_write();
 }
 
 /* ---------------------------------------------------------------------- */
 
-void PairSPHTM::predict()
+void PairSPHTM::predict(const tm_state &s)
 {
   tm_predict_args a;
-  a.state = fix->state();
+  a.state = s;
   a.rec = rec;
   a.dt_ahead = fix->time_ahead();
   a.art_eps = set.art_eps;
   a.art_component = set.art_component;
-  predict_loop()(atom->nlocal, &a, fix->effects());
+  backend.predict(atom->nlocal, a, fix->effects());
 }
 
 void PairSPHTM::forward_records()
 {
   const int width = TM_REC - 3 + (rec.stress ? TM_REC_STRESS : 0) + (rec.heat ? TM_REC_HEAT : 0);
   comm->forward_comm(this, width);
+  take_ghost_positions();
+}
+
+void PairSPHTM::take_ghost_positions()
+{
   double **x = atom->x;
   for (int i = atom->nlocal; i < atom->nlocal + atom->nghost; i++)
     std::copy_n(x[i], 3, rec.main + (size_t) i * TM_REC);
@@ -182,15 +233,17 @@ void PairSPHTM::forward_records()
 // needs the positions of all neighbours; what it makes of the stress, the ghosts need
 void PairSPHTM::correct_gradients()
 {
-  if (atom->nlocal) moment_loop(fix->effects())(atom->nlocal, &args);
+  backend.moments(atom->nlocal, args, fix->effects());
   forward_correction = true;
   comm->forward_comm(this, TM_REC_CORRECTION);
   forward_correction = false;
+  args.rec.correction = rec.correction = rec_correction.loop_write();
 }
 
 int PairSPHTM::pack_forward_comm(int n, int *sendlist, double *buf, int, int *)
 {
   int m = 0;
+  const tm_records from = host_records();
   auto put = [&](const tm_real *row, int count) {
     std::copy_n(row, count, buf + m);
     m += count;
@@ -198,12 +251,12 @@ int PairSPHTM::pack_forward_comm(int n, int *sendlist, double *buf, int, int *)
   for (int k = 0; k < n; k++) {
     const size_t j = sendlist[k];
     if (forward_correction) {
-      put(rec.correction + j * TM_REC_CORRECTION, TM_REC_CORRECTION);
+      put(from.correction + j * TM_REC_CORRECTION, TM_REC_CORRECTION);
       continue;
     }
-    put(rec.main + j * TM_REC + 3, TM_REC - 3);
-    if (rec.stress) put(rec.stress + j * TM_REC_STRESS, TM_REC_STRESS);
-    if (rec.heat) put(rec.heat + j * TM_REC_HEAT, TM_REC_HEAT);
+    put(from.main + j * TM_REC + 3, TM_REC - 3);
+    if (from.stress) put(from.stress + j * TM_REC_STRESS, TM_REC_STRESS);
+    if (from.heat) put(from.heat + j * TM_REC_HEAT, TM_REC_HEAT);
   }
   return m;
 }
@@ -211,18 +264,20 @@ int PairSPHTM::pack_forward_comm(int n, int *sendlist, double *buf, int, int *)
 void PairSPHTM::unpack_forward_comm(int n, int first, double *buf)
 {
   int m = 0;
+  const tm_records to = {rec_main.host_write(), rec_stress.host_write(), rec_heat.host_write(),
+                         rec_correction.host_write()};
   auto get = [&](tm_real *row, int count) {
     std::copy_n(buf + m, count, row);
     m += count;
   };
   for (size_t j = first; j < (size_t) first + n; j++) {
     if (forward_correction) {
-      get(rec.correction + j * TM_REC_CORRECTION, TM_REC_CORRECTION);
+      get(to.correction + j * TM_REC_CORRECTION, TM_REC_CORRECTION);
       continue;
     }
-    get(rec.main + j * TM_REC + 3, TM_REC - 3);
-    if (rec.stress) get(rec.stress + j * TM_REC_STRESS, TM_REC_STRESS);
-    if (rec.heat) get(rec.heat + j * TM_REC_HEAT, TM_REC_HEAT);
+    get(to.main + j * TM_REC + 3, TM_REC - 3);
+    if (to.stress) get(to.stress + j * TM_REC_STRESS, TM_REC_STRESS);
+    if (to.heat) get(to.heat + j * TM_REC_HEAT, TM_REC_HEAT);
   }
 }
 
@@ -235,119 +290,95 @@ void PairSPHTM::compute(int eflag, int vflag)
   const unsigned fx = fix->effects();
   if (neighbor->ago == 0 || (int) row_first.size() < nlocal) build_rows();
   resize_arrays();
-  predict();
+  const tm_state s = fix->state();
+  predict(s);
   forward_records();
-  fill_args();
-  if (loop_effects != fx) {
-    loop_effects = fx;
-    loop = rate_loop(fx);
-  }
+  rec.main = rec_main.loop_write();    // the host may have filled those of ghosts
+  rec.stress = rec_stress.loop_write();
+  rec.heat = rec_heat.loop_write();
+  fill_args(s);
   if (fx & TM_FX_CORRECTION) correct_gradients();
-  if (!artificial.empty()) std::fill_n(artificial.begin(), nlocal, 0.0);
-  if (fx & TM_FX_LEDGER)
-    for (int i = 0; i < 3 * nlocal; i++) force_internal[i] = -(&atom->f[0][0])[i];
-  if (nlocal) loop(nlocal, &args);
-  if (fx & TM_FX_LEDGER)
-    for (int i = 0; i < 3 * nlocal; i++) force_internal[i] += (&atom->f[0][0])[i];
-  if (fx & TM_FX_CONDUCTION)
-    for (int i = 0; i < nlocal; i++)
-      if (row_thermal[i]) tm_thermal(i, &args, fx);
+  backend.zero(args.artificial, args.artificial ? nlocal * sizeof(double) : 0);
+  double *internal = force_internal.loop_write();
+  if (internal) {
+    backend.zero(internal, 3 * nlocal * sizeof(double));
+    args.force = internal;
+  }
+  backend.rates(nlocal, args, fx);
+  args.force = s.force;
+  if (internal) backend.add(s.force, internal, 3 * (size_t) nlocal);
+  if (fx & TM_FX_CONDUCTION) backend.thermal(nlocal, args, fx);
   if (fx & TM_FX_BODIES) body_contact();
-  if (eflag || vflag) tally_virial_energy(eflag, vflag);
+  if (eflag || vflag) tally_virial_energy();
 }
 
 void PairSPHTM::body_contact()
 {
-  const int n1 = atom_types + 1;
-  std::vector<tm_body_law> law_table((size_t) n1 * n1);
-  std::vector<int> meets((size_t) n1 * n1);
-  std::vector<double> young(n1), effusivity(n1);
-  for (int k = 0; k < n1 * n1; k++) {
-    law_table[k] = laws[k].contact;
-    meets[k] = laws[k].meeting == CONTACT;
-  }
-  for (int t = 1; t < n1; t++) {
-    const tm_material &m = material[t];
-    young[t] = m.young;
-    const double T = fix->start_temperature();
-    effusivity[t] = m.heat ? sqrt(tm_conductivity(&m, T) * tm_capacity(&m, T) * m.rho0) : 0.0;
-  }
   tm_body_contact_args b;
-  b.law = law_table.data();
-  b.contact = meets.data();
-  b.young = young.data();
-  b.effusivity = effusivity.data();
+  b.law = tables.law.loop_read();
+  b.contact = tables.touch.loop_read();
+  b.young = tables.young.loop_read();
+  b.effusivity = tables.effusivity.loop_read();
   b.spacing = set.spacing;
   b.dt = fix->step_dt();
   b.source = fix->heat_source();
-  double spring = 0.0;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!row_contact[i]) continue;
-    double *f = atom->f[i];
-    const double f0[3] = {f[0], f[1], f[2]};
-    const double q0 = b.source ? b.source[i] : 0.0;
-    const tm_body_contact_result r = tm_body_contact(i, &args, &b, fix->effects());
-    if (!r.contacts) continue;
-    const double *v = rec.main + (size_t) i * TM_REC + 4;
-    const double heat_in = b.source ? b.source[i] - q0 : 0.0;
-    spring += r.spring;
-    fix->ledger.contact_damping += b.dt * r.damping_power;
-    fix->ledger.friction += b.dt * (r.friction_power - heat_in);
-    fix->ledger.friction_heat += b.dt * heat_in;
-    fix->ledger.contact_work += b.dt * unit.force *
-        ((f[0] - f0[0]) * v[0] + (f[1] - f0[1]) * v[1] + (f[2] - f0[2]) * v[2]);
-  }
-  fix->contact_spring += spring;
+  const tm_body_contact_result r = backend.body_contact(atom->nlocal, args, b, fix->effects());
+  fix->contact_spring += r.spring;
+  fix->ledger.contact_damping += b.dt * r.damping_power;
+  fix->ledger.friction += b.dt * (r.friction_power - r.heat_power);
+  fix->ledger.friction_heat += b.dt * r.heat_power;
+  fix->ledger.contact_work += b.dt * r.work_power;
 }
 
 // virial of the stress, -V sigma, and the elastic energy stored in it; both in the units of the run
-void PairSPHTM::tally_virial_energy(int, int)
+void PairSPHTM::tally_virial_energy()
 {
   const bool per_atom = vflag_atom || eflag_atom;
-  const double to_energy = 1.0 / unit.energy;
-  for (int i = 0; i < atom->nlocal; i++) {
-    const tm_material &m = material[atom->type[i]];
-    if (m.body != TM_BODY_SOLID) continue;
-    const tm_real *r = rec.main + (size_t) i * TM_REC, *p = r + TM_REC_P;
-    const double rho = r[TM_REC_RHO];
-    const double scale = (fix->has(TM_FX_FORM_F14) ? 1.0 : rho * rho) * r[TM_REC_M] / rho;
-    double w[6];
-    for (int k = 0; k < 6; k++) w[k] = -scale * p[k] * to_energy;
-    const tm_sym3 sigma = tm_sym_scale(rho / r[TM_REC_M] * scale, tm_sym_load(p));
-    const tm_sym3 s = tm_sym_deviator(sigma);
-    const double pressure = -tm_sym_trace(sigma) / 3.0;
-    const double e = r[TM_REC_M] / rho * to_energy *
-        (tm_sym_ddot(s, s) / (4.0 * m.shear) + pressure * pressure / (2.0 * m.bulk));
-    if (eflag_global) eng_vdwl += e;
-    if (vflag_global)
-      for (int k = 0; k < 6; k++) virial[k] += w[k];
-    if (per_atom && eflag_atom) eatom[i] += e;
-    if (per_atom && vflag_atom)
-      for (int k = 0; k < 6; k++) vatom[i][k] += w[k];
+  tally.make_room(per_atom, (size_t) TM_TALLY * (atom->nlocal + 1));
+  tm_tally_args a;
+  a.rec = rec;
+  a.type = args.type;
+  a.material = loop_materials();
+  a.to_energy = 1.0 / unit.energy;
+  a.per_particle = tally.loop_write();
+  const tm_tally_result sum = backend.tally(atom->nlocal, a, fix->effects());
+  if (eflag_global) eng_vdwl += sum.value[0];
+  if (vflag_global)
+    for (int k = 0; k < 6; k++) virial[k] += sum.value[1 + k];
+  const double *row = tally.host_read();
+  for (int i = 0; per_atom && i < atom->nlocal; i++, row += TM_TALLY) {
+    if (eflag_atom) eatom[i] += row[0];
+    if (vflag_atom)
+      for (int k = 0; k < 6; k++) vatom[i][k] += row[1 + k];
   }
 }
 
 /* ---------------------------------------------------------------------- */
 
-double PairSPHTM::neighbors_per_particle() const
+tm_near_args PairSPHTM::near_args(bool of_each)
 {
-  double sum = 0.0;
-  for (int i = 0; i < atom->nlocal; i++) sum += count_neighbors(i);
-  return atom->nlocal ? sum / atom->nlocal : 0.0;
+  near_count.make_room(of_each, (size_t) atom->nlocal + 1);
+  tm_near_args a;
+  a.rows = args.rows;
+  a.x = fix->state().x;
+  a.reach2 = args.reach2;
+  a.count = near_count.loop_write();
+  return a;
 }
 
-int PairSPHTM::count_neighbors(int i) const
+double PairSPHTM::neighbors(bool of_each)
 {
-  if ((int) row_first.size() <= i || !args.reach2) return 0;
-  int count = 0;
-  double **x = atom->x;
-  for (int k = 0; k < row_mechanical[i]; k++) {
-    const int j = row_index[row_first[i] + k];
-    const double dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], dz = x[i][2] - x[j][2];
-    count += dx * dx + dy * dy + dz * dz < args.reach2;
-  }
-  return count;
+  const bool rows = args.reach2 && (int) row_first.size() > atom->nlocal;
+  return backend.near_count(rows ? atom->nlocal : 0, near_args(of_each));
 }
+
+const tm_real *PairSPHTM::host_neighbors()
+{
+  neighbors(true);
+  return near_count.host_read();
+}
+
+tm_nearest PairSPHTM::nearest() { return backend.nearest(atom->nlocal, near_args(false)); }
 
 bool PairSPHTM::has_contact_pairs() const
 {
@@ -394,9 +425,9 @@ void *PairSPHTM::extract(const char *what, int &dim)
 double PairSPHTM::memory_usage()
 {
   double bytes = Pair::memory_usage();
-  bytes += row_index.capacity() * sizeof(int);
-  for (auto *v : {&rec_main, &rec_stress, &rec_heat, &rec_correction, &gradient, &heat, &correction,
-                  &xsph_v, &surface, &artificial})
-    bytes += v->capacity() * sizeof(double);
+  bytes += row_index.bytes();
+  for (auto *a : {&rec_main, &rec_stress, &rec_heat, &rec_correction, &gradient, &heat, &correction,
+                  &xsph_v, &surface, &artificial, &force_internal})
+    bytes += a->bytes();
   return bytes;
 }

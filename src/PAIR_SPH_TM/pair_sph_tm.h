@@ -6,8 +6,7 @@
 #define LMP_PAIR_SPH_TM_H
 
 #include "pair.h"
-#include "rate_loops.h"
-#include "tm_body_contact.h"
+#include "loop_array.h"
 #include "tm_material.h"
 #include "tm_surface.h"
 #include "unit_scale.h"
@@ -42,7 +41,7 @@ class PairSPHTM : public Pair {
     bool form_f14 = false, correction = false, balsara = false, plane_stress = false;
   };
 
-  PairSPHTM(class LAMMPS *);
+  PairSPHTM(class LAMMPS *, SPHTM_NS::Backend & = SPHTM_NS::Backend::host());
   ~PairSPHTM() override;
   void compute(int, int) override;
   void settings(int, char **) override;
@@ -63,24 +62,20 @@ class PairSPHTM : public Pair {
   const Settings &settings_in_use() const { return set; }
   const tm_material *materials() const { return material.data(); }
   const PairLaw &law(int i, int j) const { return laws[i * (atom_types + 1) + j]; }
-  const tm_records &records() const { return rec; }
-  const tm_rates_args &rate_args() const { return args; }
-  const std::vector<tm_real> &gradients() const { return gradient; }
-  const std::vector<tm_real> &conduction() const { return heat; }
-  const std::vector<tm_real> &surfaces() const { return surface; }
-  const std::vector<tm_real> &artificial_heating() const { return artificial; }
-  const std::vector<double> &internal_forces() const { return force_internal; }
-  const std::vector<tm_real> &xsph_velocities() const { return xsph_v; }
   const char *material_name(int type) const { return names[type].c_str(); }
-  struct Closest {
-    double distance = 1e300;    // of the closest mechanical neighbours of this rank
-    int i = -1, j = -1;
-    double sum = 0.0;           // of the distances to the nearest neighbour
-    int count = 0;              // of particles that have one
-  };
-  Closest closest() const;
-  double neighbors_per_particle() const;    // mean over the owned particles of this rank
-  int count_neighbors(int i) const;         // within reach now
+  // where the loops run; valid from one force computation to the next reneighbouring
+  const tm_material *loop_materials() { return tables.material.loop_read(); }
+  const tm_rates_args &rate_args() const { return args; }
+  const double *internal_force() { return force_internal.loop_read(); }
+  // the same on the host
+  tm_records host_records();
+  tm_rows host_rows();
+  bool has_surface(int n) const { return surface.size() > 3 * (size_t) n; }    // of n particles
+  const tm_real *host_surface() { return surface.host_read(); }
+  // of the particles of this rank: neighbors within reach, the closest mechanical neighbors
+  double neighbors(bool of_each = false);
+  const tm_real *host_neighbors();    // number of neighbors of each
+  tm_nearest nearest();
   bool has_contact_pairs() const;
   double largest_conductivity() const;      // of all types at all temperatures
   double contact_stiffness_limit(int type) const;
@@ -90,6 +85,7 @@ class PairSPHTM : public Pair {
   const tm_surface &surface_measure() const { return surface_scale; }
 
  protected:
+  SPHTM_NS::Backend &backend;
   Settings set;
   SPHTM_NS::UnitScale unit;
   tm_lattice lattice = {};
@@ -98,37 +94,48 @@ class PairSPHTM : public Pair {
   std::vector<tm_material> material;    // by type
   std::vector<std::string> names;
   std::vector<PairLaw> laws;            // by type pair
-  std::vector<tm_real> conductance_table;
+  // by type or type pair, for the loops
+  struct Tables {
+    SPHTM_NS::LoopArray<tm_material> material;
+    SPHTM_NS::LoopArray<tm_real> conductance, young, effusivity;
+    SPHTM_NS::LoopArray<tm_body_law> law;
+    SPHTM_NS::LoopArray<int> touch;
+    void live_in(SPHTM_NS::Backend &);
+  } tables;
   FixSPHTM *fix = nullptr;
   std::string restart_fix;              // the fix whose state the restart file holds
 
   // rows of the owned particles, rebuilt with the host's list
-  std::vector<int> row_index, row_mechanical, row_thermal, row_contact;
-  std::vector<ptrdiff_t> row_first;
+  SPHTM_NS::LoopArray<int> row_index, row_mechanical, row_thermal, row_contact;
+  SPHTM_NS::LoopArray<ptrdiff_t> row_first;
+  ptrdiff_t row_stride = 1;
 
   // records of owned and ghost particles; results of owned ones
-  std::vector<tm_real> rec_main, rec_stress, rec_heat, rec_correction;
-  std::vector<tm_real> gradient, heat, correction, xsph_v, surface, artificial;
-  std::vector<double> force_internal;
+  SPHTM_NS::LoopArray<tm_real> rec_main, rec_stress, rec_heat, rec_correction;
+  SPHTM_NS::LoopArray<tm_real> gradient, heat, correction, xsph_v, surface, artificial;
+  SPHTM_NS::LoopArray<tm_real> near_count, tally;
+  SPHTM_NS::LoopArray<double> force_internal;
   tm_records rec = {};
   tm_rates_args args = {};
-  SPHTM_NS::rate_loop_t loop = nullptr;
-  unsigned loop_effects = ~0u;
   bool forward_correction = false;    // what forward_comm carries: P K, or the other records
 
   void allocate();
   std::vector<unsigned char> segments_of_types() const;
-  void build_rows();
+  virtual void build_rows();
+  void make_room_for_rows();
   void check_volume();
   void check_masses();
-  void make_room();
+  void check_list_size();
+  void make_tables();
   void resize_arrays();
-  void fill_args();
-  void predict();
+  void fill_args(const tm_state &);
+  void predict(const tm_state &);
   void forward_records();
+  virtual void take_ghost_positions();    // into their records
+  tm_near_args near_args(bool of_each);
   void correct_gradients();
   void body_contact();
-  void tally_virial_energy(int, int);
+  void tally_virial_energy();
   void parse_meeting(int, char **);
   double particle_mass(int) const;
   void set_law(int, int, const PairLaw &);

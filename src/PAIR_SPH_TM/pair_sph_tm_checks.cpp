@@ -48,7 +48,7 @@ void PairSPHTM::check_volume()
 }
 
 // room for the neighbors of a body compressed to a third: LAMMPS's own is meant for molecules
-void PairSPHTM::make_room()
+void PairSPHTM::check_list_size()
 {
   const double cut = (tm_kernel_support(set.kernel) * set.h + neighbor->skin) / set.spacing;
   const int need = (int) (3.0 * (domain->dimension == 3 ? 4.0 / 3.0 * TM_PI * cut * cut * cut : TM_PI * cut * cut));
@@ -57,30 +57,4 @@ void PairSPHTM::make_room()
   neighbor->pgsize = std::max(neighbor->pgsize, 10 * need);
   if (comm->me == 0)
     utils::logmesg(lmp, "sph/tm: neigh_modify one {} page {}, for the reach of the kernel\n", need, neighbor->pgsize);
-}
-
-// what the set-up tells about spacing and overlaps: the closest mechanical neighbours
-PairSPHTM::Closest PairSPHTM::closest() const
-{
-  Closest c;
-  double **x = atom->x;
-  for (int i = 0; i < atom->nlocal; i++) {
-    double least = 1e300;
-    for (int k = 0; k < row_mechanical[i]; k++) {
-      const int j = row_index[row_first[i] + k];
-      const double dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], dz = x[i][2] - x[j][2];
-      const double r = sqrt(dx * dx + dy * dy + dz * dz);
-      if (r < c.distance) {
-        c.distance = r;
-        c.i = i;
-        c.j = j;
-      }
-      least = std::min(least, r);
-    }
-    if (least < 1e300) {
-      c.sum += least;
-      c.count++;
-    }
-  }
-  return c;
 }

@@ -226,12 +226,4 @@ void PairSPHTM::complete_laws()
                           "'heat' or 'none'", i, j);
       set_law(i, j, l);
     }
-  const int n = atom_types + 1;
-  conductance_table.assign((size_t) n * n, 0.0);
-  bool any = false;
-  for (int k = 0; k < n * n; k++) {
-    conductance_table[k] = laws[k].conductance > 0.0 ? laws[k].conductance * lattice.interface * lattice.gradient : 0.0;
-    any = any || conductance_table[k] > 0.0;
-  }
-  if (!any) conductance_table.clear();
 }

@@ -12,9 +12,6 @@
 
 using namespace LAMMPS_NS;
 
-// segments of a row, in this order, as bits of what a pair takes part in
-enum { MECHANICAL = 1, THERMAL = 2, TOUCHING = 4, SEGMENT_BITS = 3 };
-
 // a contact pair that also conducts stands in two segments
 std::vector<unsigned char> PairSPHTM::segments_of_types() const
 {
@@ -25,12 +22,19 @@ std::vector<unsigned char> PairSPHTM::segments_of_types() const
     for (int u = 1; u < n1; u++) {
       const PairLaw &l = law(t, u);
       unsigned char &s = segments[t * n1 + u];
-      if (l.meeting == BOND && material[t].body == TM_BODY_SOLID) s |= MECHANICAL;
+      if (l.meeting == BOND && material[t].body == TM_BODY_SOLID) s |= TM_MEETS_MECHANICAL;
       if (conduction && (l.meeting == HEAT_ONLY || (l.meeting == CONTACT && l.conductance >= 0.0)))
-        s |= THERMAL;
-      if (l.meeting == CONTACT) s |= TOUCHING;
+        s |= TM_MEETS_THERMAL;
+      if (l.meeting == CONTACT) s |= TM_MEETS_CONTACT;
     }
   return segments;
+}
+
+void PairSPHTM::make_room_for_rows()
+{
+  const size_t n = (size_t) atom->nlocal + 1;
+  row_first.make_room(true, n);
+  for (auto *a : {&row_mechanical, &row_thermal, &row_contact}) a->make_room(true, n);
 }
 
 /* ----------------------------------------------------------------------
@@ -59,10 +63,10 @@ void PairSPHTM::build_rows()
   std::vector<Particle> particle(nall);
   for (int r = 0; r < nall; r++) particle[by_tag[r]] = {r, type[by_tag[r]]};
 
-  row_first.resize(nlocal + 1);
-  row_mechanical.assign(nlocal + 1, 0);
-  row_thermal.assign(nlocal + 1, 0);
-  row_contact.assign(nlocal + 1, 0);
+  make_room_for_rows();
+  int *mechanicals = row_mechanical.host_write(), *thermals = row_thermal.host_write();
+  int *contacts = row_contact.host_write();
+  ptrdiff_t *first = row_first.host_write();
   std::vector<ptrdiff_t> column_end(nall + 1, 0);
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii], *jlist = list->firstneigh[i], jnum = list->numneigh[i];
@@ -71,14 +75,14 @@ void PairSPHTM::build_rows()
     for (int jj = 0; jj < jnum; jj++) {
       const Particle p = particle[jlist[jj] & NEIGHMASK];
       const int s = with[p.type];
-      mechanical += (s & MECHANICAL) != 0;
-      thermal += (s & THERMAL) != 0;
-      contact += (s & TOUCHING) != 0;
+      mechanical += (s & TM_MEETS_MECHANICAL) != 0;
+      thermal += (s & TM_MEETS_THERMAL) != 0;
+      contact += (s & TM_MEETS_CONTACT) != 0;
       column_end[p.rank + 1] += s != 0;
     }
-    row_mechanical[i] = mechanical;
-    row_thermal[i] = thermal;
-    row_contact[i] = contact;
+    mechanicals[i] = mechanical;
+    thermals[i] = thermal;
+    contacts[i] = contact;
   }
   // starts, which the next pass moves to the ends
   std::partial_sum(column_end.begin(), column_end.end(), column_end.begin());
@@ -89,7 +93,7 @@ void PairSPHTM::build_rows()
     for (int jj = 0; jj < jnum; jj++) {
       const Particle p = particle[jlist[jj] & NEIGHMASK];
       const unsigned s = with[p.type];
-      if (s) column[column_end[p.rank]++] = ((unsigned) i << SEGMENT_BITS) | s;
+      if (s) column[column_end[p.rank]++] = ((unsigned) i << TM_SEGMENTS) | s;
     }
   }
 
@@ -97,18 +101,19 @@ void PairSPHTM::build_rows()
   for (auto &n : next) n.resize(nlocal);
   ptrdiff_t total = 0;
   for (int i = 0; i < nlocal; i++) {
-    row_first[i] = next[0][i] = total;
-    next[1][i] = next[0][i] + row_mechanical[i];
-    next[2][i] = next[1][i] + row_thermal[i];
-    total = next[2][i] + row_contact[i];
+    first[i] = next[0][i] = total;
+    next[1][i] = next[0][i] + mechanicals[i];
+    next[2][i] = next[1][i] + thermals[i];
+    total = next[2][i] + contacts[i];
   }
-  row_index.resize(total);
+  row_index.make_room(true, total + 1);
+  int *index = row_index.host_write();
   ptrdiff_t k = 0;
   for (int r = 0; r < nall; r++)
     for (; k < column_end[r]; k++) {
-      const unsigned i = column[k] >> SEGMENT_BITS;
-      if (column[k] & MECHANICAL) row_index[next[0][i]++] = by_tag[r];
-      if (column[k] & THERMAL) row_index[next[1][i]++] = by_tag[r];
-      if (column[k] & TOUCHING) row_index[next[2][i]++] = by_tag[r];
+      const unsigned i = column[k] >> TM_SEGMENTS;
+      if (column[k] & TM_MEETS_MECHANICAL) index[next[0][i]++] = by_tag[r];
+      if (column[k] & TM_MEETS_THERMAL) index[next[1][i]++] = by_tag[r];
+      if (column[k] & TM_MEETS_CONTACT) index[next[2][i]++] = by_tag[r];
     }
 }

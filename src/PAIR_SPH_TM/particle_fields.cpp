@@ -4,6 +4,11 @@
 
 namespace SPHTM_NS {
 
+ParticleFields::ParticleFields(Backend &backend)
+{
+  for (auto &v : values) v.live_in(backend);
+}
+
 unsigned ParticleFields::needed(unsigned effects)
 {
   unsigned mask = 0;
@@ -24,7 +29,7 @@ void ParticleFields::enable_mask(unsigned mask, int nmax)
   width = 0;
   for (int id = 0; id < TM_F_COUNT; id++) {
     if (!(used & (1u << id))) {
-      std::vector<double>().swap(values[id]);
+      values[id].clear();
       continue;
     }
     width += tm_field_table[id].columns;
@@ -36,7 +41,7 @@ void ParticleFields::grow(int nmax)
 {
   rows = std::max(rows, nmax);
   for (int id = 0; id < TM_F_COUNT; id++)
-    if (used & (1u << id)) values[id].resize((size_t) rows * tm_field_table[id].columns, 0.0);
+    if (used & (1u << id)) values[id].resize((size_t) rows * tm_field_table[id].columns);
 }
 
 void ParticleFields::copy(int from, int to)
@@ -44,7 +49,8 @@ void ParticleFields::copy(int from, int to)
   for (int id = 0; id < TM_F_COUNT; id++) {
     if (!(used & (1u << id))) continue;
     const size_t n = tm_field_table[id].columns;
-    std::copy_n(&values[id][from * n], n, &values[id][to * n]);
+    double *row = values[id].host_write();
+    std::copy_n(row + from * n, n, row + to * n);
   }
 }
 
@@ -53,17 +59,17 @@ void ParticleFields::zero(int i)
   for (int id = 0; id < TM_F_COUNT; id++) {
     if (!(used & (1u << id))) continue;
     const size_t n = tm_field_table[id].columns;
-    std::fill_n(&values[id][i * n], n, 0.0);
+    std::fill_n(values[id].host_write() + i * n, n, 0.0);
   }
 }
 
-int ParticleFields::pack(int i, double *buf) const
+int ParticleFields::pack(int i, double *buf)
 {
   int m = 0;
   for (int id = 0; id < TM_F_COUNT; id++) {
     if (!(used & (1u << id))) continue;
     const size_t n = tm_field_table[id].columns;
-    std::copy_n(&values[id][i * n], n, buf + m);
+    std::copy_n(values[id].host_read() + i * n, n, buf + m);
     m += (int) n;
   }
   return m;
@@ -75,7 +81,7 @@ int ParticleFields::unpack(int i, const double *buf)
   for (int id = 0; id < TM_F_COUNT; id++) {
     if (!(used & (1u << id))) continue;
     const size_t n = tm_field_table[id].columns;
-    std::copy_n(buf + m, n, &values[id][i * n]);
+    std::copy_n(buf + m, n, values[id].host_write() + i * n);
     m += (int) n;
   }
   return m;

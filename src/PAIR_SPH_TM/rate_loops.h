@@ -14,11 +14,11 @@
 
 namespace SPHTM_NS {
 
-typedef void (*rate_loop_t)(int nlocal, const tm_rates_args *args);
-typedef void (*predict_loop_t)(int nlocal, const tm_predict_args *args, unsigned effects);
-// adds to the sums and lowers dt; returns the first particle with a status, or nlocal
-typedef int (*update_loop_t)(int nlocal, const tm_update_args *args, unsigned effects,
-                             tm_update_result *sum);
+// particles begin to end - 1
+typedef void (*rate_loop_t)(int begin, int end, const tm_rates_args *args);
+typedef void (*predict_loop_t)(int begin, int end, const tm_predict_args *args, unsigned effects);
+typedef tm_update_result (*update_loop_t)(int begin, int end, const tm_update_args *args,
+                                          unsigned effects);
 
 rate_loop_t rate_loop(unsigned effects);
 rate_loop_t moment_loop(unsigned effects);    // the correction, before the rate pass

@@ -3,45 +3,34 @@
 
 namespace {
 
-template <unsigned EFFECTS> void loop(int nlocal, const tm_rates_args *args)
+template <unsigned EFFECTS> void loop(int begin, int end, const tm_rates_args *args)
 {
-  for (int i = 0; i < nlocal; i++) tm_rates(i, args, EFFECTS);
+  for (int i = begin; i < end; i++) tm_rates(i, args, EFFECTS);
 }
 
-template <unsigned EFFECTS> void moments(int nlocal, const tm_rates_args *args)
+template <unsigned EFFECTS> void moments(int begin, int end, const tm_rates_args *args)
 {
-  for (int i = 0; i < nlocal; i++) tm_moment(i, args, EFFECTS);
+  for (int i = begin; i < end; i++) tm_moment(i, args, EFFECTS);
 }
 
-// in blocks, so that the records are still in the cache for the artificial stress
-void predict(int nlocal, const tm_predict_args *args, unsigned effects)
+// in chunks, so that the records are still in the cache for the artificial stress
+void predict(int begin, int end, const tm_predict_args *args, unsigned effects)
 {
-  for (int begin = 0; begin < nlocal; begin += TM_CHUNK) {
-    const int end = nlocal - begin < TM_CHUNK ? nlocal : begin + TM_CHUNK;
-    for (int i = begin; i < end; i++) tm_predict(i, args, effects);
-    if (effects & TM_FX_ARTSTRESS) tm_predict_artstress(begin, end, args, effects);
+  for (; begin < end; begin += TM_CHUNK) {
+    const int last = end - begin < TM_CHUNK ? end : begin + TM_CHUNK;
+    for (int i = begin; i < last; i++) tm_predict(i, args, effects);
+    if (effects & TM_FX_ARTSTRESS) tm_predict_artstress(begin, last, args, effects);
   }
 }
 
-int update(int nlocal, const tm_update_args *args, unsigned effects, tm_update_result *sum)
+tm_update_result update(int begin, int end, const tm_update_args *args, unsigned effects)
 {
-  for (int i = 0; i < nlocal; i++) {
+  tm_update_result sum = tm_update_nothing();
+  for (int i = begin; i < end && sum.status == TM_OK; i++) {
     const tm_update_result r = tm_update(i, args, effects);
-    if (r.status != TM_OK) {
-      sum->status = r.status;
-      return i;
-    }
-    for (int k = 0; k < 3; k++) sum->dt[k] = tm_min(sum->dt[k], r.dt[k]);
-    if (!(effects & TM_FX_LEDGER)) continue;
-    sum->elastic += r.elastic;
-    sum->plastic += r.plastic;
-    sum->plastic_heat += r.plastic_heat;
-    sum->artificial += r.artificial;
-    sum->kinetic_work += r.kinetic_work;
-    sum->internal_work += r.internal_work;
-    sum->heat += r.heat;
+    tm_update_sum(&sum, &r, (effects & TM_FX_LEDGER) != 0);
   }
-  return nlocal;
+  return sum;
 }
 
 }    // namespace

@@ -32,8 +32,24 @@ typedef struct {
 typedef struct {
   tm_real spring;           /* elastic energy, half of each pair */
   tm_real damping_power, friction_power;
-  int contacts;
+  tm_real heat_power;       /* friction heat into the particle */
+  tm_real work_power;       /* of the contact force on the particle */
 } tm_body_contact_result;
+
+TM_FN tm_body_contact_result tm_body_contact_nothing(void)
+{
+  tm_body_contact_result r;
+  r.spring = r.damping_power = r.friction_power = r.heat_power = r.work_power = 0.0;
+  return r;
+}
+TM_FN void tm_body_contact_sum(tm_body_contact_result *sum, const tm_body_contact_result *r)
+{
+  sum->spring += r->spring;
+  sum->damping_power += r->damping_power;
+  sum->friction_power += r->friction_power;
+  sum->heat_power += r->heat_power;
+  sum->work_power += r->work_power;
+}
 
 TM_FN tm_body_contact_result tm_body_contact(int i, const tm_rates_args *a,
                                              const tm_body_contact_args *b, unsigned effects)
@@ -44,10 +60,7 @@ TM_FN tm_body_contact_result tm_body_contact(int i, const tm_rates_args *a,
   const int *row = a->rows.index + a->rows.first[i];
   const tm_real *ri = a->rec.main + (ptrdiff_t) i * TM_REC;
   tm_vec3 force = tm_vec(0, 0, 0);
-  tm_body_contact_result out;
-  out.spring = out.damping_power = out.friction_power = 0.0;
-  out.contacts = 0;
-  tm_real heat = 0.0;
+  tm_body_contact_result out = tm_body_contact_nothing();
 
   for (ptrdiff_t k = begin; k < end; k++) {
     const ptrdiff_t j = row[k * a->rows.stride];
@@ -75,16 +88,16 @@ TM_FN tm_body_contact_result tm_body_contact(int i, const tm_rates_args *a,
     out.spring += 0.25 * stiff * delta * delta;
     out.damping_power += 0.5 * (spring - fn) * vn;
     out.friction_power += 0.5 * ft * speed;
-    out.contacts++;
     if (b->source) {
       const tm_real si = b->effusivity[a->type[i]], sj = b->effusivity[a->type[j]];
-      heat += si + sj > 0.0 ? ft * speed * si / (si + sj) : 0.5 * ft * speed;
+      out.heat_power += si + sj > 0.0 ? ft * speed * si / (si + sj) : 0.5 * ft * speed;
     }
   }
   a->force[3 * (ptrdiff_t) i] += a->force_unit * force.x;
   a->force[3 * (ptrdiff_t) i + 1] += a->force_unit * force.y;
   a->force[3 * (ptrdiff_t) i + 2] += a->force_unit * force.z;
-  if (b->source) b->source[i] += heat;
+  if (b->source) b->source[i] += out.heat_power;
+  out.work_power = force.x * ri[4] + force.y * ri[5] + force.z * ri[6];
   return out;
 }
 

@@ -19,7 +19,7 @@ typedef struct {
   /* per particle, see tm_fields.h; NULL when the field is off */
   tm_real *field[TM_F_COUNT];
   double *x, *v, *force;
-  const int *type;
+  const int *type, *mask;       /* LAMMPS types and group bits */
   const tm_material *material;  /* indexed by type */
   const double *mass;           /* per type (index type), or NULL */
   const double *rmass;          /* per particle, or NULL */

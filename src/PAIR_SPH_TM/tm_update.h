@@ -19,6 +19,8 @@
 #include "tm_state.h"
 #include "tm_strength.h"
 
+#include <limits.h>
+
 enum tm_status {
   TM_OK = 0,
   TM_BAD_NAN = 1,          /* a state value is not finite */
@@ -37,7 +39,6 @@ typedef struct {
   const tm_real *gradient, *heat, *xsph_v, *artificial;
   const double *force_internal;  /* force of the pair style alone, with the ledger */
   const tm_real *source;         /* heat given to the particle by contact and fluxes (power) */
-  const int *mask;               /* LAMMPS group bits */
   int group;                     /* x and v are integrated for these */
   tm_real dt, h, visc_alpha;
   tm_real accel_unit;            /* force of the unit style / mass -> acceleration */
@@ -47,9 +48,39 @@ typedef struct {
 
 typedef struct {
   int status;                    /* enum tm_status */
+  int particle;                  /* whose status it is */
   tm_real dt[3];                 /* limits by sound, force, conduction (without safety factor) */
   tm_real elastic, plastic, plastic_heat, artificial, kinetic_work, internal_work, heat;
 } tm_update_result;
+
+TM_FN tm_update_result tm_update_nothing(void)
+{
+  tm_update_result r;
+  r.status = TM_OK;
+  r.particle = INT_MAX;
+  r.dt[0] = r.dt[1] = r.dt[2] = 1e300;
+  r.elastic = r.plastic = r.plastic_heat = r.artificial = 0.0;
+  r.kinetic_work = r.internal_work = r.heat = 0.0;
+  return r;
+}
+
+/* Adds to the sums over particles: limits are lowered, the first status stays. */
+TM_FN void tm_update_sum(tm_update_result *sum, const tm_update_result *r, int ledger)
+{
+  for (int k = 0; k < 3; k++) sum->dt[k] = tm_min(sum->dt[k], r->dt[k]);
+  if (r->status != TM_OK && r->particle < sum->particle) {
+    sum->status = r->status;
+    sum->particle = r->particle;
+  }
+  if (!ledger) return;
+  sum->elastic += r->elastic;
+  sum->plastic += r->plastic;
+  sum->plastic_heat += r->plastic_heat;
+  sum->artificial += r->artificial;
+  sum->kinetic_work += r->kinetic_work;
+  sum->internal_work += r->internal_work;
+  sum->heat += r->heat;
+}
 
 typedef struct {
   tm_sym3 s;
@@ -171,14 +202,11 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
   const tm_material *m = s->material + s->type[i];
   const tm_real *rec = a->rec.main + (ptrdiff_t) i * TM_REC;
   const int dim3 = (effects & TM_FX_3D) != 0;
-  tm_update_result out;
-  out.status = TM_OK;
-  out.elastic = out.plastic = out.plastic_heat = out.artificial = 0.0;
-  out.kinetic_work = out.internal_work = out.heat = 0.0;
-  out.dt[0] = out.dt[1] = out.dt[2] = 1e300;
+  tm_update_result out = tm_update_nothing();
+  out.particle = i;
 
   tm_vec3 acc = tm_vec(0, 0, 0);
-  if (a->mask[i] & a->group) acc = tm_update_motion(i, a, effects, &out);
+  if (s->mask[i] & a->group) acc = tm_update_motion(i, a, effects, &out);
 
   const tm_real mass = rec[TM_REC_M];
   if (m->body == TM_BODY_SOLID) {

@@ -1,0 +1,80 @@
+/* SPH-TM: where the particle loops run and where their arrays live.
+
+   The styles say what is to be done for all particles; a backend does it, here on the host, or with
+   Kokkos on threads or a GPU (backend_kokkos.h). Each loop calls one C function per particle.
+
+   Sums are taken over blocks of particles and then over the blocks, so they do not depend on the
+   number of threads. */
+#ifndef SPHTM_BACKEND_H
+#define SPHTM_BACKEND_H
+
+#include "tm_body_contact.h"
+#include "tm_drift.h"
+#include "tm_initial.h"
+#include "tm_moment.h"
+#include "tm_neighbors.h"
+#include "tm_predict.h"
+#include "tm_rates.h"
+#include "tm_tally.h"
+#include "tm_update.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace SPHTM_NS {
+
+constexpr int LOOP_BLOCK = 8 * 96;    // particles; a multiple of the host's TM_CHUNK
+
+class Backend {
+ public:
+  static Backend &host();
+  virtual ~Backend() = default;
+  virtual std::string name() const;    // for the log
+
+  // memory of the loops; shared: it is the host's
+  virtual bool shared() const { return true; }
+  virtual void *allocate(size_t) { return nullptr; }
+  virtual void release(void *) {}
+  virtual void to_loops(void * /*there*/, const void * /*here*/, size_t) {}
+  virtual void to_host(void * /*here*/, const void * /*there*/, size_t) {}
+  virtual void copy(void *to, const void *from, size_t bytes);    // within it
+  virtual void zero(void *, size_t bytes);
+  virtual void add(double *to, const double *from, size_t n);
+
+  // one step of particles 0..n-1
+  virtual int drift(int n, const tm_drift_args &, unsigned effects);    // first one lost, or n
+  virtual void predict(int n, const tm_predict_args &, unsigned effects);
+  virtual void moments(int n, const tm_rates_args &, unsigned effects);
+  virtual void rates(int n, const tm_rates_args &, unsigned effects);
+  virtual void thermal(int n, const tm_rates_args &, unsigned effects);
+  virtual tm_body_contact_result body_contact(int n, const tm_rates_args &,
+                                              const tm_body_contact_args &, unsigned effects);
+  virtual tm_update_result update(int n, const tm_update_args &, unsigned effects);
+
+  // set-up and output
+  virtual void initial_of_new(int n, const tm_initial_args &);
+  virtual tm_update_result initial_limits(int n, const tm_update_args &, unsigned effects, bool seed);
+  virtual double kinetic_energy(int n, const tm_state &);
+  virtual tm_tally_result tally(int n, const tm_tally_args &, unsigned effects);
+  virtual double near_count(int n, const tm_near_args &);
+  virtual tm_nearest nearest(int n, const tm_near_args &);
+
+  // loops on the host: f(begin, end) for the blocks that make up 0..n-1
+  virtual void blocks(int n, const std::function<void(int, int)> &f);
+
+  // the sum of part(begin, end) over the blocks
+  template <class RESULT, class PART, class JOIN>
+  RESULT sum_blocks(int n, const RESULT &nothing, PART part, JOIN join)
+  {
+    std::vector<RESULT> parts((n + LOOP_BLOCK - 1) / LOOP_BLOCK, nothing);
+    blocks(n, [&](int begin, int end) { parts[begin / LOOP_BLOCK] = part(begin, end); });
+    RESULT sum = nothing;
+    for (const RESULT &p : parts) join(&sum, &p);
+    return sum;
+  }
+};
+
+}    // namespace SPHTM_NS
+
+#endif

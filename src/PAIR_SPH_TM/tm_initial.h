@@ -1,0 +1,78 @@
+/* SPH-TM: the state a new particle starts with, and the start of a run.
+
+   Rows of new particles are zero, and no particle has density 0 later: so they are known by it. */
+#ifndef TM_INITIAL_H
+#define TM_INITIAL_H
+
+#include "tm_update.h"
+
+typedef struct {
+  tm_state state;
+  unsigned fields;      /* mask of the fields to be set, 1 << enum tm_field_id */
+  tm_real temperature;
+} tm_initial_args;
+
+/* The fields of particle i that do not start with 0. */
+TM_FN void tm_initial(int i, const tm_initial_args *a)
+{
+  const tm_state *s = &a->state;
+  if (a->fields & (1u << TM_F_TEMP)) {
+    tm_real *t = tm_field_row(s, TM_F_TEMP, i);
+    t[0] = a->temperature;
+    t[1] = t[2] = 0.0;
+  }
+  if (a->fields & (1u << TM_F_BALSARA)) *tm_field_row(s, TM_F_BALSARA, i) = 1.0;
+  if (a->fields & (1u << TM_F_THICKNESS)) *tm_field_row(s, TM_F_THICKNESS, i) = 1.0;
+  if (a->fields & (1u << TM_F_RHO)) *tm_field_row(s, TM_F_RHO, i) = s->material[s->type[i]].rho0;
+}
+
+/* The same for particles that are new. */
+TM_FN void tm_initial_of_new(int i, const tm_initial_args *a)
+{
+  if (*tm_field_row(&a->state, TM_F_RHO, i) == 0.0) tm_initial(i, a);
+}
+
+/* The rates at the set-up as history of the first prediction. */
+TM_FN void tm_initial_history(int i, const tm_update_args *a, unsigned effects)
+{
+  const tm_state *s = &a->state;
+  const tm_material *m = s->material + s->type[i];
+  if (m->body != TM_BODY_SOLID) return;
+  tm_real *h1 = tm_field_row(s, TM_F_HISTORY, i), *h2 = h1 + TM_H_STEP;
+  const double *f = s->force + 3 * (ptrdiff_t) i;
+  const tm_real c = a->accel_unit / tm_particle_mass(s, i);
+  if (s->mask[i] & a->group)
+    for (int k = 0; k < ((effects & TM_FX_3D) ? 3 : 2); k++) h1[TM_H_V + k] = c * f[k];
+  const tm_mat3 L = tm_mat_load(a->gradient + (ptrdiff_t) i * 9);
+  h1[TM_H_RHO] = -*tm_field_row(s, TM_F_RHO, i) * tm_mat_trace(L);
+  if (m->strength != TM_STRENGTH_NONE)
+    tm_sym_store(h1 + TM_H_S,
+                 tm_jaumann_rate(tm_sym_load(tm_field_row(s, TM_F_STRESS, i)), L, m->shear));
+  for (int k = 0; k < TM_H_STEP; k++) h2[k] = h1[k];
+}
+
+/* Limits of the first time step, from the forces at the set-up; seeds the history where asked to. */
+TM_FN tm_update_result tm_initial_limits(int i, const tm_update_args *a, unsigned effects, int seed)
+{
+  const tm_state *s = &a->state;
+  const tm_material *m = s->material + s->type[i];
+  tm_update_result out = tm_update_nothing();
+  if (seed) tm_initial_history(i, a, effects);
+  if (m->body == TM_BODY_SOLID) {
+    const tm_real c = a->rec.main[(ptrdiff_t) i * TM_REC + TM_REC_C];
+    out.dt[TM_DT_SOUND] = tm_sound_time_step(a->h, c, a->visc_alpha, effects);
+    const double *f = s->force + 3 * (ptrdiff_t) i;
+    const tm_real acc =
+        a->accel_unit / tm_particle_mass(s, i) * sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
+    if (acc > 0.0 && (s->mask[i] & a->group)) out.dt[TM_DT_FORCE] = sqrt(a->h / acc);
+  }
+  if (effects & TM_FX_CONDUCTION) {
+    const tm_real T = tm_field_row(s, TM_F_TEMP, i)[0], k = tm_conductivity(m, T);
+    if (k > 0.0)
+      out.dt[TM_DT_CONDUCTION] = tm_heat_time_step(*tm_field_row(s, TM_F_RHO, i), tm_capacity(m, T),
+                                                   a->h, k, a->k_max, a->heat_rate);
+  }
+  return out;
+}
+
+#endif

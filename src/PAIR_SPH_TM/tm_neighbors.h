@@ -1,0 +1,163 @@
+/* SPH-TM: neighbor rows made from the host's list, and what they tell.
+
+   A row has three segments: mechanical neighbors, those that exchange heat, contact candidates; a
+   pair that conducts and touches stands in two. Each segment is in order of tag, then of memory, so
+   that sums do not depend on the order in memory.
+
+   On a GPU rows are interleaved, so that threads side by side read side by side: entry k of the
+   rows of one slice of TM_ROW_SLICE particles lies together. */
+#ifndef TM_NEIGHBORS_H
+#define TM_NEIGHBORS_H
+
+#include "tm_rates.h"
+
+#if defined(__CUDACC__)
+#define TM_ROW_SLICE 32
+#else
+#define TM_ROW_SLICE 1
+#endif
+
+/* segments of a row, as bits of what a pair takes part in */
+enum { TM_MEETS_MECHANICAL = 1, TM_MEETS_THERMAL = 2, TM_MEETS_CONTACT = 4, TM_SEGMENTS = 3 };
+
+typedef struct {
+  const int *list, *length;       /* the host's list: entry k of i is list[i row_step + k step] */
+  ptrdiff_t row_step, step;
+  int bits;                       /* of an entry that are the index */
+  const unsigned char *meets;     /* per type pair, index i * (ntypes + 1) + j: segments */
+  const int *type, *tag;          /* LAMMPS's, owned and ghost */
+  int ntypes;
+  /* results */
+  int *index, *count[TM_SEGMENTS];
+  ptrdiff_t *first;
+} tm_row_args;
+
+TM_FN int tm_row_meets(int i, int j, const tm_row_args *a)
+{
+  return a->meets[(ptrdiff_t) a->type[i] * (a->ntypes + 1) + a->type[j]];
+}
+
+/* Lengths of the segments of row i; returns their sum. */
+TM_FN int tm_row_count(int i, const tm_row_args *a)
+{
+  const int *list = a->list + i * a->row_step;
+  int count[TM_SEGMENTS] = {0, 0, 0};
+  for (int k = 0; k < a->length[i]; k++) {
+    const int meets = tm_row_meets(i, list[k * a->step] & a->bits, a);
+    for (int s = 0; s < TM_SEGMENTS; s++) count[s] += meets >> s & 1;
+  }
+  for (int s = 0; s < TM_SEGMENTS; s++) a->count[s][i] = count[s];
+  return count[0] + count[1] + count[2];
+}
+
+/* Room for the rows of slice s; first holds where each slice begins, in order of slices. */
+TM_FN ptrdiff_t tm_row_slice_size(int s, int n, const tm_row_args *a)
+{
+  int longest = 0;
+  for (int i = s * TM_ROW_SLICE; i < n && i < (s + 1) * TM_ROW_SLICE; i++) {
+    const int length = a->count[0][i] + a->count[1][i] + a->count[2][i];
+    if (length > longest) longest = length;
+  }
+  return (ptrdiff_t) longest * TM_ROW_SLICE;
+}
+
+TM_FN int tm_row_before(int j, int k, const int *tag)
+{
+  return tag[j] != tag[k] ? tag[j] < tag[k] : j < k;
+}
+
+/* Entries of row i, sorted in one by one. */
+TM_FN void tm_row_fill(int i, const tm_row_args *a)
+{
+  const int *list = a->list + i * a->row_step;
+  int *begin[TM_SEGMENTS], used[TM_SEGMENTS];
+  int *row = a->index + a->first[i];
+  for (int s = 0; s < TM_SEGMENTS; s++) {
+    begin[s] = row;
+    used[s] = 0;
+    row += (ptrdiff_t) a->count[s][i] * TM_ROW_SLICE;
+  }
+  for (int k = 0; k < a->length[i]; k++) {
+    const int j = list[k * a->step] & a->bits, meets = tm_row_meets(i, j, a);
+    for (int s = 0; s < TM_SEGMENTS; s++) {
+      if (!(meets >> s & 1)) continue;
+      ptrdiff_t at = used[s]++;
+      for (; at > 0 && tm_row_before(j, begin[s][(at - 1) * TM_ROW_SLICE], a->tag); at--)
+        begin[s][at * TM_ROW_SLICE] = begin[s][(at - 1) * TM_ROW_SLICE];
+      begin[s][at * TM_ROW_SLICE] = j;
+    }
+  }
+}
+
+/* ---- what rows tell; x: positions of owned and ghost particles */
+
+typedef struct {
+  tm_rows rows;
+  const double *x;
+  tm_real reach2;
+  tm_real *count;         /* mechanical neighbors within reach of each particle, or NULL */
+} tm_near_args;
+
+TM_FN tm_real tm_near_dist2(int i, int k, const tm_near_args *a, int *j)
+{
+  *j = a->rows.index[a->rows.first[i] + k * a->rows.stride];
+  const double *p = a->x + 3 * (ptrdiff_t) i, *q = a->x + 3 * (ptrdiff_t) *j;
+  const tm_real dx = p[0] - q[0], dy = p[1] - q[1], dz = p[2] - q[2];
+  return dx * dx + dy * dy + dz * dz;
+}
+
+/* Mechanical neighbors within reach. */
+TM_FN tm_real tm_near_count(int i, const tm_near_args *a)
+{
+  int count = 0, j;
+  for (int k = 0; k < a->rows.mechanical[i]; k++) count += tm_near_dist2(i, k, a, &j) < a->reach2;
+  if (a->count) a->count[i] = count;
+  return count;
+}
+
+typedef struct {
+  tm_real distance;       /* of the closest mechanical neighbors */
+  int i, j;
+  tm_real sum;            /* of the distances to the nearest neighbor */
+  tm_real count;          /* of particles that have one */
+} tm_nearest;
+
+TM_FN tm_nearest tm_nearest_nothing(void)
+{
+  tm_nearest c;
+  c.distance = 1e300;
+  c.i = c.j = -1;
+  c.sum = c.count = 0.0;
+  return c;
+}
+
+TM_FN tm_nearest tm_nearest_neighbor(int i, const tm_near_args *a)
+{
+  tm_nearest c = tm_nearest_nothing();
+  for (int k = 0; k < a->rows.mechanical[i]; k++) {
+    int j;
+    const tm_real r = sqrt(tm_near_dist2(i, k, a, &j));
+    if (r >= c.distance) continue;
+    c.distance = r;
+    c.i = i;
+    c.j = j;
+  }
+  if (c.i >= 0) {
+    c.sum = c.distance;
+    c.count = 1.0;
+  }
+  return c;
+}
+
+TM_FN void tm_nearest_sum(tm_nearest *sum, const tm_nearest *c)
+{
+  if (c->distance < sum->distance || (c->distance == sum->distance && c->i >= 0 && c->i < sum->i)) {
+    sum->distance = c->distance;
+    sum->i = c->i;
+    sum->j = c->j;
+  }
+  sum->sum += c->sum;
+  sum->count += c->count;
+}
+
+#endif
