@@ -9,6 +9,10 @@
 #include "fix_sph_tm_drive.h"
 #include "fix_sph_tm_heat.h"
 #include "pair_sph_tm.h"
+#ifdef LMP_KOKKOS
+#include "fix_sph_tm_kokkos.h"
+#include "pair_sph_tm_kokkos.h"
+#endif
 
 #include "comm.h"
 #include "error.h"
@@ -17,6 +21,14 @@
 #include <cstring>
 
 using namespace LAMMPS_NS;
+
+#ifdef LMP_KOKKOS
+using PairKokkos = PairSPHTMKokkos;
+using FixKokkos = FixSPHTMKokkos;
+#else
+using PairKokkos = PairSPHTM;
+using FixKokkos = FixSPHTM;
+#endif
 
 extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *ptr, void *handle,
                                                                         void *regfunc)
@@ -31,8 +43,8 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *p
     return;
   }
   SPHTM_NS::Registry registry(ptr, handle, regfunc);
-  registry.pair<PairSPHTM>("sph/tm", "thermo-mechanical SPH of solids");
-  registry.fix<FixSPHTM>("sph/tm", "state and time integration of pair sph/tm");
+  registry.pair<PairSPHTM, PairKokkos>("sph/tm", "thermo-mechanical SPH of solids");
+  registry.state_fix<FixSPHTM, FixKokkos>("sph/tm", "state and time integration of pair sph/tm");
   registry.fix<FixSPHTMHeat>("sph/tm/heat", "temperature, flux, source, convection, radiation on a group");
   registry.fix<FixSPHTMDrive>("sph/tm/drive", "prescribed velocity of a group of sph/tm particles");
   registry.compute<ComputeSPHTMAtom>("sph/tm/atom", "per-particle values of sph/tm");

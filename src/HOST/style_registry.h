@@ -11,16 +11,21 @@
 
 namespace SPHTM_NS {
 
-// styles with one argument list: pair
-template <class STYLE> void *create_simple(void *lmp)
+// Styles with one argument list: pair. KOKKOS is what a LAMMPS that runs with Kokkos gets, STYLE itself
+// where there is no other.
+template <class STYLE, class KOKKOS> void *create_simple(void *ptr)
 {
-  return new STYLE(static_cast<LAMMPS_NS::LAMMPS *>(lmp));
+  auto *lmp = static_cast<LAMMPS_NS::LAMMPS *>(ptr);
+  if (lmp->kokkos) return new KOKKOS(lmp);
+  return new STYLE(lmp);
 }
 
 // styles made from command arguments: fix, compute
-template <class STYLE> void *create_with_args(void *lmp, int narg, char **arg)
+template <class STYLE, class KOKKOS> void *create_with_args(void *ptr, int narg, char **arg)
 {
-  return new STYLE(static_cast<LAMMPS_NS::LAMMPS *>(lmp), narg, arg);
+  auto *lmp = static_cast<LAMMPS_NS::LAMMPS *>(ptr);
+  if (lmp->kokkos) return new KOKKOS(lmp, narg, arg);
+  return new STYLE(lmp, narg, arg);
 }
 
 // names with /kk where LAMMPS runs without Kokkos: they say so, where LAMMPS would only not know them
@@ -33,7 +38,6 @@ inline void *refuse(void *lmp, const char *name)
 }
 inline void *refuse_pair(void *lmp) { return refuse(lmp, "Pair style sph/tm/kk"); }
 inline void *refuse_with_args(void *lmp, int, char **arg) { return refuse(lmp, arg[2]); }
-
 class Registry {
  public:
   Registry(void *lmp, void *handle, void *regfunc) :
@@ -42,36 +46,49 @@ class Registry {
     plugin_.version = SPHTM_LAMMPS_VERSION;
     plugin_.author = "SPH-TM developers";
     plugin_.handle = handle;
-    without_kokkos_ = !static_cast<LAMMPS_NS::LAMMPS *>(lmp)->kokkos;
+    kokkos_ = static_cast<LAMMPS_NS::LAMMPS *>(lmp)->kokkos;
   }
-  template <class STYLE> void pair(const char *name, const char *info)
+  template <class STYLE, class KOKKOS = STYLE> void pair(const char *name, const char *info)
   {
-    plugin_.creator.v1 = (lammpsplugin_factory1 *) &create_simple<STYLE>;
+    const auto create = (lammpsplugin_factory1 *) &create_simple<STYLE, KOKKOS>;
+    plugin_.creator.v1 = create;
     add("pair", name, info);
-    plugin_.creator.v1 = (lammpsplugin_factory1 *) &refuse_pair;
-    refuse_kokkos("pair", name);
+    plugin_.creator.v1 = kokkos_ ? create : (lammpsplugin_factory1 *) &refuse_pair;
+    add_kokkos_names("pair", name, info);
   }
-  template <class STYLE> void fix(const char *name, const char *info)
+  template <class STYLE, class KOKKOS = STYLE> void fix(const char *name, const char *info)
   {
-    plugin_.creator.v2 = (lammpsplugin_factory2 *) &create_with_args<STYLE>;
+    with_args("fix", name, info, (lammpsplugin_factory2 *) &create_with_args<STYLE, KOKKOS>);
+  }
+  template <class STYLE, class KOKKOS = STYLE> void compute(const char *name, const char *info)
+  {
+    with_args("compute", name, info, (lammpsplugin_factory2 *) &create_with_args<STYLE, KOKKOS>);
+  }
+  // a fix with values of particles in restart files: LAMMPS looks for them under the whole name of the
+  // style, so there is one name, and none with /kk that a suffix would find
+  template <class STYLE, class KOKKOS = STYLE> void state_fix(const char *name, const char *info)
+  {
+    plugin_.creator.v2 = (lammpsplugin_factory2 *) &create_with_args<STYLE, KOKKOS>;
     add("fix", name, info);
     plugin_.creator.v2 = (lammpsplugin_factory2 *) &refuse_with_args;
-    refuse_kokkos("fix", name);
-  }
-  template <class STYLE> void compute(const char *name, const char *info)
-  {
-    plugin_.creator.v2 = (lammpsplugin_factory2 *) &create_with_args<STYLE>;
-    add("compute", name, info);
-    plugin_.creator.v2 = (lammpsplugin_factory2 *) &refuse_with_args;
-    refuse_kokkos("compute", name);
+    if (!kokkos_) add_kokkos_names("fix", name, info);
   }
 
  private:
-  void refuse_kokkos(const char *style, const char *name)
+  void with_args(const char *style, const char *name, const char *info, lammpsplugin_factory2 *create)
+  {
+    plugin_.creator.v2 = create;
+    add(style, name, info);
+    plugin_.creator.v2 = kokkos_ ? create : (lammpsplugin_factory2 *) &refuse_with_args;
+    add_kokkos_names(style, name, info);
+  }
+  void add_kokkos_names(const char *style, const char *name, const char *info)
   {
     static std::list<std::string> names;    // LAMMPS keeps the pointer
-    names.push_back(std::string(name) + "/kk");
-    if (without_kokkos_) add(style, names.back().c_str(), "not without Kokkos");
+    for (const char *suffix : {"/kk", "/kk/device", "/kk/host"}) {
+      names.push_back(std::string(name) + suffix);
+      add(style, names.back().c_str(), info);
+    }
   }
   void add(const char *style, const char *name, const char *info)
   {
@@ -81,7 +98,7 @@ class Registry {
     (*register_)(&plugin_, lmp_);
   }
   lammpsplugin_t plugin_;
-  bool without_kokkos_ = false;
+  bool kokkos_ = false;    // LAMMPS runs with it
   void *lmp_;
   lammpsplugin_regfunc register_;
 };

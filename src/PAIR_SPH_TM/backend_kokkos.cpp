@@ -1,0 +1,302 @@
+#ifdef LMP_KOKKOS
+#include "backend_kokkos.h"
+
+#include "rate_loops.h"
+#include "tm_thermal.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <utility>
+
+
+
+namespace SPHTM_NS {
+
+namespace {
+
+using Memory = LMPDeviceType::memory_space;
+using Unmanaged = Kokkos::MemoryTraits<Kokkos::Unmanaged>;
+template <class SPACE> using Bytes = Kokkos::View<char *, SPACE, Unmanaged>;
+template <class SPACE> Bytes<SPACE> bytes_at(const void *p, size_t n)
+{
+  return Bytes<SPACE>((char *) p, n);
+}
+
+/* ---------------------------------------------------------------------- kernels of a GPU */
+
+// Which rate loops a GPU has: all sets of effects for the default kernel; for each other kernel the
+// one that tests them at run time, so that the compiler is done in minutes.
+constexpr int DEVICE_RATE_LOOPS = RATE_LOOPS_PER_KERNEL + 2 * (TM_KERNEL_COUNT - 1);
+
+constexpr unsigned device_rate_effects(int index)
+{
+  if (index < RATE_LOOPS_PER_KERNEL) return rate_loop_effects(index);
+  const unsigned k = index - RATE_LOOPS_PER_KERNEL;
+  return ((k / 2 + 1) << TM_FX_KERNEL_SHIFT) | unsigned(TM_FX_EXTENDED) | ((k & 1u) ? unsigned(TM_FX_3D) : 0u);
+}
+
+int device_rate_index(unsigned fx)
+{
+  const int kernel = tm_fx_kernel(fx), dim3 = (fx & TM_FX_3D) ? 1 : 0;
+  return kernel == 0 ? rate_loop_index(fx) : RATE_LOOPS_PER_KERNEL + 2 * (kernel - 1) + dim3;
+}
+
+template <unsigned EFFECTS> struct Rates {
+  tm_rates_args a;
+  KOKKOS_FUNCTION void operator()(int i) const { tm_rates(i, &a, EFFECTS); }
+};
+template <unsigned EFFECTS> struct Moments {
+  tm_rates_args a;
+  KOKKOS_FUNCTION void operator()(int i) const { tm_moment(i, &a, EFFECTS); }
+};
+
+template <unsigned EFFECTS> void run_rates(int n, const tm_rates_args &a)
+{
+  kokkos_each("sph/tm rates", n, Rates<EFFECTS>{a});
+}
+template <unsigned EFFECTS> void run_moments(int n, const tm_rates_args &a)
+{
+  kokkos_each("sph/tm moments", n, Moments<EFFECTS>{a});
+}
+
+typedef void (*device_rate_loop_t)(int, const tm_rates_args &);
+
+template <int... INDEX>
+device_rate_loop_t find_rates(int index, std::integer_sequence<int, INDEX...>)
+{
+  static const device_rate_loop_t table[] = {run_rates<device_rate_effects(INDEX)>...};
+  return table[index];
+}
+
+constexpr unsigned moment_effects(int index)
+{
+  return ((unsigned) index / 2) << TM_FX_KERNEL_SHIFT | ((index & 1) ? unsigned(TM_FX_3D) : 0u);
+}
+template <int... INDEX>
+device_rate_loop_t find_moments(int index, std::integer_sequence<int, INDEX...>)
+{
+  static const device_rate_loop_t table[] = {run_moments<moment_effects(INDEX)>...};
+  return table[index];
+}
+
+struct Predict {
+  tm_predict_args a;
+  unsigned fx;
+  KOKKOS_FUNCTION void operator()(int i) const
+  {
+    tm_predict(i, &a, fx);
+    if (fx & TM_FX_ARTSTRESS) tm_predict_artstress(i, i + 1, &a, fx);
+  }
+};
+struct Thermal {
+  tm_rates_args a;
+  unsigned fx;
+  KOKKOS_FUNCTION void operator()(int i) const
+  {
+    if (a.rows.thermal[i]) tm_thermal(i, &a, fx);
+  }
+};
+struct InitialOfNew {
+  tm_initial_args a;
+  KOKKOS_FUNCTION void operator()(int i) const { tm_initial_of_new(i, &a); }
+};
+struct Add {
+  double *to;
+  const double *from;
+  KOKKOS_FUNCTION void operator()(int k) const { to[k] += from[k]; }
+};
+
+struct Drift {
+  tm_drift_args a;
+  unsigned fx;
+  int n;
+  KOKKOS_FUNCTION int operator()(int i) const { return tm_drift(i, &a, fx) ? i : n; }
+};
+struct Least {
+  KOKKOS_FUNCTION void operator()(int *least, const int *i) const { *least = *i < *least ? *i : *least; }
+};
+struct BodyContact {
+  tm_rates_args a;
+  tm_body_contact_args b;
+  unsigned fx;
+  KOKKOS_FUNCTION tm_body_contact_result operator()(int i) const
+  {
+    return a.rows.contact[i] ? tm_body_contact(i, &a, &b, fx) : tm_body_contact_nothing();
+  }
+};
+struct SumBodyContact {
+  KOKKOS_FUNCTION void operator()(tm_body_contact_result *sum, const tm_body_contact_result *r) const
+  {
+    tm_body_contact_sum(sum, r);
+  }
+};
+struct Update {
+  tm_update_args a;
+  unsigned fx;
+  KOKKOS_FUNCTION tm_update_result operator()(int i) const { return tm_update(i, &a, fx); }
+};
+struct SumUpdate {
+  int ledger;
+  KOKKOS_FUNCTION void operator()(tm_update_result *sum, const tm_update_result *r) const
+  {
+    tm_update_sum(sum, r, ledger);
+  }
+};
+struct InitialLimits {
+  tm_update_args a;
+  unsigned fx;
+  int seed;
+  KOKKOS_FUNCTION tm_update_result operator()(int i) const { return tm_initial_limits(i, &a, fx, seed); }
+};
+struct KineticEnergy {
+  tm_state s;
+  KOKKOS_FUNCTION double operator()(int i) const { return tm_kinetic_energy(i, &s); }
+};
+struct SumReal {
+  KOKKOS_FUNCTION void operator()(double *sum, const double *r) const { *sum += *r; }
+};
+struct Tally {
+  tm_tally_args a;
+  unsigned fx;
+  KOKKOS_FUNCTION tm_tally_result operator()(int i) const { return tm_tally(i, &a, fx); }
+};
+struct SumTally {
+  KOKKOS_FUNCTION void operator()(tm_tally_result *sum, const tm_tally_result *r) const { tm_tally_sum(sum, r); }
+};
+struct NearCount {
+  tm_near_args a;
+  KOKKOS_FUNCTION double operator()(int i) const { return tm_near_count(i, &a); }
+};
+struct Nearest {
+  tm_near_args a;
+  KOKKOS_FUNCTION tm_nearest operator()(int i) const { return tm_nearest_neighbor(i, &a); }
+};
+struct SumNearest {
+  KOKKOS_FUNCTION void operator()(tm_nearest *sum, const tm_nearest *r) const { tm_nearest_sum(sum, r); }
+};
+
+class DeviceBackend : public Backend {
+ public:
+  std::string name() const override { return std::string("kernels of Kokkos ") + LMPDeviceType::name(); }
+
+  bool shared() const override { return false; }
+  void *allocate(size_t n) override { return Kokkos::kokkos_malloc<Memory>("sph/tm", n); }
+  void release(void *p) override
+  {
+    if (p) Kokkos::kokkos_free<Memory>(p);
+  }
+  void to_loops(void *there, const void *here, size_t n) override
+  {
+    Kokkos::deep_copy(bytes_at<Memory>(there, n), bytes_at<Kokkos::HostSpace>(here, n));
+  }
+  void to_host(void *here, const void *there, size_t n) override
+  {
+    Kokkos::deep_copy(bytes_at<Kokkos::HostSpace>(here, n), bytes_at<Memory>(there, n));
+  }
+  void copy(void *to, const void *from, size_t n) override
+  {
+    Kokkos::deep_copy(LMPDeviceType(), bytes_at<Memory>(to, n), bytes_at<Memory>(from, n));
+  }
+  void zero(void *p, size_t n) override
+  {
+    if (n) Kokkos::deep_copy(LMPDeviceType(), bytes_at<Memory>(p, n), 0);
+  }
+  void add(double *to, const double *from, size_t n) override
+  {
+    kokkos_each("sph/tm add", (int) n, Add{to, from});
+  }
+
+  int drift(int n, const tm_drift_args &a, unsigned fx) override
+  {
+    return kokkos_sum("sph/tm drift", n, n, Drift{a, fx, n}, Least());
+  }
+  void predict(int n, const tm_predict_args &a, unsigned fx) override
+  {
+    kokkos_each("sph/tm predict", n, Predict{a, fx});
+  }
+  void moments(int n, const tm_rates_args &a, unsigned fx) override
+  {
+    const int index = 2 * tm_fx_kernel(fx) + ((fx & TM_FX_3D) ? 1 : 0);
+    find_moments(index, std::make_integer_sequence<int, 2 * TM_KERNEL_COUNT>())(n, a);
+  }
+  void rates(int n, const tm_rates_args &a, unsigned fx) override
+  {
+    find_rates(device_rate_index(fx), std::make_integer_sequence<int, DEVICE_RATE_LOOPS>())(n, a);
+  }
+  void thermal(int n, const tm_rates_args &a, unsigned fx) override
+  {
+    kokkos_each("sph/tm thermal", n, Thermal{a, fx});
+  }
+  tm_body_contact_result body_contact(int n, const tm_rates_args &a, const tm_body_contact_args &b,
+                                      unsigned fx) override
+  {
+    return kokkos_sum("sph/tm body contact", n, tm_body_contact_nothing(), BodyContact{a, b, fx},
+                      SumBodyContact());
+  }
+  tm_update_result update(int n, const tm_update_args &a, unsigned fx) override
+  {
+    return kokkos_sum("sph/tm update", n, tm_update_nothing(), Update{a, fx},
+                      SumUpdate{(fx & TM_FX_LEDGER) != 0});
+  }
+
+  void initial_of_new(int n, const tm_initial_args &a) override
+  {
+    kokkos_each("sph/tm new particles", n, InitialOfNew{a});
+  }
+  tm_update_result initial_limits(int n, const tm_update_args &a, unsigned fx, bool seed) override
+  {
+    return kokkos_sum("sph/tm set-up", n, tm_update_nothing(), InitialLimits{a, fx, seed}, SumUpdate{0});
+  }
+  double kinetic_energy(int n, const tm_state &s) override
+  {
+    return kokkos_sum("sph/tm kinetic energy", n, 0.0, KineticEnergy{s}, SumReal());
+  }
+  tm_tally_result tally(int n, const tm_tally_args &a, unsigned fx) override
+  {
+    return kokkos_sum("sph/tm tally", n, tm_tally_result{}, Tally{a, fx}, SumTally());
+  }
+  double near_count(int n, const tm_near_args &a) override
+  {
+    return kokkos_sum("sph/tm neighbors", n, 0.0, NearCount{a}, SumReal());
+  }
+  tm_nearest nearest(int n, const tm_near_args &a) override
+  {
+    return kokkos_sum("sph/tm nearest", n, tm_nearest_nothing(), Nearest{a}, SumNearest());
+  }
+};
+
+/* ---------------------------------------------------------------------- threads of the host */
+
+#if !defined(LMP_KOKKOS_GPU)
+class ThreadBackend : public Backend {
+ public:
+  std::string name() const override
+  {
+    return std::string(rate_loop_isa()) + ", Kokkos " + LMPDeviceType::name();
+  }
+  void blocks(int n, const std::function<void(int, int)> &f) override
+  {
+    Kokkos::parallel_for("sph/tm blocks",
+                         Kokkos::RangePolicy<LMPDeviceType>(0, (n + LOOP_BLOCK - 1) / LOOP_BLOCK),
+                         [&](int b) { f(b * LOOP_BLOCK, std::min(n, (b + 1) * LOOP_BLOCK)); });
+  }
+};
+#endif
+
+}    // namespace
+
+Backend &kokkos_backend()
+{
+  static DeviceBackend device;
+#if defined(LMP_KOKKOS_GPU)
+  return device;
+#else
+  static ThreadBackend threads;
+  const char *want = getenv("SPHTM_KOKKOS_LOOPS");
+  if (want && !strcmp(want, "device")) return device;
+  return threads;
+#endif
+}
+
+}    // namespace SPHTM_NS
+#endif

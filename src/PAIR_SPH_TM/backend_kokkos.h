@@ -1,0 +1,48 @@
+/* SPH-TM: the particle loops run by Kokkos, for a LAMMPS with the KOKKOS package. */
+#ifndef SPHTM_BACKEND_KOKKOS_H
+#define SPHTM_BACKEND_KOKKOS_H
+
+#include "backend.h"
+
+#include "kokkos_type.h"
+
+namespace SPHTM_NS {
+
+// threads of the host take blocks of particles through the loops of the host; a GPU has kernels of
+// its own, in its own memory. SPHTM_KOKKOS_LOOPS=device lets the host run the GPU's, for tests.
+Backend &kokkos_backend();
+
+// one(i) for i = 0..n-1
+template <class ONE> void kokkos_each(const char *label, int n, const ONE &one)
+{
+  Kokkos::parallel_for(label, Kokkos::RangePolicy<LMPDeviceType>(0, n), one);
+}
+
+// the sum of one(i), i = 0..n-1; JOIN()(&sum, &value) adds
+template <class RESULT, class ONE, class JOIN> struct KokkosSum {
+  using value_type = RESULT;
+  RESULT nothing;
+  ONE one;
+  JOIN add;
+  KOKKOS_FUNCTION void operator()(int i, RESULT &sum) const
+  {
+    const RESULT r = one(i);
+    add(&sum, &r);
+  }
+  KOKKOS_FUNCTION void init(RESULT &sum) const { sum = nothing; }
+  KOKKOS_FUNCTION void join(RESULT &sum, const RESULT &r) const { add(&sum, &r); }
+};
+
+template <class RESULT, class ONE, class JOIN>
+RESULT kokkos_sum(const char *label, int n, const RESULT &nothing, const ONE &one, const JOIN &join)
+{
+  RESULT sum = nothing;
+  if (n > 0)
+    Kokkos::parallel_reduce(label, Kokkos::RangePolicy<LMPDeviceType>(0, n),
+                            KokkosSum<RESULT, ONE, JOIN>{nothing, one, join}, sum);
+  return sum;
+}
+
+}    // namespace SPHTM_NS
+
+#endif

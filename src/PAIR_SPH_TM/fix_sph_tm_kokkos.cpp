@@ -1,0 +1,154 @@
+/* SPH-TM: fix sph/tm with Kokkos. See doc/fix_sph_tm.rst. */
+#ifdef LMP_KOKKOS
+#include "fix_sph_tm_kokkos.h"
+
+#include "backend_kokkos.h"
+
+#include "atom_kokkos.h"
+#include "atom_masks.h"
+
+using namespace LAMMPS_NS;
+using namespace SPHTM_NS;
+
+namespace {
+
+// the rows of all fields in use, as one row of values per particle
+struct StateRows {
+  double *row[TM_F_COUNT];
+  int columns[TM_F_COUNT], fields = 0, width = 0;
+
+  StateRows(ParticleFields &f)
+  {
+    for (int id = 0; id < TM_F_COUNT; id++) {
+      if (f[id].empty()) continue;
+      row[fields] = f[id].loop_write();
+      columns[fields] = tm_field_table[id].columns;
+      width += columns[fields++];
+    }
+  }
+  KOKKOS_FUNCTION void pack(int i, double *buf) const
+  {
+    for (int k = 0; k < fields; k++)
+      for (int c = 0; c < columns[k]; c++) *buf++ = row[k][(ptrdiff_t) i * columns[k] + c];
+  }
+  KOKKOS_FUNCTION void unpack(int i, const double *buf) const
+  {
+    for (int k = 0; k < fields; k++)
+      for (int c = 0; c < columns[k]; c++) row[k][(ptrdiff_t) i * columns[k] + c] = *buf++;
+  }
+  KOKKOS_FUNCTION void copy(int from, int to) const
+  {
+    for (int k = 0; k < fields; k++)
+      for (int c = 0; c < columns[k]; c++)
+        row[k][(ptrdiff_t) to * columns[k] + c] = row[k][(ptrdiff_t) from * columns[k] + c];
+  }
+};
+
+// sent particles leave, others take their places
+struct Pack {
+  StateRows rows;
+  const int *sent, *filled_by;
+  double *buf;
+  KOKKOS_FUNCTION void operator()(int k) const
+  {
+    rows.pack(sent[k], buf + (ptrdiff_t) k * rows.width);
+    if (filled_by[k] >= 0) rows.copy(filled_by[k], sent[k]);
+  }
+};
+struct Unpack {
+  StateRows rows;
+  const int *place;    // or -1: not for this rank
+  const double *buf;
+  KOKKOS_FUNCTION void operator()(int k) const
+  {
+    if (place[k] >= 0) rows.unpack(place[k], buf + (ptrdiff_t) k * rows.width);
+  }
+};
+
+constexpr unsigned ATOM_DATA = X_MASK | V_MASK | F_MASK | TYPE_MASK | MASK_MASK | RMASS_MASK;
+
+}    // namespace
+
+FixSPHTMKokkos::FixSPHTMKokkos(LAMMPS *lmp, int narg, char **arg) :
+    FixSPHTM(lmp, narg, arg, kokkos_backend())
+{
+  kokkosable = 1;
+  atomKK = (AtomKokkos *) atom;
+  execution_space = ExecutionSpaceFromDevice<LMPDeviceType>::space;
+  datamask_read = ATOM_DATA;
+  datamask_modify = X_MASK | V_MASK;
+  exchange_comm_device = sort_device = 1;
+}
+
+void FixSPHTMKokkos::init()
+{
+  FixSPHTM::init();
+  if (atom->mass) {
+    atomKK->k_mass.modify<LMPHostType>();
+    atomKK->k_mass.sync<LMPDeviceType>();
+  }
+}
+
+// checks of the set-up look at particles on the host
+void FixSPHTMKokkos::setup(int vflag)
+{
+  atoms_to_host();
+  FixSPHTM::setup(vflag);
+}
+
+void FixSPHTMKokkos::atoms_to_host() { atomKK->sync(Host, ALL_MASK); }
+
+void FixSPHTMKokkos::point_to_atoms(tm_state &s)
+{
+  atomKK->sync(execution_space, ATOM_DATA);
+  s.x = atomKK->k_x.view<LMPDeviceType>().data();
+  s.v = atomKK->k_v.view<LMPDeviceType>().data();
+  s.force = atomKK->k_f.view<LMPDeviceType>().data();
+  s.type = atomKK->k_type.view<LMPDeviceType>().data();
+  s.mask = atomKK->k_mask.view<LMPDeviceType>().data();
+  s.mass = atom->mass ? atomKK->k_mass.view<LMPDeviceType>().data() : nullptr;
+  s.rmass = atom->rmass_flag ? atomKK->k_rmass.view<LMPDeviceType>().data() : nullptr;
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixSPHTMKokkos::pack_exchange_kokkos(const int &nsend, DAT::tdual_xfloat_2d &k_buf,
+                                         DAT::tdual_int_1d k_sendlist, DAT::tdual_int_1d k_copylist,
+                                         ExecutionSpace space)
+{
+  k_sendlist.sync<LMPDeviceType>();
+  k_copylist.sync<LMPDeviceType>();
+  const StateRows rows(fields);
+  kokkos_each("sph/tm send", nsend,
+              Pack{rows, k_sendlist.view<LMPDeviceType>().data(), k_copylist.view<LMPDeviceType>().data(),
+                   k_buf.view<LMPDeviceType>().data()});
+  if (space == Host) {
+    k_buf.modify<LMPDeviceType>();
+    k_buf.sync<LMPHostType>();
+  }
+  return nsend * rows.width;
+}
+
+void FixSPHTMKokkos::unpack_exchange_kokkos(DAT::tdual_xfloat_2d &k_buf, DAT::tdual_int_1d &k_indices,
+                                            int nrecv, int, int, ExecutionSpace space)
+{
+  if (space == Host) {
+    k_buf.modify<LMPHostType>();
+    k_buf.sync<LMPDeviceType>();
+  }
+  k_indices.sync<LMPDeviceType>();
+  kokkos_each("sph/tm receive", nrecv,
+              Unpack{StateRows(fields), k_indices.view<LMPDeviceType>().data(),
+                     k_buf.view<LMPDeviceType>().data()});
+}
+
+void FixSPHTMKokkos::sort_kokkos(Kokkos::BinSort<KeyViewType, BinOp> &sorter)
+{
+  using Rows = Kokkos::View<double **, Kokkos::LayoutRight, LMPDeviceType, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
+  for (int id = 0; id < TM_F_COUNT; id++) {
+    if (fields[id].empty()) continue;
+    const int columns = tm_field_table[id].columns;
+    sorter.sort(LMPDeviceType(), Rows(fields[id].loop_write(), fields[id].size() / columns, columns));
+  }
+}
+#endif

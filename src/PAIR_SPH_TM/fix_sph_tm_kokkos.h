@@ -1,0 +1,33 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SPH-TM: fix sph/tm with Kokkos: the state lives where the loops run, and
+   migrates and is sorted there. LAMMPS knows it by the name of the plain fix,
+   since restart files are matched by name.
+------------------------------------------------------------------------- */
+#ifndef LMP_FIX_SPH_TM_KOKKOS_H
+#define LMP_FIX_SPH_TM_KOKKOS_H
+
+#include "fix_sph_tm.h"
+
+#include "kokkos_base.h"
+
+namespace LAMMPS_NS {
+
+class FixSPHTMKokkos : public FixSPHTM, public KokkosBase {
+ public:
+  FixSPHTMKokkos(class LAMMPS *, int, char **);
+  void init() override;
+  void setup(int) override;
+  int pack_exchange_kokkos(const int &, DAT::tdual_xfloat_2d &, DAT::tdual_int_1d, DAT::tdual_int_1d,
+                           ExecutionSpace) override;
+  void unpack_exchange_kokkos(DAT::tdual_xfloat_2d &, DAT::tdual_int_1d &, int, int, int,
+                              ExecutionSpace) override;
+  void sort_kokkos(Kokkos::BinSort<KeyViewType, BinOp> &) override;
+
+ protected:
+  void point_to_atoms(tm_state &) override;
+  void atoms_to_host() override;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif

@@ -1,0 +1,190 @@
+/* SPH-TM: pair style sph/tm with Kokkos. See doc/pair_sph_tm.rst. */
+#ifdef LMP_KOKKOS
+#include "pair_sph_tm_kokkos.h"
+
+#include "backend_kokkos.h"
+#include "fix_sph_tm_kokkos.h"
+
+#include "atom_kokkos.h"
+#include "atom_masks.h"
+#include "error.h"
+#include "neigh_list_kokkos.h"
+#include "neigh_request.h"
+#include "neighbor.h"
+
+using namespace LAMMPS_NS;
+using namespace SPHTM_NS;
+
+PairSPHTMKokkos::PairSPHTMKokkos(LAMMPS *lmp) : PairSPHTM(lmp, kokkos_backend()), meets(backend)
+{
+  kokkosable = 1;
+  atomKK = (AtomKokkos *) atom;
+  execution_space = ExecutionSpaceFromDevice<LMPDeviceType>::space;
+  datamask_read = X_MASK | V_MASK | F_MASK | TYPE_MASK | MASK_MASK | TAG_MASK | RMASS_MASK;
+  datamask_modify = F_MASK | ENERGY_MASK | VIRIAL_MASK;
+}
+
+void PairSPHTMKokkos::init_style()
+{
+  PairSPHTM::init_style();
+  auto *request = neighbor->find_request(this);
+  request->set_kokkos_device(true);
+  request->set_kokkos_host(false);
+}
+
+/* ---------------------------------------------------------------------- rows */
+
+namespace {
+
+struct CountRow {
+  tm_row_args a;
+  KOKKOS_FUNCTION void operator()(int i) const { tm_row_count(i, &a); }
+};
+struct PlaceRows {
+  tm_row_args a;
+  int n;
+  KOKKOS_FUNCTION void operator()(int slice, ptrdiff_t &begin, bool last) const
+  {
+    if (last)
+      for (int i = slice * TM_ROW_SLICE; i < n && i < (slice + 1) * TM_ROW_SLICE; i++)
+        a.first[i] = begin + i % TM_ROW_SLICE;
+    begin += tm_row_slice_size(slice, n, &a);
+  }
+};
+struct FillRow {
+  tm_row_args a;
+  KOKKOS_FUNCTION void operator()(int i) const { tm_row_fill(i, &a); }
+};
+
+}    // namespace
+
+void PairSPHTMKokkos::build_rows()
+{
+  static_assert(sizeof(tagint) == sizeof(int), "neighbor rows sort by tags of 32 bits (SMALLBIG)");
+  const int n = atom->nlocal;
+  const std::vector<unsigned char> segments = segments_of_types();
+  meets.assign(segments.data(), segments.size());
+  make_room_for_rows();
+  row_stride = TM_ROW_SLICE;
+  row_index.make_room(true, 1);
+  if (n == 0) return;
+
+  atomKK->sync(execution_space, TYPE_MASK | TAG_MASK);
+  const auto *from = static_cast<NeighListKokkos<LMPDeviceType> *>(list);
+  tm_row_args a;
+  a.list = from->d_neighbors.data();
+  a.length = from->d_numneigh.data();
+  a.row_step = from->d_neighbors.stride(0);
+  a.step = from->d_neighbors.stride(1);
+  a.bits = NEIGHMASK;
+  a.meets = meets.loop_read();
+  a.type = atomKK->k_type.view<LMPDeviceType>().data();
+  a.tag = atomKK->k_tag.view<LMPDeviceType>().data();
+  a.ntypes = atom_types;
+  a.count[0] = row_mechanical.loop_write();
+  a.count[1] = row_thermal.loop_write();
+  a.count[2] = row_contact.loop_write();
+  a.first = row_first.loop_write();
+  kokkos_each("sph/tm count rows", n, CountRow{a});
+  ptrdiff_t total = 0;
+  Kokkos::parallel_scan("sph/tm place rows",
+                        Kokkos::RangePolicy<LMPDeviceType>(0, (n + TM_ROW_SLICE - 1) / TM_ROW_SLICE),
+                        PlaceRows{a, n}, total);
+  row_index.make_room(true, total);
+  a.index = row_index.loop_write();
+  kokkos_each("sph/tm fill rows", n, FillRow{a});
+}
+
+/* ---------------------------------------------------------------------- communication */
+
+namespace {
+
+// what ghosts get: P K, or their records but for the positions
+struct Ghost {
+  tm_records rec;
+  int correction;
+  KOKKOS_FUNCTION static double *copy(double *to, const double *from, int n)
+  {
+    for (int c = 0; c < n; c++) to[c] = from[c];
+    return to + n;
+  }
+  KOKKOS_FUNCTION void pack(ptrdiff_t j, double *buf) const
+  {
+    if (correction) {
+      copy(buf, rec.correction + j * TM_REC_CORRECTION, TM_REC_CORRECTION);
+      return;
+    }
+    buf = copy(buf, rec.main + j * TM_REC + 3, TM_REC - 3);
+    if (rec.stress) buf = copy(buf, rec.stress + j * TM_REC_STRESS, TM_REC_STRESS);
+    if (rec.heat) copy(buf, rec.heat + j * TM_REC_HEAT, TM_REC_HEAT);
+  }
+  KOKKOS_FUNCTION void unpack(ptrdiff_t j, const double *buf) const
+  {
+    if (correction) {
+      copy(rec.correction + j * TM_REC_CORRECTION, buf, TM_REC_CORRECTION);
+      return;
+    }
+    copy(rec.main + j * TM_REC + 3, buf, TM_REC - 3);
+    buf += TM_REC - 3;
+    if (rec.stress) {
+      copy(rec.stress + j * TM_REC_STRESS, buf, TM_REC_STRESS);
+      buf += TM_REC_STRESS;
+    }
+    if (rec.heat) copy(rec.heat + j * TM_REC_HEAT, buf, TM_REC_HEAT);
+  }
+  KOKKOS_FUNCTION int width() const
+  {
+    if (correction) return TM_REC_CORRECTION;
+    return TM_REC - 3 + (rec.stress ? TM_REC_STRESS : 0) + (rec.heat ? TM_REC_HEAT : 0);
+  }
+};
+struct PackGhosts {
+  Ghost ghost;
+  const int *list;
+  double *buf;
+  KOKKOS_FUNCTION void operator()(int k) const { ghost.pack(list[k], buf + (ptrdiff_t) k * ghost.width()); }
+};
+struct UnpackGhosts {
+  Ghost ghost;
+  int first;
+  const double *buf;
+  KOKKOS_FUNCTION void operator()(int k) const
+  {
+    ghost.unpack((ptrdiff_t) first + k, buf + (ptrdiff_t) k * ghost.width());
+  }
+};
+struct TakePositions {
+  double *rec;
+  const double *x;
+  int first;
+  KOKKOS_FUNCTION void operator()(int k) const
+  {
+    const ptrdiff_t i = first + k;
+    for (int d = 0; d < 3; d++) rec[i * TM_REC + d] = x[3 * i + d];
+  }
+};
+
+}    // namespace
+
+int PairSPHTMKokkos::pack_forward_comm_kokkos(int n, DAT::tdual_int_1d k_sendlist,
+                                              DAT::tdual_xfloat_1d &buf, int, int *)
+{
+  const Ghost ghost{rec, forward_correction};
+  kokkos_each("sph/tm send to ghosts", n,
+              PackGhosts{ghost, k_sendlist.view<LMPDeviceType>().data(), buf.view<LMPDeviceType>().data()});
+  return n * ghost.width();
+}
+
+void PairSPHTMKokkos::unpack_forward_comm_kokkos(int n, int first, DAT::tdual_xfloat_1d &buf)
+{
+  kokkos_each("sph/tm receive ghosts", n,
+              UnpackGhosts{{rec, forward_correction}, first, buf.view<LMPDeviceType>().data()});
+}
+
+void PairSPHTMKokkos::take_ghost_positions()
+{
+  atomKK->sync(execution_space, X_MASK);
+  kokkos_each("sph/tm ghost positions", atom->nghost,
+              TakePositions{rec_main.loop_write(), atomKK->k_x.view<LMPDeviceType>().data(), atom->nlocal});
+}
+#endif
