@@ -1,6 +1,7 @@
 # Finds out about the LAMMPS the plugin is for, from LAMMPS_SOURCE_DIR and LAMMPS_BUILD_DIR.
 # Sets LAMMPS_SOURCE_DIR (the src folder), LAMMPS_TOP_DIR, LAMMPS_VERSION, and the target lammps_host with the
-# include folders and definitions that decide how LAMMPS's classes are laid out.
+# include folders and definitions that decide how LAMMPS's classes are laid out. For a LAMMPS with the KOKKOS package
+# LAMMPS_KOKKOS is ON, and the target lammps_kokkos_host is for the sources that see Kokkos.
 
 foreach(name LAMMPS_SOURCE_DIR LAMMPS_BUILD_DIR)
   if(${name})
@@ -16,7 +17,7 @@ if(LAMMPS_BUILD_DIR)
        ${LAMMPS_BUILD_DIR}/lib/*/cmake/LAMMPS/LAMMPS_Targets.cmake)
   if(EXISTS ${LAMMPS_BUILD_DIR}/CMakeCache.txt)
     load_cache(${LAMMPS_BUILD_DIR} READ_WITH_PREFIX HOST_ LAMMPS_SIZES BUILD_MPI BUILD_SHARED_LIBS PKG_PLUGIN
-               PKG_KOKKOS MPI_CXX_COMPILER CMAKE_HOME_DIRECTORY)
+               PKG_KOKKOS Kokkos_DIR MPI_CXX_COMPILER CMAKE_HOME_DIRECTORY)
     if(NOT HOST_LAMMPS_SIZES)
       message(FATAL_ERROR "LAMMPS_BUILD_DIR=${LAMMPS_BUILD_DIR} is a CMake build folder, but not of LAMMPS")
     endif()
@@ -85,5 +86,11 @@ if(host_mpi)
   target_link_libraries(lammps_host INTERFACE MPI::MPI_CXX)
 else()
   target_include_directories(lammps_host SYSTEM INTERFACE ${LAMMPS_SOURCE_DIR}/STUBS)
+endif()
+set(LAMMPS_KOKKOS OFF)
+if(HOST_PKG_KOKKOS)
+  set(LAMMPS_KOKKOS ON)
+  target_compile_definitions(lammps_host INTERFACE LMP_KOKKOS)
+  include(KokkosHost)
 endif()
 message(STATUS "LAMMPS ${LAMMPS_VERSION}, ${host_sizes}, MPI ${host_mpi}: ${LAMMPS_SOURCE_DIR}")

@@ -1,6 +1,6 @@
 #!/bin/sh
 # All tests, or those that match:  run-test.sh [LABEL | REGEX]
-# Labels: unit, headers, harness, scene, userbuild. The last line tells how many passed, failed and were skipped.
+# Labels: unit, headers, harness, scene, kokkos, userbuild. The last line tells how many passed, failed and were skipped.
 set -eu
 . "$(dirname -- "$0")/common.sh"
 
@@ -15,6 +15,21 @@ if [ -z "$filter" ]; then set --
 elif ctest --print-labels | grep -qx "  $filter"; then set -- -L "^$filter\$"
 else set -- -R "$filter"
 fi
+
+# Tests of the Kokkos styles need a second lmp and the plugin built for it
+if ctest -N "$@" | grep -q ': kokkos_'; then
+  status=0
+  kokkos_host=$("$root/tools/host-kokkos.sh" openmp quiet) || status=$?
+  case $status in
+    0) kokkos_plugin=$("$root/tools/build-plugin.sh" "$kokkos_host")
+       export SPHTM_LMP_KK="$kokkos_host/lmp" LAMMPS_PLUGIN_PATH_KK="$kokkos_plugin" ;;
+    77) echo 'SKIPPED: Kokkos tests, no Kokkos found'
+        [ "$filter" != kokkos ] || exit 0
+        set -- "$@" -LE '^kokkos$' ;;
+    *) exit $status ;;
+  esac
+fi
+
 log=$build/test.log
 { ctest --output-on-failure -j "$jobs" "$@" 2>&1; echo "exit $?"; } | tee "$log" | grep -v '^exit '
 

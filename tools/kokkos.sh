@@ -1,0 +1,29 @@
+# Sourced after common.sh: which Kokkos there is.
+kokkos_wanted=4.5.01    # the oldest that LAMMPS 4 Feb 2025 takes; of version 5 it takes none
+
+# find_kokkos openmp|cuda: sets kokkos_dir, _prefix, _version, _devices, _arch, _options; fails where there is none that fits
+find_kokkos() {
+  kokkos_dir='' kokkos_misfit=''
+  probe=$(mktemp -d)
+  cmake -S "$root/tools/kokkos-probe" -B "$probe" -DKOKKOS_WANTED=$kokkos_wanted > "$probe/log" 2>&1 || true
+  [ -f "$probe/answer.sh" ] && . "$probe/answer.sh"
+  rm -rf "$probe"
+  [ -n "$kokkos_dir" ] || return 1
+  case $1/$kokkos_devices in
+    openmp/*CUDA*|openmp/*HIP*|openmp/*SYCL*) kokkos_misfit='is for a GPU' ;;
+    openmp/*OPENMP*|cuda/*CUDA*) ;;
+    openmp/*) kokkos_misfit='lacks OpenMP (Kokkos_ENABLE_OPENMP=ON)' ;;
+    cuda/*) kokkos_misfit='lacks CUDA (Kokkos_ENABLE_CUDA=ON)' ;;
+  esac
+  case $kokkos_version/$kokkos_options in
+    4.5.*|*IMPL_VIEW_LEGACY*) ;;
+    *) kokkos_misfit="is version $kokkos_version with a View that this LAMMPS does not bear: configure it with Kokkos_ENABLE_IMPL_VIEW_LEGACY=ON" ;;
+  esac
+  [ -z "$kokkos_misfit" ]
+}
+
+# kokkos_download: can LAMMPS's own CMake download Kokkos here?
+kokkos_download() {
+  command -v curl > /dev/null || return 1
+  curl -sfIL --max-time 15 "https://github.com/kokkos/kokkos/archive/$kokkos_wanted.tar.gz" > /dev/null 2>&1
+}
