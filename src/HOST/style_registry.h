@@ -5,6 +5,7 @@
 #include "error.h"
 #include "lammps.h"
 #include "lammpsplugin.h"
+#include "sphtm_config.h"
 
 #include <list>
 #include <string>
