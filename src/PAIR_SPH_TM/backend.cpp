@@ -16,8 +16,15 @@ Backend &Backend::host()
 
 std::string Backend::name() const { return rate_loop_isa(); }
 
-void Backend::copy(void *to, const void *from, size_t bytes) { memcpy(to, from, bytes); }
-void Backend::zero(void *p, size_t bytes) { memset(p, 0, bytes); }
+void Backend::copy(void *to, const void *from, size_t bytes)
+{
+  if (bytes) memcpy(to, from, bytes);    // pointers to nothing may be null
+}
+
+void Backend::zero(void *p, size_t bytes)
+{
+  if (bytes) memset(p, 0, bytes);
+}
 
 void Backend::add(double *to, const double *from, size_t n)
 {
