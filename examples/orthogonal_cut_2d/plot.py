@@ -40,7 +40,7 @@ for ax, key, cmap, hi, label in ((axes[0], "c_p[1]", WARM, 1100, "temperature (K
     c.set_clim(300 if key == "c_p[1]" else 0, hi)
     ax.fill(profile[:, 0], profile[:, 1], fc=TOOL_FACE, ec=TOOL_LINE, lw=1.2, zorder=0)
     ax.add_collection(c)
-    ax.set(aspect="equal", xlim=(0.35, 1.25), ylim=(-0.42, 0.42), xlabel="x (mm)", ylabel="y (mm)")
+    ax.set(aspect="equal", xlim=(-0.12, 1.22), ylim=(-0.42, 0.78), xlabel="x (mm)", ylabel="y (mm)")
     fig.colorbar(c, ax=ax, shrink=0.8, label=label, extend="max")
 for k, name in ((1, "cutting force"), (2, "thrust")):
     smooth = np.convolve(force[:, k], np.ones(15) / 15, "same")
