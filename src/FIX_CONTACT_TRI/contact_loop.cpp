@@ -2,10 +2,11 @@
 
 namespace SPHTM_NS {
 
-template <unsigned FX> static tm_contact_result loop(int n, const tm_contact_args &args)
+// effects as literals
+template <unsigned FX> static tm_contact_result loop(int begin, int end, const tm_contact_args &args, unsigned)
 {
   tm_contact_result sum = tm_contact_nothing();
-  for (int i = 0; i < n; i++) {
+  for (int i = begin; i < end; i++) {
     const tm_contact_result one = tm_contact_tri(i, &args, FX);
     if (one.depth > 0.0) tm_contact_sum(&sum, &one);
   }
@@ -13,31 +14,29 @@ template <unsigned FX> static tm_contact_result loop(int n, const tm_contact_arg
 }
 
 // bits that few scenes ask for, and output steps: tested at run time
-static tm_contact_result loop_any(int n, const tm_contact_args &args, unsigned fx)
+static tm_contact_result loop_any(int begin, int end, const tm_contact_args &args, unsigned fx)
 {
   tm_contact_result sum = tm_contact_nothing();
-  for (int i = 0; i < n; i++) {
+  for (int i = begin; i < end; i++) {
     const tm_contact_result one = tm_contact_tri(i, &args, fx);
     if (one.depth > 0.0) tm_contact_sum(&sum, &one);
   }
   return sum;
 }
 
-tm_contact_result contact_loop(int n, const tm_contact_args &args, unsigned fx)
+tm_contact_result contact_loop(Backend &loops, int n, const tm_contact_args &args, unsigned fx)
 {
   constexpr unsigned D = TM_CT_3D, H = TM_CT_HEAT, F = TM_CT_FRICTION;
-  switch (fx) {
-    case F:
-      return loop<F>(n, args);
-    case H | F:
-      return loop<H | F>(n, args);
-    case D | F:
-      return loop<D | F>(n, args);
-    case D | H | F:
-      return loop<D | H | F>(n, args);
-    default:
-      return loop_any(n, args, fx);
-  }
+  tm_contact_result (*part)(int, int, const tm_contact_args &, unsigned) = loop_any;
+  if (fx == F) part = loop<F>;
+  if (fx == (H | F)) part = loop<H | F>;
+  if (fx == (D | F)) part = loop<D | F>;
+  if (fx == (D | H | F)) part = loop<D | H | F>;
+  // sums per triangle are not for several threads
+  Backend &where = fx & TM_CT_OUTPUT ? Backend::host() : loops;
+  return where.sum_blocks(
+      n, tm_contact_nothing(), [&](int begin, int end) { return part(begin, end, args, fx); },
+      tm_contact_sum);
 }
 
 double contact_overlap(int n, const tm_contact_args &args, unsigned fx, tm_vec3 shift, int *worst)

@@ -45,7 +45,6 @@ FixContactTri::FixContactTri(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
       ? tm_vec(request.reference[0], request.reference[1], request.reference[2])
       : tool.origin();
   nevery = 1;
-  clear_triangles();
 }
 
 FixContactTri::~FixContactTri()
@@ -97,6 +96,10 @@ void FixContactTri::init()
     error->all(FLERR, "Fix contact/tri {} must come after fix {} sph/tm in the input", id,
                fixes[0]->id);
   pair = state->pair();
+  loop_laws.live_in(state->loops());
+  tool_heat.live_in(state->loops());
+  for (auto *a : {&tri_force, &tri_heat}) a->live_in(state->loops());
+  tri_count.live_in(state->loops());
   if (heat_given) state->need(TM_FX_HEAT, fmt::format("fix contact/tri {} exchanges heat", id));
   if (!temperature_given) temperature = state->start_temperature();
   motion.init();
@@ -107,6 +110,7 @@ void FixContactTri::init()
     if (!wrong.empty()) error->all(FLERR, "Fix contact/tri {}: {}", id, wrong);
     const bool first = indexed_reach == 0.0;
     indexed_reach = reach;
+    loop_tool.copy(state->loops(), tool);
     make_laws();
     if (first) report();
   } else {
@@ -217,6 +221,7 @@ void FixContactTri::make_laws()
                  "heat",
                  id, request.body_type);
   }
+  loop_laws.assign(laws.data(), laws.size());
 }
 
 void FixContactTri::setup(int vflag)
@@ -275,8 +280,8 @@ tm_contact_args FixContactTri::make_args(const tm_pose &pose, bool output)
   tm_contact_args a = {};
   const tm_state s = state->state();
   const tm_records &rec = pair->rate_args().rec;
-  a.mesh = tool.view();
-  a.grid = tool.grid();
+  a.mesh = loop_tool.mesh();
+  a.grid = loop_tool.grid();
   a.pose = pose;
   a.reference = tm_pose_to_world(&pose, reference_local);
   a.deep = pair->settings_in_use().spacing;
@@ -284,7 +289,7 @@ tm_contact_args FixContactTri::make_args(const tm_pose &pose, bool output)
   a.after = state->time_ahead() > 0.0 ? a.dt - state->time_ahead() : 0.0;
   a.force_unit = 1.0 / pair->units().force;
   a.tool_temperature = temperature;
-  a.law = laws.data();
+  a.law = loop_laws.loop_read();
   a.mask = s.mask;
   a.group = groupbit;
   a.type = s.type;
@@ -301,18 +306,23 @@ tm_contact_args FixContactTri::make_args(const tm_pose &pose, bool output)
     a.temperature = rec.heat + TM_REC_T;
     a.temperature_stride = TM_REC_HEAT;
     a.source = state->heat_source();
-    a.tool_heat = request.body_type ? tool_heat.data() : nullptr;
+    a.tool_heat = request.body_type ? tool_heat.loop_write() : nullptr;
   }
   if (state->has(TM_FX_PLASTICITY) && request.shear > 0.0) {
     a.yield = s.field[TM_F_PSTRAIN] + 2;
     a.yield_stride = tm_field_table[TM_F_PSTRAIN].columns;
   }
   if (output) {
-    a.tri_force = tri_force.data();
-    a.tri_heat = tri_heat.data();
-    a.tri_count = tri_count.data();
+    a.tri_force = tri_force.loop_write();
+    a.tri_heat = tri_heat.loop_write();
+    a.tri_count = tri_count.loop_write();
   }
   return a;
+}
+
+tm_contact_result FixContactTri::run_contact(const tm_contact_args &a, unsigned fx)
+{
+  return contact_loop(state->loops(), atom->nlocal, a, fx);
 }
 
 void FixContactTri::post_force(int)
@@ -322,7 +332,7 @@ void FixContactTri::post_force(int)
   if (request.body_type) tool_heat.resize(std::max(atom->nmax, 1));
   const tm_pose pose = motion.pose(clock, state->time_ahead(), state->step_dt());
   const tm_contact_args args = make_args(pose, output);
-  sums = contact_loop(atom->nlocal, args, effects(output));
+  sums = run_contact(args, effects(output));
   totals_step = -1;
   if (request.body_type && state->has(TM_FX_CONDUCTION)) heat_body();
   if (state->time_ahead() > 0.0) book(state->step_dt());

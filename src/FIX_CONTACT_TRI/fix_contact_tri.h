@@ -8,6 +8,8 @@
 #include "fix.h"
 
 #include "contact_loop.h"
+#include "loop_tool.h"
+#include "tm_carry.h"
 #include "tool_motion.h"
 #include "tri_tool.h"
 
@@ -67,6 +69,8 @@ class FixContactTri : public Fix {
   bool temperature_given = false, heat_given = false;
   tm_vec3 reference_local;             // reference point in the tool's frame
   std::vector<tm_contact_law> laws;    // by type
+  SPHTM_NS::LoopArray<tm_contact_law> loop_laws;
+  SPHTM_NS::LoopTool loop_tool;
   double dt_limit = 0.0;               // of the contact springs
   double indexed_reach = 0.0;
   bool restored = false, checked = false, warned_deep = false;
@@ -74,7 +78,7 @@ class FixContactTri : public Fix {
   tm_contact_result sums;    // of this rank, this step
   double totals[14];         // over ranks
   bigint totals_step = -1;
-  std::vector<double> tool_heat;    // per particle: heat for the tool's own particles
+  SPHTM_NS::LoopArray<double> tool_heat;    // per particle: heat for the tool's own particles
 
   // files and values per triangle
   struct File {
@@ -82,8 +86,8 @@ class FixContactTri : public Fix {
     std::string name;
   } vtk, stl;
   int local_every = 0;
-  std::vector<double> tri_force, tri_heat;
-  std::vector<int> tri_count;
+  SPHTM_NS::LoopArray<double> tri_force, tri_heat;
+  SPHTM_NS::LoopArray<int> tri_count;
   double **local_rows = nullptr;
   std::vector<int> image_kind;
   double **image_rows = nullptr;
@@ -106,6 +110,10 @@ class FixContactTri : public Fix {
   int sample_inside(const tm_contact_args &) const;
   unsigned effects(bool output) const;
   tm_contact_args make_args(const tm_pose &, bool output);
+  tm_contact_args host_args(const tm_pose &);    // positions only
+  // the loops over the particles of this rank
+  virtual tm_contact_result run_contact(const tm_contact_args &, unsigned effects);
+  virtual void run_carry(const tm_carry_args &);
   tm_pose pose_now() const { return motion.pose(clock, 0.0, 0.0); }
   void book(double dt);
   void update_temperature();

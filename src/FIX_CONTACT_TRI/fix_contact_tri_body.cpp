@@ -21,6 +21,22 @@ using namespace SPHTM_NS;
 // penetration at the start that passes, in spacings: rounding of positions and of tessellated arcs
 static constexpr double OVERLAP_ALLOWED = 0.01;
 
+tm_contact_args FixContactTri::host_args(const tm_pose &pose)
+{
+  tm_contact_args a = {};
+  a.mesh = tool.view();
+  a.grid = tool.grid();
+  a.pose = pose;
+  a.deep = pair->settings_in_use().spacing;
+  a.law = laws.data();
+  a.mask = atom->mask;
+  a.group = groupbit;
+  a.type = atom->type;
+  a.x = atom->nmax ? &atom->x[0][0] : nullptr;
+  a.x_stride = 3;
+  return a;
+}
+
 // does a particle of any rank overlap the tool, moved by a shift? *worst: the deepest, on its rank
 bool FixContactTri::overlaps(const tm_contact_args &args, tm_vec3 shift, int *worst) const
 {
@@ -54,7 +70,7 @@ double FixContactTri::way_out(const tm_contact_args &args, tm_vec3 direction, do
    way along an axis that clears all of them. */
 void FixContactTri::check_overlap()
 {
-  const tm_contact_args args = make_args(pose_now(), false);
+  const tm_contact_args args = host_args(pose_now());
   int where;
   const bool touching = overlaps(args, tm_vec(0, 0, 0), &where);
   if (!touching) where = sample_inside(args);
@@ -106,19 +122,16 @@ int FixContactTri::sample_inside(const tm_contact_args &args) const
 
 /* -------------------------------------------------------------- the tool's own particles */
 
-// carried with the tool, exactly; their velocity stays zero, so that nothing else moves them
+void FixContactTri::run_carry(const tm_carry_args &a)
+{
+  state->loops().blocks(atom->nlocal, [&](int begin, int end) {
+    for (int i = begin; i < end; i++) tm_carry(i, &a);
+  });
+}
+
 void FixContactTri::place_body(const tm_pose &from, const tm_pose &to)
 {
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (atom->type[i] != request.body_type || !(atom->mask[i] & groupbit)) continue;
-    double *x = atom->x[i], *v = atom->v[i];
-    const tm_vec3 local = tm_pose_to_local(&from, tm_load3(x));
-    const tm_vec3 w = tm_pose_to_world(&to, local);
-    x[0] = w.x;
-    x[1] = w.y;
-    if (domain->dimension == 3) x[2] = w.z;
-    v[0] = v[1] = v[2] = 0.0;
-  }
+  run_carry({state->state(), groupbit, request.body_type, domain->dimension == 3, from, to});
 }
 
 double FixContactTri::heat_weight(int i, int j) const
@@ -138,13 +151,13 @@ void FixContactTri::heat_body()
 {
   const tm_rows rows = pair->host_rows();
   const int *type = atom->type;
-  double *source = state->host_heat_source();
+  double *source = state->host_heat_source(), *lost = tool_heat.host_write();
   auto each_neighbor = [&](int i, auto &&use) {
     const int *row = rows.index + rows.first[i];
     for (int k = 0; k < rows.thermal[i]; k++) use(row[(rows.mechanical[i] + k) * rows.stride]);
   };
   for (int i = 0; i < atom->nlocal; i++) {
-    if (tool_heat[i] == 0.0) continue;
+    if (lost[i] == 0.0) continue;
     double sum = 0.0;
     each_neighbor(i, [&](int j) {
       if (type[j] == request.body_type) sum += heat_weight(i, j);
@@ -155,14 +168,14 @@ void FixContactTri::heat_body()
                  "{:.6g} {:.6g} {:.6g} takes up the friction heat; fill the tool with "
                  "particles up to its surface",
                  id, request.body_type, atom->x[i][0], atom->x[i][1], atom->x[i][2]);
-    tool_heat[i] /= sum;
+    lost[i] /= sum;
   }
   comm->forward_comm(this);
   for (int j = 0; j < atom->nlocal; j++) {
     if (type[j] != request.body_type) continue;
     double heat = 0.0;
     each_neighbor(j, [&](int i) {
-      if (tool_heat[i] != 0.0) heat += tool_heat[i] * heat_weight(i, j);
+      if (lost[i] != 0.0) heat += lost[i] * heat_weight(i, j);
     });
     source[j] += heat;
   }
@@ -170,11 +183,12 @@ void FixContactTri::heat_body()
 
 int FixContactTri::pack_forward_comm(int n, int *list, double *buf, int, int *)
 {
-  for (int k = 0; k < n; k++) buf[k] = tool_heat[list[k]];
+  const double *lost = tool_heat.host_read();
+  for (int k = 0; k < n; k++) buf[k] = lost[list[k]];
   return n;
 }
 
 void FixContactTri::unpack_forward_comm(int n, int first, double *buf)
 {
-  std::copy_n(buf, n, &tool_heat[first]);
+  std::copy_n(buf, n, tool_heat.host_write() + first);
 }

@@ -1,6 +1,7 @@
 /* SPH-TM: what fix contact/tri writes and draws: values per triangle, VTK, STL, dump image. */
 #include "fix_contact_tri.h"
 
+#include "fix_sph_tm.h"
 #include "pair_sph_tm.h"
 
 #include "atom.h"
@@ -31,9 +32,13 @@ void FixContactTri::clear_triangles()
 {
   if (!vtk.every && !local_every) return;
   const size_t nt = tool.mesh().nt;
-  tri_force.assign(3 * nt, 0.0);
-  tri_heat.assign(nt, 0.0);
-  tri_count.assign(nt, 0);
+  tri_force.resize(3 * nt);
+  tri_heat.resize(nt);
+  tri_count.resize(nt);
+  Backend &loops = state->loops();
+  loops.zero(tri_force.loop_write(), tri_force.bytes());
+  loops.zero(tri_heat.loop_write(), tri_heat.bytes());
+  loops.zero(tri_count.loop_write(), tri_count.bytes());
 }
 
 // sums over ranks, on the first one
@@ -42,11 +47,12 @@ void FixContactTri::gather_triangles()
   auto reduce = [&](void *data, int n, MPI_Datatype type) {
     MPI_Reduce(comm->me ? data : MPI_IN_PLACE, data, n, type, MPI_SUM, 0, world);
   };
-  reduce(tri_force.data(), (int) tri_force.size(), MPI_DOUBLE);
-  reduce(tri_heat.data(), (int) tri_heat.size(), MPI_DOUBLE);
-  reduce(tri_count.data(), (int) tri_count.size(), MPI_INT);
+  double *heat = tri_heat.host_write();
+  reduce(tri_force.host_write(), (int) tri_force.size(), MPI_DOUBLE);
+  reduce(heat, (int) tri_heat.size(), MPI_DOUBLE);
+  reduce(tri_count.host_write(), (int) tri_count.size(), MPI_INT);
   const double power = 1.0 / pair->units().energy;
-  for (double &q : tri_heat) q *= power;
+  for (size_t t = 0; t < tri_heat.size(); t++) heat[t] *= power;
 }
 
 std::vector<double> FixContactTri::world_vertices() const
@@ -87,16 +93,18 @@ void FixContactTri::write_vtk(const std::string &name, const std::vector<double>
   const tm_mesh &m = tool.mesh();
   const tm_pose p = pose_now();
   const size_t nt = m.nt;
+  const double *force = tri_force.host_read(), *heat = tri_heat.host_read();
+  const int *contacts = tri_count.host_read();
   std::vector<double> normal(nt), shear(nt), flux(nt), count(nt), T(nt), patch(nt);
   std::vector<double> stress(3 * nt), vel(3 * nt);
   for (size_t t = 0; t < nt; t++) {
-    const tm_vec3 f = tm_vec_scale(1.0 / m.area[t], tm_load3(&tri_force[3 * t]));
+    const tm_vec3 f = tm_vec_scale(1.0 / m.area[t], tm_load3(force + 3 * t));
     const tm_vec3 n = tm_mat_mul_vec(p.turn, tm_load3(m.normal + 3 * t));
     const double fn = tm_vec_dot(f, n);
     normal[t] = -fn;    // pressure is positive
     shear[t] = tm_vec_norm(tm_vec_axpy(f, -fn, n));
-    flux[t] = tri_heat[t] / m.area[t];
-    count[t] = tri_count[t];
+    flux[t] = heat[t] / m.area[t];
+    count[t] = contacts[t];
     T[t] = temperature;
     patch[t] = m.patch[t];
     const double *c = m.corner + 9 * t;
@@ -129,15 +137,17 @@ void FixContactTri::fill_local(const std::vector<double> &x)
 {
   const tm_mesh &m = tool.mesh();
   const tm_pose p = pose_now();
+  const double *force = tri_force.host_read(), *heat = tri_heat.host_read();
+  const int *contacts = tri_count.host_read();
   if (!local_rows) memory->create(local_rows, m.nt, size_local_cols, "contact/tri:local");
   for (int t = 0; t < m.nt; t++) {
     double *row = local_rows[t];
     const int *v = m.tri + 3 * (size_t) t;
     for (int k = 0; k < 3; k++) std::copy_n(&x[3 * (size_t) v[k]], 3, row + 3 * k);
-    std::copy_n(&tri_force[3 * (size_t) t], 3, row + 9);
+    std::copy_n(force + 3 * (size_t) t, 3, row + 9);
     const tm_vec3 n = tm_mat_mul_vec(p.turn, tm_load3(m.normal + 3 * (size_t) t));
-    row[12] = tri_heat[t];
-    row[13] = tri_count[t];
+    row[12] = heat[t];
+    row[13] = contacts[t];
     row[14] = m.area[t];
     row[15] = n.x;
     row[16] = n.y;

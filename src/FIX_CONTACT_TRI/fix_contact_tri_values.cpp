@@ -83,6 +83,5 @@ void FixContactTri::restart(char *buf)
 
 double FixContactTri::memory_usage()
 {
-  const size_t own = tool_heat.capacity() + tri_force.capacity() + tri_heat.capacity();
-  return tool.bytes() + sizeof(double) * (double) own;
+  return tool.bytes() + (double) (tool_heat.bytes() + tri_force.bytes() + tri_heat.bytes());
 }

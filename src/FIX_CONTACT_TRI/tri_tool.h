@@ -40,6 +40,7 @@ class TriTool {
   const tm_mesh &mesh() const { return mesh_; }
   tm_tri_view view() const { return tm_mesh_view(&mesh_); }
   const tm_grid_view &grid() const { return grid_.view; }
+  int grid_blocks() const { return grid_.nblocks; }
   tm_vec3 origin() const { return origin_; }    // where the file's origin came to lie
   double bytes() const;
 

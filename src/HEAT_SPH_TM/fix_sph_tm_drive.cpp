@@ -9,6 +9,7 @@
 #include "pair_sph_tm.h"
 
 #include "atom.h"
+#include "atom_masks.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
@@ -34,6 +35,8 @@ FixSPHTMDrive::FixSPHTMDrive(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
   extvector = 0;
   restart_global = 1;
   dynamic_group_allow = 1;
+  datamask_read = V_MASK | F_MASK | TYPE_MASK | MASK_MASK | RMASS_MASK;    // with Kokkos: on the host
+  datamask_modify = F_MASK;
 
   if (narg != 6)
     error->all(FLERR, "Fix sph/tm/drive needs three velocities vx vy vz, each a number, v_name or NULL; got "

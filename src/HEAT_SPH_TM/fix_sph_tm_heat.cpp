@@ -7,6 +7,7 @@
 #include "pair_sph_tm.h"
 
 #include "atom.h"
+#include "atom_masks.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
@@ -40,6 +41,8 @@ FixSPHTMHeat::FixSPHTMHeat(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, a
   nevery = 1;
   restart_global = 1;
   dynamic_group_allow = 1;
+  datamask_read = TYPE_MASK | MASK_MASK | RMASS_MASK;    // with Kokkos: on the host
+  datamask_modify = EMPTY_MASK;
 
   int m = -1;
   for (int k = 0; k < 5 && narg > 3; k++)

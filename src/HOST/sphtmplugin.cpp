@@ -10,6 +10,7 @@
 #include "fix_sph_tm_heat.h"
 #include "pair_sph_tm.h"
 #ifdef LMP_KOKKOS
+#include "fix_contact_tri_kokkos.h"
 #include "fix_sph_tm_kokkos.h"
 #include "pair_sph_tm_kokkos.h"
 #endif
@@ -25,9 +26,11 @@ using namespace LAMMPS_NS;
 #ifdef LMP_KOKKOS
 using PairKokkos = PairSPHTMKokkos;
 using FixKokkos = FixSPHTMKokkos;
+using ContactKokkos = FixContactTriKokkos;
 #else
 using PairKokkos = PairSPHTM;
 using FixKokkos = FixSPHTM;
+using ContactKokkos = FixContactTri;
 #endif
 
 extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *ptr, void *handle,
@@ -48,6 +51,6 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *p
   registry.fix<FixSPHTMHeat>("sph/tm/heat", "temperature, flux, source, convection, radiation on a group");
   registry.fix<FixSPHTMDrive>("sph/tm/drive", "prescribed velocity of a group of sph/tm particles");
   registry.compute<ComputeSPHTMAtom>("sph/tm/atom", "per-particle values of sph/tm");
-  registry.fix<FixContactTri>("contact/tri", "contact, friction and heat with a tool of triangles");
+  registry.fix<FixContactTri, ContactKokkos>("contact/tri", "contact, friction and heat with a tool of triangles");
   registry.compute<ComputeCuttingForce>("cutting/force", "forces of a tool in terms of cutting");
 }

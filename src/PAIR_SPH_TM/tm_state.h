@@ -27,7 +27,7 @@ typedef struct {
 
 TM_FN tm_real *tm_field_row(const tm_state *s, int id, int i)
 {
-  return s->field[id] + (ptrdiff_t) i * tm_field_table[id].columns;
+  return s->field[id] + (ptrdiff_t) i * tm_field_columns(id);
 }
 TM_FN tm_real tm_particle_mass(const tm_state *s, int i)
 {

@@ -8,22 +8,33 @@
 
 #include "tm_effects.h"
 
-enum tm_field_id {
-  TM_F_RHO = 0,    /* density */
-  TM_F_STRESS,     /* deviatoric Cauchy stress xx yy zz xy xz yz */
-  TM_F_HISTORY,    /* rates of the last two steps: v(3) rho(1) s(6), newer first */
-  TM_F_PSTRAIN,    /* equivalent plastic strain, its rate, and the last flow stress */
-  TM_F_TEMP,       /* temperature, its rates of the last two steps */
-  TM_F_ENERGY,     /* specific internal energy */
-  TM_F_DAMAGE,     /* damage 0..1, and 1 when failed */
-  TM_F_BALSARA,    /* shear switch of the last step, 0..1 */
-  TM_F_XSPH,       /* XSPH velocity of the last step */
-  TM_F_THICKNESS,  /* plane stress: thickness over initial thickness */
-  TM_F_COUNT
-};
-
-/* columns of TM_F_HISTORY: one step back, then two steps back */
+/* columns of the history: one step back, then two steps back */
 enum { TM_H_V = 0, TM_H_RHO = 3, TM_H_S = 4, TM_H_STEP = 10, TM_H_COLUMNS = 20 };
+
+/*  stress       deviatoric Cauchy stress xx yy zz xy xz yz
+    history      rates of the last two steps: v(3) rho(1) s(6), newer first
+    pstrain      equivalent plastic strain, its rate, and the last flow stress
+    temperature  and its rates of the last two steps
+    energy       specific internal energy
+    damage       0..1, and 1 when failed
+    balsara      shear switch of the last step, 0..1
+    xsph         XSPH velocity of the last step
+    thickness    plane stress: thickness over initial thickness */
+#define TM_FIELD_TABLE(FIELD)                                       \
+  FIELD(TM_F_RHO, "density", 1, 0)                                  \
+  FIELD(TM_F_STRESS, "stress", 6, 0)                                \
+  FIELD(TM_F_HISTORY, "history", TM_H_COLUMNS, 0)                   \
+  FIELD(TM_F_PSTRAIN, "plastic strain", 3, TM_FX_PLASTICITY)        \
+  FIELD(TM_F_TEMP, "temperature", 3, TM_FX_HEAT)                    \
+  FIELD(TM_F_ENERGY, "energy", 1, TM_FX_ENERGY)                     \
+  FIELD(TM_F_DAMAGE, "damage", 2, TM_FX_DAMAGE)                     \
+  FIELD(TM_F_BALSARA, "balsara", 1, TM_FX_BALSARA)                  \
+  FIELD(TM_F_XSPH, "xsph", 3, TM_FX_XSPH)                           \
+  FIELD(TM_F_THICKNESS, "thickness", 1, TM_FX_PLANE_STRESS)
+
+#define TM_FIELD(id, name, columns, effects) id,
+enum tm_field_id { TM_FIELD_TABLE(TM_FIELD) TM_F_COUNT };
+#undef TM_FIELD
 
 typedef struct {
   const char *name;
@@ -31,17 +42,20 @@ typedef struct {
   unsigned effects;   /* any of these bits allocates the field; 0: always */
 } tm_field;
 
-static const tm_field tm_field_table[TM_F_COUNT] = {
-  {"density", 1, 0},
-  {"stress", 6, 0},
-  {"history", TM_H_COLUMNS, 0},
-  {"plastic strain", 3, TM_FX_PLASTICITY},
-  {"temperature", 3, TM_FX_HEAT},
-  {"energy", 1, TM_FX_ENERGY},
-  {"damage", 2, TM_FX_DAMAGE},
-  {"balsara", 1, TM_FX_BALSARA},
-  {"xsph", 3, TM_FX_XSPH},
-  {"thickness", 1, TM_FX_PLANE_STRESS}
-};
+#define TM_FIELD(id, name, columns, effects) {name, columns, effects},
+static const tm_field tm_field_table[TM_F_COUNT] = {TM_FIELD_TABLE(TM_FIELD)};
+#undef TM_FIELD
+
+/* The same for device code, which cannot see the table. */
+#define TM_FIELD(id, name, columns, effects) \
+  case id: return columns;
+TM_FN int tm_field_columns(int field)
+{
+  switch (field) {
+    TM_FIELD_TABLE(TM_FIELD)
+    default: return 0;
+  }
+}
+#undef TM_FIELD
 
 #endif

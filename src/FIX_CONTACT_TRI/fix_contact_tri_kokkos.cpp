@@ -1,0 +1,77 @@
+/* SPH-TM: fix contact/tri with Kokkos. See doc/fix_contact_tri.rst. */
+#ifdef LMP_KOKKOS
+#include "fix_contact_tri_kokkos.h"
+
+#include "backend_kokkos.h"
+#include "fix_sph_tm.h"
+
+#include "atom_kokkos.h"
+#include "atom_masks.h"
+
+using namespace LAMMPS_NS;
+using namespace SPHTM_NS;
+
+FixContactTriKokkos::FixContactTriKokkos(LAMMPS *lmp, int narg, char **arg) : FixContactTri(lmp, narg, arg)
+{
+  kokkosable = 1;
+  atomKK = (AtomKokkos *) atom;
+  execution_space = ExecutionSpaceFromDevice<LMPDeviceType>::space;
+  datamask_read = X_MASK | V_MASK | F_MASK | TYPE_MASK | MASK_MASK | RMASS_MASK;
+  datamask_modify = F_MASK;
+  if (request.body_type) datamask_modify |= X_MASK | V_MASK;
+}
+
+// the look for overlaps at the start is the host's
+void FixContactTriKokkos::setup(int vflag)
+{
+  atomKK->sync(Host, ALL_MASK);
+  FixContactTri::setup(vflag);
+}
+
+namespace {
+
+// effects as literals, or all tested at run time
+template <unsigned EFFECTS, bool ANY> struct Contact {
+  tm_contact_args a;
+  unsigned fx;
+  KOKKOS_FUNCTION tm_contact_result operator()(int i) const { return tm_contact_tri(i, &a, ANY ? fx : EFFECTS); }
+};
+struct SumContact {
+  KOKKOS_FUNCTION void operator()(tm_contact_result *sum, const tm_contact_result *r) const
+  {
+    if (r->depth > 0.0) tm_contact_sum(sum, r);
+  }
+};
+template <unsigned EFFECTS, bool ANY = false>
+tm_contact_result contact_kernel(int n, const tm_contact_args &a, unsigned fx)
+{
+  return kokkos_sum("contact/tri", n, tm_contact_nothing(), Contact<EFFECTS, ANY>{a, fx}, SumContact());
+}
+
+struct Carry {
+  tm_carry_args a;
+  KOKKOS_FUNCTION void operator()(int i) const { tm_carry(i, &a); }
+};
+
+}    // namespace
+
+tm_contact_result FixContactTriKokkos::run_contact(const tm_contact_args &a, unsigned fx)
+{
+  constexpr unsigned D = TM_CT_3D, H = TM_CT_HEAT, F = TM_CT_FRICTION;
+  if (state->loops().shared()) return FixContactTri::run_contact(a, fx);
+  const int n = atom->nlocal;
+  switch (fx) {
+    case F: return contact_kernel<F>(n, a, fx);
+    case H | F: return contact_kernel<H | F>(n, a, fx);
+    case D | F: return contact_kernel<D | F>(n, a, fx);
+    case D | H | F: return contact_kernel<D | H | F>(n, a, fx);
+    default: return contact_kernel<0, true>(n, a, fx);
+  }
+}
+
+void FixContactTriKokkos::run_carry(const tm_carry_args &a)
+{
+  if (state->loops().shared()) FixContactTri::run_carry(a);
+  else kokkos_each("contact/tri carry", atom->nlocal, Carry{a});
+}
+#endif

@@ -1,0 +1,25 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SPH-TM: fix contact/tri with Kokkos.
+------------------------------------------------------------------------- */
+#ifndef LMP_FIX_CONTACT_TRI_KOKKOS_H
+#define LMP_FIX_CONTACT_TRI_KOKKOS_H
+
+#include "fix_contact_tri.h"
+
+#include "kokkos_base.h"
+
+namespace LAMMPS_NS {
+
+class FixContactTriKokkos : public FixContactTri, public KokkosBase {
+ public:
+  FixContactTriKokkos(class LAMMPS *, int, char **);
+  void setup(int) override;
+
+ protected:
+  tm_contact_result run_contact(const tm_contact_args &, unsigned) override;
+  void run_carry(const tm_carry_args &) override;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif

@@ -1,0 +1,29 @@
+/* SPH-TM: particles inside a tool are carried with it, exactly; their velocity stays zero, so that
+   nothing else moves them. */
+#ifndef TM_CARRY_H
+#define TM_CARRY_H
+
+#include "tm_motion.h"
+#include "tm_state.h"
+
+typedef struct {
+  tm_state state;
+  int group, body_type;   /* particles of this group and type */
+  int dim3;
+  tm_pose from, to;       /* of the tool */
+} tm_carry_args;
+
+TM_FN void tm_carry(int i, const tm_carry_args *a)
+{
+  const tm_state *s = &a->state;
+  if (s->type[i] != a->body_type || !(s->mask[i] & a->group)) return;
+  double *x = s->x + 3 * (ptrdiff_t) i, *v = s->v + 3 * (ptrdiff_t) i;
+  const tm_vec3 local = tm_pose_to_local(&a->from, tm_vec(x[0], x[1], x[2]));
+  const tm_vec3 w = tm_pose_to_world(&a->to, local);
+  x[0] = w.x;
+  x[1] = w.y;
+  if (a->dim3) x[2] = w.z;
+  v[0] = v[1] = v[2] = 0.0;
+}
+
+#endif
