@@ -24,14 +24,15 @@ tests=$(cd "$root/unittest/c" && for file in test_*.c; do echo "${file%.c}"; don
 thin_ninja "$build/build.log" -C "$build" sphtmplugin $tests || die "the build failed"
 
 # The sanitizer must be there before the program that loads the plugin. A script that it stops looks to a test like one with
-# an error message, so that every finding is kept.
+# an error message, so that every finding in the plugin is kept. (Open MPI 4.1 reads freed memory of its own in MPI_Abort.)
 libasan=$(${CC:-cc} -print-file-name=libasan.so) libubsan=$(${CC:-cc} -print-file-name=libubsan.so)
 cat > "$build/lmp" <<END
 #!/bin/sh
 LD_PRELOAD="$libasan $libubsan" "$host/lmp" "\$@" 2> "$build/stderr.\$\$"
 status=\$?
 cat "$build/stderr.\$\$" >&2
-grep -qE 'runtime error|Sanitizer' "$build/stderr.\$\$" && mv "$build/stderr.\$\$" "$build/report.\$\$"
+grep -qE 'runtime error|AddressSanitizer' "$build/stderr.\$\$" &&
+  grep -qE 'runtime error|sphtmplugin|$root/src/' "$build/stderr.\$\$" && mv "$build/stderr.\$\$" "$build/report.\$\$"
 rm -f "$build/stderr.\$\$"
 exit \$status
 END
