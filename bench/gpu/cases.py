@@ -1,0 +1,172 @@
+"""Large scenes for the bench and the profile on a GPU."""
+import csv
+import os
+import re
+import shutil
+
+SECTIONS = ("Pair", "Modify", "Neigh", "Comm", "Other")
+BLOCK, CUT = "contact", "orthogonal_cut_2d"    # scenes whose scripts are used
+
+# name: scene, variables, steps, (pattern, replacement) pairs for its script, whether copies are counted
+WIDE = (r"hyperbolic 1\.2", "hyperbolic 1.7")          # 164 neighbors in 3D
+WIDE_2D = (r"hyperbolic 1\.2", "hyperbolic 1.48")      # 27 in 2D
+CASES = {
+    "3d_contact_1m": (BLOCK, {"case": "contact", "n": 100, "mesh": "tool.stl"}, 300, (), True),
+    "3d_contact_8m": (BLOCK, {"case": "contact", "n": 200, "mesh": "tool.stl"}, 100, (), False),
+    "3d_contact_1m_164": (BLOCK, {"case": "contact", "n": 102, "mesh": "tool.stl"}, 100, (WIDE,), False),
+    "3d_thermo_1m": (BLOCK, {"case": "thermo", "n": 100}, 300, (), False),
+    "3d_plastic_1m": (BLOCK, {"case": "plastic", "n": 100}, 300, (), False),
+    "3d_elastic_1m": (BLOCK, {"case": "elastic", "n": 100}, 300, (), False),
+    "2d_cut_1400k": (CUT, {"dx": 5.83e-7}, 300, (WIDE_2D,), True),
+    "2d_cut_197k": (CUT, {"dx": 1.561e-6}, 1000, (WIDE_2D,), False),
+    "2d_cut_7600": (CUT, {"dx": 7.95e-6}, 10000, (WIDE_2D,), True),
+    "lj_4m": (None, {}, 200, (), False),
+}
+
+LJ = """# LAMMPS's own lj/cut on as many neighbors, rebuilt every 20 steps: what the machine and the host can do
+units           lj
+atom_style      atomic
+lattice         fcc 0.8442
+region          box block 0 100 0 100 0 100
+create_box      1 box
+create_atoms    1 box
+mass            1 1.0
+velocity        all create 1.44 87287 loop geom
+pair_style      lj/cut 2.5
+pair_coeff      1 1 1.0 1.0 2.5
+neighbor        0.3 bin
+neigh_modify    every 20 delay 0 check no
+fix             1 all nve
+thermo          100
+run             100
+"""
+
+
+def prepare(name, folder, top, steps):
+    """The case's script with its runs of so many steps, and the files it reads, in the folder; its arguments."""
+    scene, variables, _, changes, _ = CASES[name]
+    text = LJ
+    if scene:
+        source = os.path.join(top, "scenes", scene)
+        for entry in os.listdir(source):
+            shutil.copy(os.path.join(source, entry), folder)
+        script = [entry for entry in os.listdir(source) if entry.startswith("in.")][0]
+        with open(os.path.join(source, script)) as f:
+            text = f.read()
+    for pattern, replacement in changes:
+        text, count = re.subn(pattern, replacement, text)
+        if not count:
+            raise SystemExit("%s: nothing in %s matches %s" % (name, scene, pattern))
+    text = re.sub(r"^(dump|dump_modify|write_dump)\b.*\n", "", text, flags=re.M)
+    text = re.sub(r"^run(\s+)(?!0\b)\S+", lambda m: "run%s%d" % (m[1], steps), text, flags=re.M)
+    with open(os.path.join(folder, "in.case"), "w") as f:
+        f.write(text)
+    return ["-in", "in.case"] + [word for key, value in variables.items() for word in ("-var", key, str(value))]
+
+
+def figures(output):
+    """What LAMMPS says about a run: time, particles, neighbors in its lists (with skin), share of each part."""
+    loop = re.findall(r"Loop time of (\S+) on \d+ procs for (\d+) steps with (\d+) atoms", output)[-1]
+    seconds, steps, particles = float(loop[0]), int(loop[1]), int(loop[2])
+    neighbors = re.findall(r"Ave neighs/atom = (\S+)", output)
+    share = {}
+    for line in output[output.rindex("Loop time of"):].splitlines():
+        words = [word.strip() for word in line.split("|")]
+        if words[0] in SECTIONS and len(words) >= 6 and words[-1]:
+            share[words[0]] = float(words[-1])
+    builds = re.findall(r"Neighbor list builds = (\d+)", output)
+    return {"particles": particles, "steps": steps, "neighbors": float(neighbors[-1]) if neighbors else None,
+            "builds": int(builds[-1]) if builds else None, "ms_per_step": 1e3 * seconds / steps,
+            "ns_per_particle_step": 1e9 * seconds / steps / particles, "share": share}
+
+
+def read_table(path):
+    """Rows of kernel_table.c: kind, name, calls, seconds, bytes."""
+    with open(path) as f:
+        rows = [line.rstrip("\n").split("\t") for line in f]
+    return [(kind, name, int(calls), float(seconds), int(size)) for kind, name, calls, seconds, size in rows]
+
+
+def tool_environment(folder, top):
+    table = os.path.join(folder, "kernels.tsv")
+    return {"KOKKOS_TOOLS_LIBS": os.path.join(top, "lib", "libkernel_table.so"), "SPHTM_KERNEL_TABLE": table}, table
+
+
+def launches(name, folder, top, lammps, steps):
+    """Copies between memories, their bytes, and launches in a run of so many steps."""
+    environment, table = tool_environment(folder, top)
+    output, status = lammps(folder, prepare(name, folder, top, steps), environment=environment)
+    if status != 0 or not os.path.isfile(table):
+        return None
+    rows = read_table(table)
+    apart = [r for r in rows if r[0] == "copy" and len(set(r[1].split(":")[0].split(" <- "))) == 2]
+    return (sum(r[2] for r in apart), sum(r[4] for r in apart), sum(r[2] for r in rows if r[0] == "kernel"),
+            {r[1]: (r[2], r[4]) for r in apart})
+
+
+def failure(output, status):
+    return (re.findall(r"^(?:ERROR|Kokkos|Cuda|terminate).*", output, re.M) or ["ended with %s" % status])[0]
+
+
+def run(name, folder, top, lammps):
+    steps = CASES[name][2]
+    output, status = lammps(folder, prepare(name, folder, top, steps))
+    with open(os.path.join(folder, "output"), "w") as f:
+        f.write(output)
+    if status != 0 or "Loop time of" not in output:
+        return {"case": name, "error": failure(output, status)}
+    result = dict({"case": name}, **figures(output))
+    if CASES[name][4]:    # what a longer run has more than a shorter one belongs to the steps
+        short, long = (launches(name, folder, top, lammps, n) for n in (20, 120))
+        if short and long:
+            per_step = [(b - a) / 100 for a, b in zip(short[:3], long[:3])]
+            result.update(copies_per_step=per_step[0], copied_bytes_per_step=per_step[1], launches_per_step=per_step[2],
+                          copies_of={k: {"copies": n[0] - short[3].get(k, (0, 0))[0], "bytes": n[1] - short[3].get(k, (0, 0))[1]}
+                                     for k, n in long[3].items() if n[0] > short[3].get(k, (0, 0))[0]})
+    return result
+
+
+METRICS = ("gpu__time_duration.sum", "dram__bytes.sum.per_second", "lts__t_bytes.sum.per_second",
+           "smsp__sass_thread_inst_executed_op_dadd_pred_on.sum", "smsp__sass_thread_inst_executed_op_dmul_pred_on.sum",
+           "smsp__sass_thread_inst_executed_op_dfma_pred_on.sum", "launch__registers_per_thread", "launch__block_size",
+           "sm__warps_active.avg.pct_of_peak_sustained_active")
+
+
+def counters(name, folder, top, lammps):
+    """Rows of ncu for the launches of some steps after the start: kernel, metric, unit, value."""
+    ncu = shutil.which("ncu")
+    if not ncu:
+        return None, "no ncu here"
+    path = os.path.join(folder, "counters.csv")
+    before = [ncu, "--csv", "--log-file", path, "--clock-control", "none", "--target-processes", "all",
+              "--launch-skip", "600", "--launch-count", "60",
+              "--metrics", ",".join(METRICS)]
+    output, status = lammps(folder, prepare(name, folder, top, 60), before=before)
+    if status != 0 or not os.path.isfile(path):
+        return None, "ncu: " + failure(output, status)
+    with open(path, newline="") as f:
+        lines = [line for line in f if not line.startswith("==")]
+    kernels = {}
+    for row in csv.DictReader(lines):
+        try:
+            value = float(row["Metric Value"].replace(",", ""))
+        except (KeyError, ValueError):
+            continue
+        kernels.setdefault(row["Kernel Name"], {}).setdefault(row["Metric Name"] + " " + row["Metric Unit"], []).append(value)
+    return [{"name": k, "metrics": {m: sum(v) / len(v) for m, v in metrics.items()}} for k, metrics in kernels.items()], ""
+
+
+def profile(name, folder, top, lammps, steps=100):
+    environment, table = tool_environment(folder, top)
+    output, status = lammps(folder, prepare(name, folder, top, steps), environment=environment)
+    with open(os.path.join(folder, "output"), "w") as f:
+        f.write(output)
+    if status != 0 or not os.path.isfile(table):
+        return {"case": name, "error": failure(output, status)}
+    rows = read_table(table)
+    total = sum(r[3] for r in rows) or 1
+    kernels = [{"name": n, "kind": kind, "launches": calls, "us": 1e6 * seconds / max(calls, 1), "share": 100 * seconds / total,
+                "bytes": size} for kind, n, calls, seconds, size in sorted(rows, key=lambda r: -r[3])]
+    result = dict({"case": name}, **figures(output), kernels=kernels)
+    result["counters"], result["no_counters"] = counters(name, folder, top, lammps)
+    return result

@@ -1,0 +1,110 @@
+/* SPH-TM bench: a Kokkos tool (KOKKOS_TOOLS_LIBS=libkernel_table.so) that counts and times kernels and counts copies
+   between memories. At the end of the run it writes the file named by SPHTM_KERNEL_TABLE, a line each:
+     kernel <tab> name <tab> launches <tab> seconds <tab> 0
+     copy   <tab> to and from memory <tab> copies <tab> seconds <tab> bytes
+   Kokkos waits for the device around every launch while a tool is loaded: times are of the kernels alone. */
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+enum { MAX_ROWS = 1024, MAX_NAME = 400 };
+
+struct row {
+  const char *kind;
+  char name[MAX_NAME];
+  uint64_t calls, bytes;
+  double seconds;
+};
+static struct row rows[MAX_ROWS];
+static int n_rows;
+static double started;
+static struct row *copying;
+
+struct space {    /* Kokkos passes the name of a memory space by value */
+  char name[64];
+};
+
+static double now(void)
+{
+  struct timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return (double) t.tv_sec + 1e-9 * (double) t.tv_nsec;
+}
+
+/* the row of a name, a new one at first sight; the last row takes what does not fit */
+static struct row *find(const char *kind, const char *name)
+{
+  int i;
+  for (i = 0; i < n_rows; i++)
+    if (rows[i].kind == kind && !strncmp(rows[i].name, name, MAX_NAME - 1)) return &rows[i];
+  if (n_rows == MAX_ROWS) return &rows[MAX_ROWS - 1];
+  rows[n_rows].kind = kind;
+  strncpy(rows[n_rows].name, name, MAX_NAME - 1);
+  return &rows[n_rows++];
+}
+
+static const char kernel[] = "kernel", copy[] = "copy";
+
+static void begin(const char *name, uint64_t *id)
+{
+  *id = (uint64_t) (find(kernel, name) - rows);
+  started = now();
+}
+
+static void end(uint64_t id)
+{
+  rows[id].calls++;
+  rows[id].seconds += now() - started;
+}
+
+void kokkosp_begin_parallel_for(const char *name, uint32_t device, uint64_t *id)
+{
+  (void) device;
+  begin(name, id);
+}
+void kokkosp_end_parallel_for(uint64_t id) { end(id); }
+void kokkosp_begin_parallel_reduce(const char *name, uint32_t device, uint64_t *id)
+{
+  (void) device;
+  begin(name, id);
+}
+void kokkosp_end_parallel_reduce(uint64_t id) { end(id); }
+void kokkosp_begin_parallel_scan(const char *name, uint32_t device, uint64_t *id)
+{
+  (void) device;
+  begin(name, id);
+}
+void kokkosp_end_parallel_scan(uint64_t id) { end(id); }
+
+void kokkosp_begin_deep_copy(struct space to, const char *to_name, const void *to_ptr, struct space from,
+                             const char *from_name, const void *from_ptr, uint64_t bytes)
+{
+  char name[MAX_NAME];
+  (void) to_ptr;
+  (void) from_ptr;
+  snprintf(name, sizeof name, "%s <- %s: %.100s <- %.100s", to.name, from.name, to_name, from_name);
+  copying = find(copy, name);
+  copying->bytes += bytes;
+  started = now();
+}
+void kokkosp_end_deep_copy(void)
+{
+  if (!copying) return;
+  copying->calls++;
+  copying->seconds += now() - started;
+  copying = NULL;
+}
+
+void kokkosp_finalize_library(void)
+{
+  const char *path = getenv("SPHTM_KERNEL_TABLE");
+  FILE *f = path ? fopen(path, "w") : stderr;
+  int i;
+  if (!f) return;
+  for (i = 0; i < n_rows; i++)
+    fprintf(f, "%s\t%s\t%llu\t%.9g\t%llu\n", rows[i].kind, rows[i].name, (unsigned long long) rows[i].calls,
+            rows[i].seconds, (unsigned long long) rows[i].bytes);
+  if (path) fclose(f);
+}

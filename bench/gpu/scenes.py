@@ -1,0 +1,78 @@
+"""Small versions of the scenes: fewer particles, and every run cut to some hundred steps. At the end each writes the
+state of every particle. Differences of round-off between two machines have then hardly grown, so that the states are
+the same particle by particle, or something is wrong."""
+import gzip
+import os
+import re
+
+STATE = "state.dump"
+COLUMNS = ("x", "y", "z", "vx", "vy", "vz", "density", "pressure", "temperature", "pstrain", "vonmises")
+# columns that share a scale: a difference counts against the largest value among them
+SCALES = ("x y z", "vx vy vz", "density", "pressure vonmises", "temperature", "pstrain")
+
+# name: script, variables, steps
+SCENES = {
+    "elastic": ("bench/in.block", {"case": "elastic", "n": 12}, 200),
+    "plastic": ("bench/in.block", {"case": "plastic", "n": 12}, 200),
+    "thermo": ("bench/in.block", {"case": "thermo", "n": 12}, 200),
+    "contact": ("bench/in.block", {"case": "contact", "n": 12, "mesh": "tool.stl"}, 200),
+    "high_speed_machining": ("examples/high_speed_machining/in.high_speed_machining",
+                             {"dp": 0.4e-3, "width": 1.6e-3}, 300),
+    "orthogonal_cut_2d": ("examples/orthogonal_cut_2d/in.orthogonal_cut_2d", {"dx": 40e-6}, 500),
+    "oscillating_plate": ("examples/oscillating_plate/in.oscillating_plate", {"rows": 6}, 500),
+    "rings": ("examples/rings/in.rings", {}, 300),
+    "taylor_bar": ("examples/taylor_bar/in.taylor_bar", {"dx": "spacing"}, 300),
+    "tensile_cylinder": ("examples/tensile_cylinder/in.tensile_cylinder", {"n": 4, "faster": 4}, 200),
+    "block_on_slope": ("examples/block_on_slope/in.block_on_slope", {"share": 0.9}, 500),
+    "tool_heat": ("examples/tool_heat/in.tool_heat", {"n": 20}, 400),
+    "two_layer_heat": ("examples/two_layer_heat/in.two_layer_heat", {"n": 100}, 500),
+}
+
+
+def small_script(text, steps):
+    """The script with its runs cut to so many steps, and the state of the particles written after the last."""
+    text = re.split(r"^clear\b", text, flags=re.M)[0]    # of scripts that start over with another value
+    state = "compute         state all sph/tm/atom %s\n" % " ".join(COLUMNS[6:])
+    text = re.sub(r"^(?=run\s)", lambda m: state, text, count=1, flags=re.M)
+    text = re.sub(r"^run(\s+)(?!0\b)\S+", lambda m: "run%s%d" % (m[1], steps), text, flags=re.M)
+    return text + ("\nwrite_dump all custom %s id %s c_state[*] modify sort id format float %%.17g\n"
+                   % (STATE, " ".join(COLUMNS[:6])))
+
+
+def read_state(path):
+    """Rows of numbers, by id, of the only frame of a dump; the file may be gzipped."""
+    with (gzip.open if path.endswith(".gz") else open)(path, "rt") as f:
+        text = f.read()
+    rows = text[text.index("ITEM: ATOMS"):].splitlines()[1:]
+    return [[float(word) for word in row.split()] for row in rows]
+
+
+def differences(rows, expected):
+    """Largest difference of each group of columns over the largest value expected in it; None: other particles."""
+    if [row[0] for row in rows] != [row[0] for row in expected]:
+        return None
+    worst = {}
+    for group in SCALES:
+        places = [1 + COLUMNS.index(name) for name in group.split()]
+        scale = max(abs(row[k]) for row in expected for k in places)
+        apart = [abs(a[k] - b[k]) for a, b in zip(rows, expected) for k in places]
+        # max() passes over NaN
+        worst[group] = float("nan") if any(d != d for d in apart) else max(apart) / scale if scale else max(apart)
+    return worst
+
+
+def variables(name, folder):
+    """The scene's -var arguments; a value can stand in a file of the scene's folder."""
+    arguments = []
+    for key, value in SCENES[name][1].items():
+        path = os.path.join(folder, str(value))
+        if value == "spacing" and os.path.isfile(path):
+            with open(path) as f:
+                value = f.read().strip()
+        arguments += ["-var", key, str(value)]
+    return arguments
+
+
+if __name__ == "__main__":    # what a bundle needs: a line for each scene, its name and script
+    for scene, (script, _, _) in SCENES.items():
+        print(scene, script)
