@@ -43,14 +43,14 @@ mpi_lib=$(ompi_info --path pkglibdir --parsable | cut -d : -f 3)
 mpi_prefix=$(ompi_info --path prefix --parsable | cut -d : -f 3)
 mkdir -p "$top/mpi${mpi_lib#"$mpi_prefix"}"
 cp -R "$(ompi_info --path pkgdatadir --parsable | cut -d : -f 3)" "$top/mpi/share/openmpi"
-pmix=$(ldd "$mpi_lib"/mca_pmix_ext*.so 2> /dev/null | sed -n 's/.*=> \(.*\)\/lib\/libpmix\.so.*/\1/p' | head -n 1)
+pmix=$(ldd "$mpi_lib"/mca_pmix_ext*.so 2> /dev/null | sed -n 's/.*libpmix\.so.* => \(.*\) (0x.*/\1/p' | head -n 1)
 foreign='ucp|ucs|uct|fabric|ibverbs|rdmacm|psm|oshmem|slurm|flux|munge|lustre|java|not found'
 for component in "$mpi_lib"/mca_*.so; do
   ldd "$component" | grep -qE "$foreign" || cp "$component" "$top/mpi${mpi_lib#"$mpi_prefix"}/"
 done
 if [ -n "$pmix" ]; then
   mkdir -p "$top/mpi/pmix2/lib"
-  cp -R "$(readlink -f "$pmix")/lib/pmix" "$top/mpi/pmix2/lib/"
+  cp -R "$(dirname -- "$(readlink -f "$pmix")")/pmix" "$top/mpi/pmix2/lib/"
 fi
 
 # every library that these ask for, but those of any Linux with a C++ compiler, and the driver's

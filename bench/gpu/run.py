@@ -75,7 +75,7 @@ def run_scene(name, folder, gpus):
 
 def reference(out, names):
     """Expected results, beside the scenes."""
-    fresh(os.path.join(TOP, "expected"))
+    os.makedirs(os.path.join(TOP, "expected"), exist_ok=True)
     for name in names:
         seconds, error = run_scene(name, os.path.join(out, name), 1)
         if error:
@@ -170,7 +170,7 @@ def main():
     parser.add_argument("names", nargs="*")
     parser.add_argument("--gpus", type=int, default=1)
     parser.add_argument("--out")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     known = {"test": list(scenes.SCENES), "reference": list(scenes.SCENES), "bench": list(cases.CASES),
              "profile": list(cases.CASES)}[options.what]
     wrong = [name for name in options.names if name not in known]

@@ -17,7 +17,7 @@ SCENES = {
     "thermo": ("bench/in.block", {"case": "thermo", "n": 12}, 200),
     "contact": ("bench/in.block", {"case": "contact", "n": 12, "mesh": "tool.stl"}, 200),
     "high_speed_machining": ("examples/high_speed_machining/in.high_speed_machining",
-                             {"dp": 0.4e-3, "width": 1.6e-3}, 300),
+                             {"dp": 0.25e-3, "width": 1e-3}, 300),
     "orthogonal_cut_2d": ("examples/orthogonal_cut_2d/in.orthogonal_cut_2d", {"dx": 40e-6}, 500),
     "oscillating_plate": ("examples/oscillating_plate/in.oscillating_plate", {"rows": 6}, 500),
     "rings": ("examples/rings/in.rings", {}, 300),
