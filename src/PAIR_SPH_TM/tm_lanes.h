@@ -55,6 +55,10 @@ typedef tm_real tm_lanes, tm_lanes_mem;
 #define TM_ALIGNED
 #endif
 
+/* Index into a column or a list of a chunk. Where it can only be 0 the compiler is told so, and
+   keeps columns in registers. */
+TM_FN int tm_at(int l) { return TM_COLUMN > 1 ? l : 0; }
+
 TM_FN tm_lanes tm_lanes_load(const tm_real *p) { return *(const tm_lanes_mem *) p; }
 TM_FN void tm_lanes_store(tm_real *p, tm_lanes v) { *(tm_lanes_mem *) p = v; }
 TM_FN tm_lanes tm_lanes_zero(void)
@@ -205,7 +209,8 @@ TM_FN void tm_transpose(const tm_real *rec, ptrdiff_t stride, const int *jj, int
 TM_FN void tm_transpose_rows(const tm_real *rec, ptrdiff_t stride, const int *jj, int n,
                              int columns, tm_real *out)
 {
-  for (int l = 0; l < n; l += TM_LANES) tm_transpose(rec, stride, jj + l, columns, out + l);
+  for (int l = 0; l < n; l += TM_LANES)
+    tm_transpose(rec, stride, jj + tm_at(l), columns, out + tm_at(l));
 }
 
 #endif

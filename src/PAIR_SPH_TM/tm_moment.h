@@ -34,37 +34,38 @@ TM_FN void tm_moment(int i, const tm_rates_args *a, unsigned effects)
 
   /* the row in chunks as in tm_rates() */
   int jj[TM_COLUMN + TM_LANES];
+  jj[0] = i;
   tm_real TM_ALIGNED col[5][TM_COLUMN];  /* x y z m, and m_j W'/r */
-  for (int k = 0, n = 0, last = 0; !last;) {
-    do {
-      const int m = n_mech - k < TM_CHUNK ? n_mech - k : TM_CHUNK;
-      n = tm_within_reach(rec, row + k * a->rows.stride, a->rows.stride, m, xi, yi, zi, a->reach2,
-                          dim3, jj, n);
-      k += m;
-    } while (k < n_mech && n < TM_LANES);
-    last = k >= n_mech;
-    const int lanes = (last ? n + TM_LANES - 1 : n) / TM_LANES * TM_LANES;
-    for (int l = n; l < lanes; l++) jj[l] = i;
+  for (int k = 0, n = 0;;) {
+    n = tm_within_reach(rec, row, a->rows.stride, &k, n_mech, xi, yi, zi, a->reach2, dim3, jj, n,
+                        col[0]);
+    if (n == 0) break;
+    const int last = TM_COLUMN > 1 && k >= n_mech;
+    const int lanes =
+        TM_COLUMN == 1 ? 1 : (last ? n + TM_LANES - 1 : n) / TM_LANES * TM_LANES;
+    for (int l = n; l < lanes; l++) jj[tm_at(l)] = i;
     tm_transpose_rows(rec, TM_REC, jj, lanes, 4, col[0]);
-    for (int l = n; l < lanes; l++) col[TM_REC_X][l] = xi + 4.0 * h;
+    for (int l = n; l < lanes; l++) col[TM_REC_X][tm_at(l)] = xi + 4.0 * h;
 #if !defined(__CUDACC__)
 #pragma omp simd
 #endif
     for (int l = 0; l < lanes; l++) {
-      const tm_real dx = xi - col[0][l], dy = yi - col[1][l], dz = dim3 ? zi - col[2][l] : 0.0;
+      const int m = tm_at(l);
+      const tm_real dx = xi - col[0][m], dy = yi - col[1][m], dz = dim3 ? zi - col[2][m] : 0.0;
       const tm_real r = sqrt(dx * dx + dy * dy + dz * dz);
-      col[4][l] = col[TM_REC_M][l] * tm_kernel_slope(kernel, r * inv_h) / r;
+      col[4][m] = col[TM_REC_M][m] * tm_kernel_slope(kernel, r * inv_h) / r;
     }
     for (int l = 0; l < lanes; l += TM_LANES) {
-      const tm_lanes dx = xi - tm_lanes_load(col[0] + l), dy = yi - tm_lanes_load(col[1] + l);
-      const tm_lanes g = tm_lanes_load(col[4] + l), gx = g * dx, gy = g * dy;
+      const tm_lanes dx = xi - tm_lanes_load(col[0] + tm_at(l)), dy = yi - tm_lanes_load(col[1] + tm_at(l));
+      const tm_lanes g = tm_lanes_load(col[4] + tm_at(l)), gx = g * dx, gy = g * dy;
       mxx -= gx * dx; myy -= gy * dy; mxy -= gx * dy;
       if (dim3) {
-        const tm_lanes dz = zi - tm_lanes_load(col[2] + l);
+        const tm_lanes dz = zi - tm_lanes_load(col[2] + tm_at(l));
         mxz -= gx * dz; myz -= gy * dz; mzz -= g * dz * dz;
       }
     }
-    for (int l = lanes; l < n; l++) jj[l - lanes] = jj[l];
+    if (last) break;
+    for (int l = lanes; l < n; l++) jj[tm_at(l - lanes)] = jj[tm_at(l)];
     n -= lanes;
   }
 

@@ -107,23 +107,24 @@ TM_FN void tm_predict_artstress(int begin, int end, const tm_predict_args *a, un
     const int n = end - begin < TM_CHUNK ? end - begin : TM_CHUNK;
     const int lanes = (n + TM_TURNS - 1) / TM_TURNS * TM_TURNS;
     for (int l = 0; l < lanes; l++) {
-      jj[l] = begin + (l < n ? l : 0);
-      const tm_real rho = a->rec.main[(ptrdiff_t) jj[l] * TM_REC + TM_REC_RHO];
-      scale[l] = form_f14 ? 1.0 / (rho * rho) : 1.0;
+      const int j = begin + (l < n ? l : 0);
+      const tm_real rho = a->rec.main[(ptrdiff_t) j * TM_REC + TM_REC_RHO];
+      jj[tm_at(l)] = j;
+      scale[tm_at(l)] = form_f14 ? 1.0 / (rho * rho) : 1.0;
     }
     tm_transpose_rows(a->rec.main + TM_REC_P, TM_REC, jj, lanes, TM_REC_STRESS, col[0]);
     if (a->art_component)
-      for (int l = 0; l < lanes; l++) tm_predict_tensile(col[0] + l, eps, scale[l], 1, dim3);
+      for (int l = 0; l < lanes; l++) tm_predict_tensile(col[0] + tm_at(l), eps, scale[tm_at(l)], 1, dim3);
     else if (dim3) {
 #if !defined(__CUDACC__)
 #pragma omp simd
 #endif
-      for (int l = 0; l < lanes; l++) tm_predict_tensile(col[0] + l, eps, scale[l], 0, 1);
+      for (int l = 0; l < lanes; l++) tm_predict_tensile(col[0] + tm_at(l), eps, scale[tm_at(l)], 0, 1);
     } else
-      for (int l = 0; l < lanes; l++) tm_predict_tensile(col[0] + l, eps, scale[l], 0, 0);
+      for (int l = 0; l < lanes; l++) tm_predict_tensile(col[0] + tm_at(l), eps, scale[tm_at(l)], 0, 0);
     tm_real *q = a->rec.stress + (ptrdiff_t) begin * TM_REC_STRESS;
     for (int l = 0; l < n; l++)
-      for (int c = 0; c < TM_REC_STRESS; c++) q[l * TM_REC_STRESS + c] = col[c][l];
+      for (int c = 0; c < TM_REC_STRESS; c++) q[l * TM_REC_STRESS + c] = col[c][tm_at(l)];
   }
 }
 

@@ -84,18 +84,21 @@ enum {
   TM_COLUMNS
 };
 
-/* Appends to jj, n long, those of the m entries of a row that are within reach; returns the new n.
-   Up to TM_LANES entries beyond may be overwritten. */
-TM_FN int tm_within_reach(const tm_real *rec, const int *row, ptrdiff_t stride, int m, tm_real x,
-                          tm_real y, tm_real z, tm_real reach2, int dim3, int *jj, int n)
+/* Appends to jj, n long, the neighbours within reach from entry *k of a row on, until the row ends
+   or jj is TM_CHUNK long; returns the new n. Room behind may be overwritten. Where columns have one
+   entry, position receives that of the last one looked at. */
+TM_FN int tm_within_reach(const tm_real *rec, const int *row, ptrdiff_t stride, int *k, int end,
+                          tm_real x, tm_real y, tm_real z, tm_real reach2, int dim3, int *jj, int n,
+                          tm_real *position)
 {
+  (void) position;
 #if TM_LANES >= 4
   int block[TM_LANES];
   tm_real TM_ALIGNED col[4][TM_COLUMN];
-  for (int l = 0; l < m; l += TM_LANES) {
-    const int *r = row + l, left = m - l;
+  for (; *k < end && n < TM_CHUNK; *k += TM_LANES) {
+    const int *r = row + *k, left = end - *k;
     if (left < TM_LANES || stride != 1) {
-      for (int k = 0; k < TM_LANES; k++) block[k] = row[(k < left ? l + k : l) * stride];
+      for (int l = 0; l < TM_LANES; l++) block[l] = row[(l < left ? *k + l : *k) * stride];
       r = block;
     }
     tm_transpose(rec, TM_REC, r, dim3 ? 4 : 2, col[0]);
@@ -106,12 +109,14 @@ TM_FN int tm_within_reach(const tm_real *rec, const int *row, ptrdiff_t stride, 
     n += tm_compress(r, inside, jj + n);
   }
 #else
-  for (int k = 0; k < m; k++) {
-    const int j = row[k * stride];
+  for (; *k < end && n < TM_CHUNK; ++*k) {
+    const int j = row[*k * stride];
     const tm_real *r = rec + (ptrdiff_t) j * TM_REC;
     const tm_real dx = x - r[0], dy = y - r[1], dz = dim3 ? z - r[2] : 0.0;
-    jj[n] = j;
+    jj[tm_at(n)] = j;
     n += dx * dx + dy * dy + dz * dz < reach2;
+    if (TM_COLUMN == 1)
+      for (int c = 0; c < (dim3 ? 3 : 2); c++) position[c] = r[c];
   }
 #endif
   return n;
@@ -169,71 +174,87 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
   tm_lanes ux = zero, uy = zero, uz = zero, nx = zero, ny = zero, nz = zero;
 
   int jj[TM_COLUMN + TM_LANES];
+  jj[0] = i;
   tm_real TM_ALIGNED col[TM_COLUMNS][TM_COLUMN];
-  for (int k = 0, n = 0, last = 0; !last;) {
-    do {
-      const int m = n_mech - k < TM_CHUNK ? n_mech - k : TM_CHUNK;
-      n = tm_within_reach(rec, row + k * a->rows.stride, a->rows.stride, m, xi, yi, zi, a->reach2,
-                          dim3, jj, n);
-      k += m;
-    } while (k < n_mech && n < TM_LANES);
-    last = k >= n_mech;
+  for (int k = 0, n = 0;;) {
+    n = tm_within_reach(rec, row, a->rows.stride, &k, n_mech, xi, yi, zi, a->reach2, dim3, jj, n,
+                        col[TM_REC_X]);
+    if (n == 0) break;
 
     /* lanes left over wait for the next chunk, or are filled up with copies of i out of reach */
-    const int lanes = (last ? n + TM_LANES - 1 : n) / TM_LANES * TM_LANES;
-    for (int l = n; l < lanes; l++) jj[l] = i;
-    tm_transpose_rows(rec, TM_REC, jj, lanes, TM_REC, col[0]);
-    for (int l = n; l < lanes; l++) col[TM_REC_X][l] = xi + 4.0 * h;
-    if (artstress)
-      tm_transpose_rows(rec_s, TM_REC_STRESS, jj, lanes, TM_REC_STRESS, col[TM_COL_STRESS]);
-    if (conduction)
-      tm_transpose_rows(rec_t, TM_REC_HEAT, jj, lanes, TM_REC_HEAT, col[TM_COL_HEAT]);
-    if (correction)
-      for (int l = 0; l < lanes; l++)
-        for (int c = 0; c < TM_REC_CORRECTION; c++)
-          col[TM_COL_CORRECTION + c][l] = rec_c[jj[l] * (ptrdiff_t) TM_REC_CORRECTION + c];
+    const int last = TM_COLUMN > 1 && k >= n_mech;
+    const int lanes =
+        TM_COLUMN == 1 ? 1 : (last ? n + TM_LANES - 1 : n) / TM_LANES * TM_LANES;
+    const ptrdiff_t j = TM_COLUMN == 1 ? jj[0] : 0;  /* read where it is: no columns of records */
+    const tm_real *rj = rec + j * TM_REC, *qj = rec_s + j * TM_REC_STRESS;
+    const tm_real *tj = rec_t + j * TM_REC_HEAT, *cj = rec_c + j * TM_REC_CORRECTION;
+    if (TM_COLUMN > 1) {
+      for (int l = n; l < lanes; l++) jj[tm_at(l)] = i;
+      tm_transpose_rows(rec, TM_REC, jj, lanes, TM_REC, col[0]);
+      for (int l = n; l < lanes; l++) col[TM_REC_X][tm_at(l)] = xi + 4.0 * h;
+      if (artstress)
+        tm_transpose_rows(rec_s, TM_REC_STRESS, jj, lanes, TM_REC_STRESS, col[TM_COL_STRESS]);
+      if (conduction)
+        tm_transpose_rows(rec_t, TM_REC_HEAT, jj, lanes, TM_REC_HEAT, col[TM_COL_HEAT]);
+      if (correction)
+        for (int l = 0; l < lanes; l++)
+          for (int c = 0; c < TM_REC_CORRECTION; c++)
+            col[TM_COL_CORRECTION + c][tm_at(l)] =
+                rec_c[jj[tm_at(l)] * (ptrdiff_t) TM_REC_CORRECTION + c];
+    }
+    /* entry l of the records' columns, and of the other ones */
+#define TM_OF(record, first, c) (*(TM_COLUMN > 1 ? &col[(first) + (c)][tm_at(l)] : record + (c)))
+#define TM_MAIN(c) TM_OF(rj, 0, c)
+#define TM_STRESS(c) TM_OF(qj, TM_COL_STRESS, c)
+#define TM_HEAT(c) TM_OF(tj, TM_COL_HEAT, c)
+#define TM_CORR(c) TM_OF(cj, TM_COL_CORRECTION, c)
+#define TM_COL(c) col[c][tm_at(l)]
+#define TM_X(c) TM_COL(TM_REC_X + (c))
 
     /* coefficients of each pair */
 #if !defined(__CUDACC__)
 #pragma omp simd
 #endif
     for (int l = 0; l < lanes; l++) {
-      const tm_real dx = xi - col[0][l], dy = yi - col[1][l], dz = dim3 ? zi - col[2][l] : 0.0;
+      const tm_real dx = xi - TM_X(0), dy = yi - TM_X(1), dz = dim3 ? zi - TM_X(2) : 0.0;
       const tm_real r2 = dx * dx + dy * dy + dz * dz, r = sqrt(r2), q = r * inv_h;
-      const tm_real mj = col[TM_REC_M][l], rhoj = col[TM_REC_RHO][l];
+      const tm_real mj = TM_MAIN(TM_REC_M), rhoj = TM_MAIN(TM_REC_RHO);
       tm_real inv_r;
       if (viscosity) {
-        const tm_real vx = vxi - col[4][l], vy = vyi - col[5][l], vz = dim3 ? vzi - col[6][l] : 0.0;
+        const tm_real vx = vxi - TM_MAIN(4), vy = vyi - TM_MAIN(5);
+        const tm_real vz = dim3 ? vzi - TM_MAIN(6) : 0.0;
         const tm_real rho2 = rhoi + rhoj, soft2 = tm_viscosity_soft2(h, r2);
         const tm_real inv = 1.0 / (r2 * (soft2 * rho2));  /* one division for three */
         inv_r = r * (soft2 * rho2) * inv;
         const tm_real mu = tm_viscosity_mu(h, vx * dx + vy * dy + vz * dz, r2 * rho2 * inv);
-        tm_real pi = tm_viscosity_pi(alpha, beta, mu, 0.5 * (ci + col[TM_REC_C][l]),
+        tm_real pi = tm_viscosity_pi(alpha, beta, mu, 0.5 * (ci + TM_MAIN(TM_REC_C)),
                                      2.0 * (r2 * soft2) * inv);
-        if (balsara) pi *= 0.5 * (bi + col[TM_REC_BALSARA][l]);
-        col[TM_COL_VISCOUS][l] = pi;
+        if (balsara) pi *= 0.5 * (bi + TM_MAIN(TM_REC_BALSARA));
+        TM_COL(TM_COL_VISCOUS) = pi;
       } else
         inv_r = 1.0 / r;
       const tm_real g = slope_norm * tm_kernel_slope(kernel, q) * inv_r;  /* W'/r */
-      col[TM_COL_SLOPE][l] = mj * g;
+      TM_COL(TM_COL_SLOPE) = mj * g;
       if (artstress)
-        col[TM_COL_TENSILE][l] = tm_power_int(tm_kernel_shape(kernel, q) * inv_w, art_n);
+        TM_COL(TM_COL_TENSILE) = tm_power_int(tm_kernel_shape(kernel, q) * inv_w, art_n);
       if (conduction)
-        col[TM_COL_CONDUCTED][l] = tm_conduction_pair(ki, col[TM_COL_HEAT + TM_REC_K][l], ti,
-                                                      col[TM_COL_HEAT + TM_REC_T][l], mj / rhoj, g);
-      if (per_rho) col[TM_COL_PER_RHO][l] = 1.0 / rhoj;
+        TM_COL(TM_COL_CONDUCTED) = tm_conduction_pair(ki, TM_HEAT(TM_REC_K), ti,
+                                                      TM_HEAT(TM_REC_T), mj / rhoj, g);
+      if (per_rho) TM_COL(TM_COL_PER_RHO) = 1.0 / rhoj;
       if (xsph)
-        col[TM_COL_SMOOTH][l] =
+        TM_COL(TM_COL_SMOOTH) =
             tm_xsph_pair(mj, 0.5 * (rhoi + rhoj), norm * tm_kernel_shape(kernel, q));
     }
 
     /* sums */
-#define TM_COL(c) tm_lanes_load(col[c] + l)
+#define TM_LOAD(entry) tm_lanes_load(&entry)
     for (int l = 0; l < lanes; l += TM_LANES) {
-      const tm_lanes dx = xi - TM_COL(0), dy = yi - TM_COL(1), dz = dim3 ? zi - TM_COL(2) : zero;
-      const tm_lanes vx = vxi - TM_COL(4), vy = vyi - TM_COL(5), vz = dim3 ? vzi - TM_COL(6) : zero;
-      const tm_lanes mg = TM_COL(TM_COL_SLOPE), wx = mg * dx, wy = mg * dy, wz = mg * dz;
-      const tm_lanes vol = per_rho ? TM_COL(TM_COL_PER_RHO) : zero;
+      const tm_lanes dx = xi - TM_LOAD(TM_X(0)), dy = yi - TM_LOAD(TM_X(1));
+      const tm_lanes dz = dim3 ? zi - TM_LOAD(TM_X(2)) : zero;
+      const tm_lanes vx = vxi - TM_LOAD(TM_MAIN(4)), vy = vyi - TM_LOAD(TM_MAIN(5));
+      const tm_lanes vz = dim3 ? vzi - TM_LOAD(TM_MAIN(6)) : zero;
+      const tm_lanes mg = TM_LOAD(TM_COL(TM_COL_SLOPE)), wx = mg * dx, wy = mg * dy, wz = mg * dz;
+      const tm_lanes vol = per_rho ? TM_LOAD(TM_COL(TM_COL_PER_RHO)) : zero;
 
       /* velocity gradient, sum of -v_ij (x) gradW; volume m/rho_j, or m to be divided by rho_i */
       const tm_lanes gx = form_f14 ? vol * wx : wx, gy = form_f14 ? vol * wy : wy;
@@ -249,22 +270,23 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
       const tm_lanes mx = form_f14 ? inv_rhoi * gx : wx, my = form_f14 ? inv_rhoi * gy : wy;
       const tm_lanes mz = form_f14 ? inv_rhoi * gz : wz;
       if (correction) {
-        const int C = TM_COL_CORRECTION;
-        ax += (cxx + TM_COL(C)) * mx + (cxy + TM_COL(C + 1)) * my;
-        ay += (cyx + TM_COL(C + 3)) * mx + (cyy + TM_COL(C + 4)) * my;
+        ax += (cxx + TM_LOAD(TM_CORR(0))) * mx + (cxy + TM_LOAD(TM_CORR(1))) * my;
+        ay += (cyx + TM_LOAD(TM_CORR(3))) * mx + (cyy + TM_LOAD(TM_CORR(4))) * my;
         if (dim3) {
-          ax += (cxz + TM_COL(C + 2)) * mz;
-          ay += (cyz + TM_COL(C + 5)) * mz;
-          az += (czx + TM_COL(C + 6)) * mx + (czy + TM_COL(C + 7)) * my + (czz + TM_COL(C + 8)) * mz;
+          ax += (cxz + TM_LOAD(TM_CORR(2))) * mz;
+          ay += (cyz + TM_LOAD(TM_CORR(5))) * mz;
+          az += (czx + TM_LOAD(TM_CORR(6))) * mx + (czy + TM_LOAD(TM_CORR(7))) * my
+              + (czz + TM_LOAD(TM_CORR(8))) * mz;
         }
       } else {
         const int P = TM_REC_P;
-        const tm_lanes sxx = pxx + TM_COL(P), syy = pyy + TM_COL(P + 1), sxy = pxy + TM_COL(P + 3);
+        const tm_lanes sxx = pxx + TM_LOAD(TM_MAIN(P)), syy = pyy + TM_LOAD(TM_MAIN(P + 1));
+        const tm_lanes sxy = pxy + TM_LOAD(TM_MAIN(P + 3));
         ax += sxx * mx + sxy * my;
         ay += sxy * mx + syy * my;
         if (dim3) {
-          const tm_lanes szz = pzz + TM_COL(P + 2), sxz = pxz + TM_COL(P + 4);
-          const tm_lanes syz = pyz + TM_COL(P + 5);
+          const tm_lanes szz = pzz + TM_LOAD(TM_MAIN(P + 2)), sxz = pxz + TM_LOAD(TM_MAIN(P + 4));
+          const tm_lanes syz = pyz + TM_LOAD(TM_MAIN(P + 5));
           ax += sxz * mz;
           ay += syz * mz;
           az += sxz * mx + syz * my + szz * mz;
@@ -274,14 +296,14 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
       /* artificial terms, kept apart for the energy book: d = artificial acceleration */
       tm_lanes dxa = zero, dya = zero, dza = zero;
       if (artstress) {
-        const int Q = TM_COL_STRESS;
-        const tm_lanes f = TM_COL(TM_COL_TENSILE);
-        const tm_lanes sxx = qxx + TM_COL(Q), syy = qyy + TM_COL(Q + 1), sxy = qxy + TM_COL(Q + 3);
+        const tm_lanes f = TM_LOAD(TM_COL(TM_COL_TENSILE));
+        const tm_lanes sxx = qxx + TM_LOAD(TM_STRESS(0)), syy = qyy + TM_LOAD(TM_STRESS(1));
+        const tm_lanes sxy = qxy + TM_LOAD(TM_STRESS(3));
         dxa = sxx * wx + sxy * wy;
         dya = sxy * wx + syy * wy;
         if (dim3) {
-          const tm_lanes szz = qzz + TM_COL(Q + 2), sxz = qxz + TM_COL(Q + 4);
-          const tm_lanes syz = qyz + TM_COL(Q + 5);
+          const tm_lanes szz = qzz + TM_LOAD(TM_STRESS(2)), sxz = qxz + TM_LOAD(TM_STRESS(4));
+          const tm_lanes syz = qyz + TM_LOAD(TM_STRESS(5));
           dxa += sxz * wz;
           dya += syz * wz;
           dza = sxz * wx + syz * wy + szz * wz;
@@ -289,7 +311,7 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
         dxa *= f; dya *= f; dza *= f;
       }
       if (viscosity) {
-        const tm_lanes pi = TM_COL(TM_COL_VISCOUS);
+        const tm_lanes pi = TM_LOAD(TM_COL(TM_COL_VISCOUS));
         dxa -= pi * wx; dya -= pi * wy; dza -= pi * wz;
       }
       if (artstress || viscosity) {
@@ -297,17 +319,25 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
         ax += dxa; ay += dya; az += dza;
       }
 
-      if (conduction) heat += TM_COL(TM_COL_CONDUCTED);
+      if (conduction) heat += TM_LOAD(TM_COL(TM_COL_CONDUCTED));
       if (xsph) {
-        const tm_lanes w = TM_COL(TM_COL_SMOOTH);
+        const tm_lanes w = TM_LOAD(TM_COL(TM_COL_SMOOTH));
         ux -= w * vx; uy -= w * vy; uz -= w * vz;
       }
       if (surface) {
         nx += vol * wx; ny += vol * wy; nz += vol * wz;
       }
     }
+#undef TM_OF
+#undef TM_MAIN
+#undef TM_STRESS
+#undef TM_HEAT
+#undef TM_CORR
 #undef TM_COL
-    for (int l = lanes; l < n; l++) jj[l - lanes] = jj[l];
+#undef TM_X
+#undef TM_LOAD
+    if (last) break;
+    for (int l = lanes; l < n; l++) jj[tm_at(l - lanes)] = jj[tm_at(l)];
     n -= lanes;
   }
 
