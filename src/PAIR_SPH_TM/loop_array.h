@@ -66,7 +66,7 @@ template <class T> class LoopArray {
     std::copy_n(values, n, host_write());
   }
 
-  // current values, or a null pointer; who takes it to write changes them
+  // current values, or a null pointer; who takes it to write changes them, until the other side takes one
   const T *loop_read()
   {
     if (!count) return nullptr;

@@ -240,44 +240,45 @@ void PairSPHTM::correct_gradients()
   args.rec.correction = rec.correction = rec_correction.loop_write();
 }
 
+// only what travels is brought to the host and back
 int PairSPHTM::pack_forward_comm(int n, int *sendlist, double *buf, int, int *)
 {
-  int m = 0;
-  const tm_records from = host_records();
-  auto put = [&](const tm_real *row, int count) {
-    std::copy_n(row, count, buf + m);
-    m += count;
+  double *start = buf;
+  auto put = [&](const tm_real *from, size_t j, int columns) {
+    if (from) buf = std::copy_n(from + j * columns, columns, buf);
   };
-  for (int k = 0; k < n; k++) {
-    const size_t j = sendlist[k];
-    if (forward_correction) {
-      put(from.correction + j * TM_REC_CORRECTION, TM_REC_CORRECTION);
-      continue;
-    }
-    put(from.main + j * TM_REC + 3, TM_REC - 3);
-    if (from.stress) put(from.stress + j * TM_REC_STRESS, TM_REC_STRESS);
-    if (from.heat) put(from.heat + j * TM_REC_HEAT, TM_REC_HEAT);
+  if (forward_correction) {
+    const tm_real *from = rec_correction.host_read();
+    for (int k = 0; k < n; k++) put(from, sendlist[k], TM_REC_CORRECTION);
+    return (int) (buf - start);
   }
-  return m;
+  const tm_real *main = rec_main.host_read(), *stress = rec_stress.host_read(), *heat = rec_heat.host_read();
+  for (int k = 0; k < n; k++) {
+    buf = std::copy_n(main + (size_t) sendlist[k] * TM_REC + 3, TM_REC - 3, buf);
+    put(stress, sendlist[k], TM_REC_STRESS);
+    put(heat, sendlist[k], TM_REC_HEAT);
+  }
+  return (int) (buf - start);
 }
 
 void PairSPHTM::unpack_forward_comm(int n, int first, double *buf)
 {
-  int m = 0;
-  const tm_records to = {rec_main.host_write(), rec_stress.host_write(), rec_heat.host_write(),
-                         rec_correction.host_write()};
-  auto get = [&](tm_real *row, int count) {
-    std::copy_n(buf + m, count, row);
-    m += count;
+  auto get = [&](tm_real *to, size_t j, int columns) {
+    if (!to) return;
+    std::copy_n(buf, columns, to + j * columns);
+    buf += columns;
   };
-  for (size_t j = first; j < (size_t) first + n; j++) {
-    if (forward_correction) {
-      get(to.correction + j * TM_REC_CORRECTION, TM_REC_CORRECTION);
-      continue;
-    }
-    get(to.main + j * TM_REC + 3, TM_REC - 3);
-    if (to.stress) get(to.stress + j * TM_REC_STRESS, TM_REC_STRESS);
-    if (to.heat) get(to.heat + j * TM_REC_HEAT, TM_REC_HEAT);
+  if (forward_correction) {
+    tm_real *to = rec_correction.host_write();
+    for (int j = first; j < first + n; j++) get(to, j, TM_REC_CORRECTION);
+    return;
+  }
+  tm_real *main = rec_main.host_write(), *stress = rec_stress.host_write(), *heat = rec_heat.host_write();
+  for (int j = first; j < first + n; j++) {
+    std::copy_n(buf, TM_REC - 3, main + (size_t) j * TM_REC + 3);
+    buf += TM_REC - 3;
+    get(stress, j, TM_REC_STRESS);
+    get(heat, j, TM_REC_HEAT);
   }
 }
 

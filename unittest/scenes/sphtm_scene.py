@@ -61,12 +61,15 @@ def new_folder():
     return folder
 
 
-def run(script, variables=None, ranks=1, folder=None, files=None, expect_error=False, timeout=600, environment=None):
+def run(script, variables=None, ranks=1, folder=None, files=None, expect_error=False, timeout=600, environment=None,
+        arguments=()):
     """Runs lmp. script: text, or the path of an input script. variables: -var name value. files: name ->
     text, written to the run's folder first. A folder of an earlier run can be given, to read its restart
-    files. environment: variables to add to this test's. A run that fails ends the test with its output, unless
+    files. environment: variables to add to this test's, SPHTM_LMP
+    among them; arguments: more of lmp's. A run that fails ends the test with its output, unless
     expect_error."""
-    lmp = os.environ.get("SPHTM_LMP")
+    environment = dict(os.environ, **(environment or {}))
+    lmp = environment.get("SPHTM_LMP")
     if not lmp:
         print("no SPHTM_LMP in the environment: skipped")
         sys.exit(SKIPPED)
@@ -78,11 +81,11 @@ def run(script, variables=None, ranks=1, folder=None, files=None, expect_error=F
         with open(os.path.join(folder, name), "w") as f:
             f.write(text)
     command = shlex.split(os.environ.get("SPHTM_MPIRUN", "mpirun")) + ["-np", str(ranks)] if ranks > 1 else []
-    command += [lmp, "-nocite", "-in", "in.scene"]
+    command += [lmp, "-nocite", "-in", "in.scene", *arguments]
     for name, value in (variables or {}).items():
         command += ["-var", name] + [str(v) for v in (value if isinstance(value, (list, tuple)) else [value])]
     done = subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                          timeout=timeout, stdin=subprocess.DEVNULL, env=dict(os.environ, **(environment or {})))
+                          timeout=timeout, stdin=subprocess.DEVNULL, env=environment)
     if done.returncode != 0 and not expect_error:
         print(done.stdout[-6000:])
         print("lmp ended with status", done.returncode, "of", shlex.join(command))

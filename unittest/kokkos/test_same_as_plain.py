@@ -1,0 +1,28 @@
+"""Every effect with Kokkos as without, particle by particle, all digits: on one thread, on two, and with the loops
+for a GPU, whose arrays live in another memory. Sums over particles add up in another order there: 1e-12."""
+import numpy as np
+from kokkos_scene import Checks, new_folder, run_way, same_bits
+from scenes import FILES, SCENES, TOUCHING, insert
+
+checks = Checks()
+
+
+def largest(a, b):
+    """Largest relative difference of the last row of the thermo output, time aside."""
+    rows = [[t[n][-1] for n in t if n not in ("Step", "CPU")] for t in (a.thermo[-1], b.thermo[-1])]
+    one, two = np.array(rows)
+    return (abs(one - two) / np.maximum(abs(two), 1e-12 * abs(two).max())).max()
+
+
+for name, script in SCENES.items():
+    results = {}
+    for way in "plain", "serial", "threads", "plain default", "device":
+        folder = new_folder()
+        insert(folder)
+        results[way] = run_way(way, script, folder=folder, files=FILES)
+    if name in TOUCHING:
+        checks.above("%s: bodies touch, %s" % (name, TOUCHING[name]), abs(results["plain"].thermo[-1][TOUCHING[name]][-1]), 1e-9)
+    for way, reference in ("serial", "plain"), ("threads", "plain"), ("device", "plain default"):
+        same_bits(checks, "%s: %s as %s" % (name, way, reference), results[way], results[reference])
+        checks.below("%s: %s, printed sums" % (name, way), largest(results[way], results[reference]), 1e-12)
+checks.end()
