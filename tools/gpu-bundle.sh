@@ -41,17 +41,17 @@ for program in lmp mpirun; do cp "$root/bench/gpu/with-libraries.sh" "$top/bin/$
 # Open MPI's components, without those for networks and batch systems that a single machine does not have
 mpi_lib=$(ompi_info --path pkglibdir --parsable | cut -d : -f 3)
 mpi_prefix=$(ompi_info --path prefix --parsable | cut -d : -f 3)
-mkdir -p "$top/mpi${mpi_lib#"$mpi_prefix"}"
 cp -R "$(ompi_info --path pkgdatadir --parsable | cut -d : -f 3)" "$top/mpi/share/openmpi"
 pmix=$(ldd "$mpi_lib"/mca_pmix_ext*.so 2> /dev/null | sed -n 's/.*libpmix\.so.* => \(.*\) (0x.*/\1/p' | head -n 1)
-foreign='ucp|ucs|uct|fabric|ibverbs|rdmacm|psm|oshmem|slurm|flux|munge|lustre|java|not found'
-for component in "$mpi_lib"/mca_*.so; do
-  ldd "$component" | grep -qE "$foreign" || cp "$component" "$top/mpi${mpi_lib#"$mpi_prefix"}/"
-done
-if [ -n "$pmix" ]; then
-  mkdir -p "$top/mpi/pmix2/lib"
-  cp -R "$(dirname -- "$(readlink -f "$pmix")")/pmix" "$top/mpi/pmix2/lib/"
-fi
+foreign='ucp|ucs|uct|fabric|ibverbs|rdmacm|psm|oshmem|slurm|flux|lustre|java|not found'
+components() {    # FROM TO
+  mkdir -p "$2"
+  for component in "$1"/*.so; do
+    ldd "$component" 2> /dev/null | grep -qE "$foreign" || cp "$component" "$2/"
+  done
+}
+components "$mpi_lib" "$top/mpi${mpi_lib#"$mpi_prefix"}"
+[ -z "$pmix" ] || components "$(dirname -- "$(readlink -f "$pmix")")/pmix" "$top/mpi/pmix2/lib/pmix"
 
 # every library that these ask for, but those of any Linux with a C++ compiler, and the driver's
 base='linux-vdso|ld-linux|lib(c|m|dl|rt|pthread|resolv|util|gcc_s|stdc\+\+|gomp|cuda)\.so'
