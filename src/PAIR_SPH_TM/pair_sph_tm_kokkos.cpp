@@ -12,6 +12,8 @@
 #include "neigh_request.h"
 #include "neighbor.h"
 
+#include <algorithm>
+
 using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
 
@@ -56,6 +58,39 @@ struct FillRow {
   KOKKOS_FUNCTION void operator()(int i) const { tm_row_fill(i, &a); }
 };
 
+// on a GPU a warp sorts a row: it holds the entries, and each thread finds the places of some
+struct FillRowByWarp {
+  using Team = Kokkos::TeamPolicy<LMPDeviceType>;
+  using Entries = Kokkos::View<tm_row_entry *, LMPDeviceType::scratch_memory_space, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
+  tm_row_args a;
+  int n, longest, rows;    // entries of the longest row, rows per team
+
+  KOKKOS_FUNCTION void operator()(const Team::member_type &team) const
+  {
+    const int i = team.league_rank() * rows + team.team_rank();
+    if (i >= n) return;
+    const Entries entries(team.thread_scratch(0), longest);
+    tm_row_entry *entry = entries.data();
+    const int m = a.length[i];
+    Kokkos::parallel_for(Kokkos::ThreadVectorRange(team, m), [&](int k) { entry[k] = tm_row_load(i, k, &a); });
+    Kokkos::parallel_for(Kokkos::ThreadVectorRange(team, m), [&](int k) { tm_row_put(i, k, m, entry, &a); });
+  }
+  static bool fits(int longest) { return Entries::shmem_size(longest) <= MEMORY; }
+  void run()
+  {
+    const size_t scratch = Entries::shmem_size(longest);
+    rows = std::max(1, std::min(MAX_ROWS, (int) (MEMORY / scratch)));
+    Kokkos::parallel_for("sph/tm fill rows",
+                         Team((n + rows - 1) / rows, rows, 32).set_scratch_size(0, Kokkos::PerThread(scratch)), *this);
+  }
+  static constexpr size_t MEMORY = 32000;    // bytes of a team, which every GPU has
+#if defined(LMP_KOKKOS_GPU)
+  static constexpr int MAX_ROWS = 4;
+#else
+  static constexpr int MAX_ROWS = 1;
+#endif
+};
+
 }    // namespace
 
 void PairSPHTMKokkos::build_rows()
@@ -92,7 +127,9 @@ void PairSPHTMKokkos::build_rows()
                         PlaceRows{a, n}, total);
   row_index.make_room(true, total);
   a.index = row_index.loop_write();
-  kokkos_each("sph/tm fill rows", n, FillRow{a});
+  const int longest = from->d_neighbors.extent(1);
+  if (!backend.shared() && FillRowByWarp::fits(longest)) FillRowByWarp{a, n, longest, 1}.run();
+  else kokkos_each("sph/tm fill rows", n, FillRow{a});
 }
 
 /* ---------------------------------------------------------------------- communication */

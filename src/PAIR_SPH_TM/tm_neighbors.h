@@ -89,6 +89,38 @@ TM_FN void tm_row_fill(int i, const tm_row_args *a)
   }
 }
 
+/* The same by many threads for one row: the entries of the host's list, and where each goes. */
+typedef struct {
+  int index, tag, meets;
+} tm_row_entry;
+
+TM_FN tm_row_entry tm_row_load(int i, int k, const tm_row_args *a)
+{
+  tm_row_entry e;
+  e.index = a->list[i * a->row_step + k * a->step] & a->bits;
+  e.tag = a->tag[e.index];
+  e.meets = tm_row_meets(i, e.index, a);
+  return e;
+}
+
+/* Puts entry k of all n into the segments it belongs to, behind those of lower tag. */
+TM_FN void tm_row_put(int i, int k, int n, const tm_row_entry *entry, const tm_row_args *a)
+{
+  const tm_row_entry e = entry[k];
+  int rank[TM_SEGMENTS] = {0, 0, 0};
+  if (!e.meets) return;
+  for (int l = 0; l < n; l++) {
+    const tm_row_entry o = entry[l];
+    const int before = o.tag != e.tag ? o.tag < e.tag : o.index < e.index;
+    for (int s = 0; s < TM_SEGMENTS; s++) rank[s] += before & (o.meets >> s);
+  }
+  int *row = a->index + a->first[i];
+  for (int s = 0; s < TM_SEGMENTS; s++) {
+    if (e.meets >> s & 1) row[(ptrdiff_t) rank[s] * TM_ROW_SLICE] = e.index;
+    row += (ptrdiff_t) a->count[s][i] * TM_ROW_SLICE;
+  }
+}
+
 /* ---- what rows tell; x: positions of owned and ghost particles */
 
 typedef struct {
