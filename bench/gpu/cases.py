@@ -105,7 +105,9 @@ def launches(name, folder, top, lammps, steps):
 
 
 def failure(output, status):
-    return (re.findall(r"^(?:ERROR|Kokkos|Cuda|terminate).*", output, re.M) or ["ended with %s" % status])[0]
+    """What a run that failed said."""
+    said = re.findall(r"^(?:ERROR|.*\berror\b|.*\bwhat\(\)|.*\bnot found\b).*", output, re.M | re.I)
+    return said[0] if said else "ended with %s: %s" % (status, " ".join(output.split()[-20:]))
 
 
 def run(name, folder, top, lammps):

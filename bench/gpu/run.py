@@ -11,7 +11,6 @@ import gzip
 import json
 import math
 import os
-import re
 import shlex
 import shutil
 import subprocess
@@ -70,8 +69,7 @@ def run_scene(name, folder, gpus):
     output, status = lammps(folder, ["-in", "in.small"] + scenes.variables(name, folder), gpus)
     with open(os.path.join(folder, "output"), "w") as f:
         f.write(output)
-    error = "" if status == 0 else (re.findall(r"^ERROR.*", output, re.M) or ["ended with %s" % status])[0]
-    return time.time() - start, error
+    return time.time() - start, "" if status == 0 else cases.failure(output, status)
 
 
 def reference(out, names):
