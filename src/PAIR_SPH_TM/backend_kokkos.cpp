@@ -130,10 +130,44 @@ struct SumBodyContact {
     tm_body_contact_sum(sum, r);
   }
 };
-struct Update {
+// The update, with effects that are known to be off; the others are tested at run time. Without the
+// ledger its sum is short.
+struct Limits {
+  tm_real dt[3];
+  int status, particle;
+};
+struct SumLimits {
+  KOKKOS_FUNCTION void operator()(Limits *sum, const Limits *r) const
+  {
+    for (int k = 0; k < 3; k++) sum->dt[k] = tm_min(sum->dt[k], r->dt[k]);
+    if (r->status == TM_OK || r->particle > sum->particle) return;
+    sum->status = r->status;
+    sum->particle = r->particle;
+  }
+};
+template <unsigned OFF> struct Update {
   tm_update_args a;
   unsigned fx;
-  KOKKOS_FUNCTION tm_update_result operator()(int i) const { return tm_update(i, &a, fx); }
+  KOKKOS_FUNCTION Limits operator()(int i) const
+  {
+    const tm_update_result r = tm_update(i, &a, fx & ~(OFF | TM_FX_LEDGER));
+    return {{r.dt[0], r.dt[1], r.dt[2]}, r.status, r.particle};
+  }
+};
+template <unsigned OFF> tm_update_result run_update(int n, const tm_update_args &a, unsigned fx)
+{
+  tm_update_result r = tm_update_nothing();
+  const Limits sum = kokkos_sum("sph/tm update", n, Limits{{r.dt[0], r.dt[1], r.dt[2]}, r.status, r.particle},
+                                Update<OFF>{a, fx}, SumLimits());
+  for (int k = 0; k < 3; k++) r.dt[k] = sum.dt[k];
+  r.status = sum.status;
+  r.particle = sum.particle;
+  return r;
+}
+struct UpdateWithLedger {
+  tm_update_args a;
+  unsigned fx;
+  KOKKOS_FUNCTION tm_update_result operator()(int i) const { return tm_update(i, &a, fx | TM_FX_LEDGER); }
 };
 struct SumUpdate {
   int ledger;
@@ -235,8 +269,13 @@ class DeviceBackend : public Backend {
   }
   tm_update_result update(int n, const tm_update_args &a, unsigned fx) override
   {
-    return kokkos_sum("sph/tm update", n, tm_update_nothing(), Update{a, fx},
-                      SumUpdate{(fx & TM_FX_LEDGER) != 0});
+    constexpr unsigned RARE = TM_FX_PLANE_STRESS | TM_FX_ENERGY | TM_FX_DAMAGE | TM_FX_BALSARA | TM_FX_XSPH;
+    constexpr unsigned HEAT = TM_FX_HEAT | TM_FX_CONDUCTION, FLOW = TM_FX_PLASTICITY;
+    if (fx & TM_FX_LEDGER)
+      return kokkos_sum("sph/tm update", n, tm_update_nothing(), UpdateWithLedger{a, fx}, SumUpdate{1});
+    if (fx & RARE) return run_update<0>(n, a, fx);
+    if (fx & HEAT) return fx & FLOW ? run_update<RARE>(n, a, fx) : run_update<RARE | FLOW>(n, a, fx);
+    return fx & FLOW ? run_update<RARE | HEAT>(n, a, fx) : run_update<RARE | HEAT | FLOW>(n, a, fx);
   }
 
   void initial_of_new(int n, const tm_initial_args &a) override
