@@ -59,6 +59,21 @@ typedef tm_real tm_lanes, tm_lanes_mem;
    keeps columns in registers. */
 TM_FN int tm_at(int l) { return TM_COLUMN > 1 ? l : 0; }
 
+/* n (even) reals at p, 16 bytes aligned, two at a time where that is faster. */
+TM_FN void tm_fetch(const tm_real *p, int n, tm_real *out)
+{
+#if defined(__CUDA_ARCH__)
+#pragma unroll
+  for (int c = 0; c < n; c += 2) {
+    const double2 v = *(const double2 *) (p + c);
+    out[c] = v.x;
+    out[c + 1] = v.y;
+  }
+#else
+  for (int c = 0; c < n; c++) out[c] = p[c];
+#endif
+}
+
 TM_FN tm_lanes tm_lanes_load(const tm_real *p) { return *(const tm_lanes_mem *) p; }
 TM_FN void tm_lanes_store(tm_real *p, tm_lanes v) { *(tm_lanes_mem *) p = v; }
 TM_FN tm_lanes tm_lanes_zero(void)

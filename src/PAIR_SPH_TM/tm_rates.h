@@ -111,12 +111,13 @@ TM_FN int tm_within_reach(const tm_real *rec, const int *row, ptrdiff_t stride, 
 #else
   for (; *k < end && n < TM_CHUNK; ++*k) {
     const int j = row[*k * stride];
-    const tm_real *r = rec + (ptrdiff_t) j * TM_REC;
+    tm_real r[4];
+    tm_fetch(rec + (ptrdiff_t) j * TM_REC, 4, r);
     const tm_real dx = x - r[0], dy = y - r[1], dz = dim3 ? z - r[2] : 0.0;
     jj[tm_at(n)] = j;
     n += dx * dx + dy * dy + dz * dz < reach2;
     if (TM_COLUMN == 1)
-      for (int c = 0; c < (dim3 ? 3 : 2); c++) position[c] = r[c];
+      for (int c = 0; c < 4; c++) position[c] = r[c];
   }
 #endif
   return n;
@@ -185,9 +186,6 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
     const int last = TM_COLUMN > 1 && k >= n_mech;
     const int lanes =
         TM_COLUMN == 1 ? 1 : (last ? n + TM_LANES - 1 : n) / TM_LANES * TM_LANES;
-    const ptrdiff_t j = TM_COLUMN == 1 ? jj[0] : 0;  /* read where it is: no columns of records */
-    const tm_real *rj = rec + j * TM_REC, *qj = rec_s + j * TM_REC_STRESS;
-    const tm_real *tj = rec_t + j * TM_REC_HEAT, *cj = rec_c + j * TM_REC_CORRECTION;
     if (TM_COLUMN > 1) {
       for (int l = n; l < lanes; l++) jj[tm_at(l)] = i;
       tm_transpose_rows(rec, TM_REC, jj, lanes, TM_REC, col[0]);
@@ -201,13 +199,20 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
           for (int c = 0; c < TM_REC_CORRECTION; c++)
             col[TM_COL_CORRECTION + c][tm_at(l)] =
                 rec_c[jj[tm_at(l)] * (ptrdiff_t) TM_REC_CORRECTION + c];
+    } else {
+      const ptrdiff_t j = jj[0];
+      tm_fetch(rec + j * TM_REC + TM_REC_V, (viscosity ? TM_REC : TM_REC_C) - TM_REC_V, col[TM_REC_V]);
+      if (artstress) tm_fetch(rec_s + j * TM_REC_STRESS, TM_REC_STRESS, col[TM_COL_STRESS]);
+      if (conduction) tm_fetch(rec_t + j * TM_REC_HEAT, TM_REC_HEAT, col[TM_COL_HEAT]);
+      if (correction)
+        for (int c = 0; c < TM_REC_CORRECTION; c++)
+          col[TM_COL_CORRECTION + c][0] = rec_c[j * TM_REC_CORRECTION + c];
     }
-    /* entry l of the records' columns, and of the other ones */
-#define TM_OF(record, first, c) (*(TM_COLUMN > 1 ? &col[(first) + (c)][tm_at(l)] : record + (c)))
-#define TM_MAIN(c) TM_OF(rj, 0, c)
-#define TM_STRESS(c) TM_OF(qj, TM_COL_STRESS, c)
-#define TM_HEAT(c) TM_OF(tj, TM_COL_HEAT, c)
-#define TM_CORR(c) TM_OF(cj, TM_COL_CORRECTION, c)
+    /* entry l of a column */
+#define TM_MAIN(c) TM_COL(c)
+#define TM_STRESS(c) TM_COL(TM_COL_STRESS + (c))
+#define TM_HEAT(c) TM_COL(TM_COL_HEAT + (c))
+#define TM_CORR(c) TM_COL(TM_COL_CORRECTION + (c))
 #define TM_COL(c) col[c][tm_at(l)]
 #define TM_X(c) TM_COL(TM_REC_X + (c))
 
@@ -328,7 +333,6 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
         nx += vol * wx; ny += vol * wy; nz += vol * wz;
       }
     }
-#undef TM_OF
 #undef TM_MAIN
 #undef TM_STRESS
 #undef TM_HEAT
