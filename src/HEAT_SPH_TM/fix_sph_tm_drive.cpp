@@ -35,7 +35,7 @@ FixSPHTMDrive::FixSPHTMDrive(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
   extvector = 0;
   restart_global = 1;
   dynamic_group_allow = 1;
-  datamask_read = V_MASK | F_MASK | TYPE_MASK | MASK_MASK | RMASS_MASK;    // with Kokkos: on the host
+  datamask_read = V_MASK | F_MASK | TYPE_MASK | MASK_MASK | RMASS_MASK;    // with Kokkos
   datamask_modify = F_MASK;
 
   if (narg != 6)
@@ -65,7 +65,8 @@ void FixSPHTMDrive::setup(int)
 {
   check_group();
   warn_of_later_forces();
-  sum_forces();
+  const double rest[3] = {0.0, 0.0, 0.0};
+  drive(rest, false);
 }
 
 // who is not integrated would not move
@@ -98,19 +99,26 @@ void FixSPHTMDrive::warn_of_later_forces()
 
 /* ---------------------------------------------------------------------- */
 
-// what the rest of the body exerts on the group, in the directions that are driven
-void FixSPHTMDrive::sum_forces()
+// sums what the rest of the body exerts on the group, in the directions that are driven, and drives it
+void FixSPHTMDrive::drive(const double *target, bool act)
 {
-  std::fill_n(sum, 3, 0.0);
-  for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & groupbit)
-      for (int k = 0; k < 3; k++)
-        if (given[k]) sum[k] += atom->f[i][k];
+  tm_drive_args a;
+  a.state = body->state();
+  a.group = groupbit;
+  for (int k = 0; k < 3; k++) {
+    a.given[k] = given[k];
+    a.velocity[k] = target[k];
+  }
+  a.act = act;
+  a.dt = body->step_dt();
+  a.accel_unit = body->pair()->units().force;
+  const tm_drive_result r = body->loops().drive(atom->nlocal, a);
+  std::copy_n(r.force, 3, sum);
+  sum[3] += r.work;
 }
 
 void FixSPHTMDrive::post_force(int)
 {
-  sum_forces();
   const bool varies = velocity[0].varies() || velocity[1].varies() || velocity[2].varies();
   double target[3] = {0.0, 0.0, 0.0};
   if (varies) modify->clearstep_compute();
@@ -118,21 +126,7 @@ void FixSPHTMDrive::post_force(int)
     if (given[k]) target[k] = velocity[k].now();    // at the end of the step: its time is current here
   if (varies) modify->addstep_compute(update->ntimestep + 1);
 
-  const tm_state s = body->host_state();
-  const double dt = body->step_dt(), to_acc = body->pair()->units().force;
-  double work = 0.0;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    double *f = atom->f[i];
-    const double *v = atom->v[i], per_acc = tm_particle_mass(&s, i) / to_acc;
-    for (int k = 0; k < 3; k++) {
-      if (!given[k]) continue;
-      const double needed = per_acc * (target[k] - v[k]) / dt;
-      work += (needed - f[k]) * 0.5 * (target[k] + v[k]) * dt;
-      f[k] = needed;
-    }
-  }
-  sum[3] += work;
+  drive(target, true);
 
   // bodies without mechanics have no other limit on how far they move in a step
   const double speed = sqrt(target[0] * target[0] + target[1] * target[1] + target[2] * target[2]);

@@ -33,7 +33,7 @@ class FixSPHTMDrive : public Fix {
 
   void check_group();
   void warn_of_later_forces();
-  void sum_forces();
+  void drive(const double *velocity, bool act);
 };
 
 }    // namespace LAMMPS_NS

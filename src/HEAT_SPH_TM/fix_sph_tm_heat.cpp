@@ -41,7 +41,7 @@ FixSPHTMHeat::FixSPHTMHeat(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, a
   nevery = 1;
   restart_global = 1;
   dynamic_group_allow = 1;
-  datamask_read = TYPE_MASK | MASK_MASK | RMASS_MASK;    // with Kokkos: on the host
+  datamask_read = TYPE_MASK | MASK_MASK | RMASS_MASK;    // with Kokkos
   datamask_modify = EMPTY_MASK;
 
   int m = -1;
@@ -194,17 +194,7 @@ double FixSPHTMHeat::temperature_now()
 // returns the heat this took
 double FixSPHTMHeat::hold(double T)
 {
-  double heat = 0.0;
-  const tm_state s = body->host_state();
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    tm_real *t = tm_field_row(&s, TM_F_TEMP, i);
-    const double cp = tm_capacity(&s.material[s.type[i]], 0.5 * (t[0] + T));
-    heat += tm_particle_mass(&s, i) * cp * (T - t[0]);
-    t[0] = T;
-    t[1] = t[2] = 0.0;
-  }
-  return heat;
+  return body->loops().hold(atom->nlocal, {body->state(), groupbit, T});
 }
 
 void FixSPHTMHeat::end_of_step()
@@ -238,12 +228,16 @@ tm_exchange_args FixSPHTMHeat::exchange_args()
   a.facing = facing;
   a.d = direction;
   a.area_factor = 1.0;
-  const tm_records rec = pair->host_records();
-  a.main = rec.main;
-  a.heat = rec.heat;
-  a.normal = pair->host_surface();
-  a.type = atom->type;
-  a.material = pair->materials();
+  const tm_state s = body->state();
+  const tm_rates_args &rates = pair->rate_args();
+  a.main = rates.rec.main;
+  a.heat = rates.rec.heat;
+  a.normal = rates.surface;
+  a.type = s.type;
+  a.mask = s.mask;
+  a.group = groupbit;
+  a.material = s.material;
+  a.source = body->heat_source();
   return a;
 }
 
@@ -251,26 +245,17 @@ tm_exchange_args FixSPHTMHeat::exchange_args()
 void FixSPHTMHeat::exchange()
 {
   tm_exchange_args a = exchange_args();
-  double *source = body->host_heat_source();
-  const int *mask = atom->mask, nlocal = atom->nlocal;
+  Backend &loops = body->loops();
   if (known_area > 0.0) {
-    double found = 0.0, all = 0.0;
-    for (int i = 0; i < nlocal; i++)
-      if (mask[i] & groupbit) found += tm_exchange_area(i, &a);
+    const double found = loops.exchange(atom->nlocal, a, true).area;
+    double all = 0.0;
     MPI_Allreduce(&found, &all, 1, MPI_DOUBLE, MPI_SUM, world);
     a.area_factor = all > 0.0 ? known_area / all : 0.0;
   }
-  power = area = 0.0;
-  double rate = 0.0;
-  for (int i = 0; i < nlocal; i++) {
-    if (!(mask[i] & groupbit)) continue;
-    const tm_exchange_result r = tm_exchange(i, &a);
-    source[i] += r.power;
-    power += r.power;
-    area += r.area;
-    rate = tm_max(rate, r.rate);
-  }
-  if (rate > 0.0) body->limit_dt(0.5 / rate, TM_DT_CONDUCTION);    // as tm_heat_time_step
+  const tm_exchange_result r = loops.exchange(atom->nlocal, a, false);
+  power = r.power;
+  area = r.area;
+  if (r.rate > 0.0) body->limit_dt(0.5 / r.rate, TM_DT_CONDUCTION);    // as tm_heat_time_step
 }
 
 void FixSPHTMHeat::post_force(int)

@@ -29,8 +29,10 @@ typedef struct {
 
   const tm_real *main, *heat;   /* records, see tm_record.h */
   const tm_real *normal;        /* 3 per particle, NULL for a source */
-  const int *type;
+  const int *type, *mask;       /* LAMMPS types and group bits */
+  int group;                    /* particles with (mask & group) exchange heat */
   const tm_material *material;  /* indexed by type */
+  tm_real *source;              /* power into the particles, added to */
 } tm_exchange_args;
 
 typedef struct {
@@ -73,6 +75,34 @@ TM_FN tm_exchange_result tm_exchange(int i, const tm_exchange_args *a)
   out.power = out.area * flux;
   out.rate = out.area * slope / (r[TM_REC_M] * tm_capacity(m, T));
   return out;
+}
+
+TM_FN tm_exchange_result tm_exchange_nothing(void)
+{
+  tm_exchange_result r;
+  r.power = r.area = r.rate = 0.0;
+  return r;
+}
+
+TM_FN void tm_exchange_sum(tm_exchange_result *sum, const tm_exchange_result *r)
+{
+  sum->power += r->power;
+  sum->area += r->area;
+  sum->rate = tm_max(sum->rate, r->rate);
+}
+
+/* The same for particles of the group, into their source; or only their area without the factor. */
+TM_FN tm_exchange_result tm_exchange_of_group(int i, const tm_exchange_args *a, int area_only)
+{
+  tm_exchange_result r = tm_exchange_nothing();
+  if (!(a->mask[i] & a->group)) return r;
+  if (area_only) {
+    r.area = tm_exchange_area(i, a);
+    return r;
+  }
+  r = tm_exchange(i, a);
+  a->source[i] += r.power;
+  return r;
 }
 
 #endif

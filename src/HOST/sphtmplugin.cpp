@@ -12,6 +12,7 @@
 #ifdef LMP_KOKKOS
 #include "fix_contact_tri_kokkos.h"
 #include "fix_sph_tm_kokkos.h"
+#include "on_loops_kokkos.h"
 #include "pair_sph_tm_kokkos.h"
 #endif
 
@@ -27,10 +28,14 @@ using namespace LAMMPS_NS;
 using PairKokkos = PairSPHTMKokkos;
 using FixKokkos = FixSPHTMKokkos;
 using ContactKokkos = FixContactTriKokkos;
+using HeatKokkos = SPHTM_NS::OnLoopsKokkos<FixSPHTMHeat>;
+using DriveKokkos = SPHTM_NS::OnLoopsKokkos<FixSPHTMDrive>;
 #else
 using PairKokkos = PairSPHTM;
 using FixKokkos = FixSPHTM;
 using ContactKokkos = FixContactTri;
+using HeatKokkos = FixSPHTMHeat;
+using DriveKokkos = FixSPHTMDrive;
 #endif
 
 extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *ptr, void *handle,
@@ -48,8 +53,8 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *p
   SPHTM_NS::Registry registry(ptr, handle, regfunc);
   registry.pair<PairSPHTM, PairKokkos>("sph/tm", "thermo-mechanical SPH of solids");
   registry.state_fix<FixSPHTM, FixKokkos>("sph/tm", "state and time integration of pair sph/tm");
-  registry.fix<FixSPHTMHeat>("sph/tm/heat", "temperature, flux, source, convection, radiation on a group");
-  registry.fix<FixSPHTMDrive>("sph/tm/drive", "prescribed velocity of a group of sph/tm particles");
+  registry.fix<FixSPHTMHeat, HeatKokkos>("sph/tm/heat", "temperature, flux, source, convection, radiation on a group");
+  registry.fix<FixSPHTMDrive, DriveKokkos>("sph/tm/drive", "prescribed velocity of a group of sph/tm particles");
   registry.compute<ComputeSPHTMAtom>("sph/tm/atom", "per-particle values of sph/tm");
   registry.fix<FixContactTri, ContactKokkos>("contact/tri", "contact, friction and heat with a tool of triangles");
   registry.compute<ComputeCuttingForce>("cutting/force", "forces of a tool in terms of cutting");

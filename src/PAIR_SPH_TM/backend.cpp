@@ -53,6 +53,8 @@ static RESULT sum_particles(Backend &b, int n, const RESULT &nothing, ONE one, J
       join);
 }
 
+static void add_to(double *sum, const double *value) { *sum += *value; }
+
 /* ---------------------------------------------------------------------- one step */
 
 int Backend::drift(int n, const tm_drift_args &a, unsigned effects)
@@ -108,6 +110,24 @@ tm_update_result Backend::update(int n, const tm_update_args &a, unsigned effect
       [=](tm_update_result *sum, const tm_update_result *r) { tm_update_sum(sum, r, ledger); });
 }
 
+tm_exchange_result Backend::exchange(int n, const tm_exchange_args &a, bool area_only)
+{
+  return sum_particles(
+      *this, n, tm_exchange_nothing(), [&](int i) { return tm_exchange_of_group(i, &a, area_only); },
+      tm_exchange_sum);
+}
+
+double Backend::hold(int n, const tm_hold_args &a)
+{
+  return sum_particles(*this, n, 0.0, [&](int i) { return tm_hold(i, &a); }, add_to);
+}
+
+tm_drive_result Backend::drive(int n, const tm_drive_args &a)
+{
+  return sum_particles(
+      *this, n, tm_drive_nothing(), [&](int i) { return tm_drive(i, &a); }, tm_drive_sum);
+}
+
 /* ---------------------------------------------------------------------- set-up and output */
 
 void Backend::initial_of_new(int n, const tm_initial_args &a)
@@ -123,8 +143,6 @@ tm_update_result Backend::initial_limits(int n, const tm_update_args &a, unsigne
       *this, n, tm_update_nothing(), [&](int i) { return tm_initial_limits(i, &a, effects, seed); },
       [](tm_update_result *sum, const tm_update_result *r) { tm_update_sum(sum, r, 0); });
 }
-
-static void add_to(double *sum, const double *value) { *sum += *value; }
 
 double Backend::kinetic_energy(int n, const tm_state &s)
 {

@@ -10,6 +10,8 @@
 
 #include "tm_body_contact.h"
 #include "tm_drift.h"
+#include "tm_exchange.h"
+#include "tm_hold.h"
 #include "tm_initial.h"
 #include "tm_moment.h"
 #include "tm_neighbors.h"
@@ -51,6 +53,9 @@ class Backend {
   virtual tm_body_contact_result body_contact(int n, const tm_rates_args &,
                                               const tm_body_contact_args &, unsigned effects);
   virtual tm_update_result update(int n, const tm_update_args &, unsigned effects);
+  virtual tm_exchange_result exchange(int n, const tm_exchange_args &, bool area_only);
+  virtual double hold(int n, const tm_hold_args &);    // the heat it takes
+  virtual tm_drive_result drive(int n, const tm_drive_args &);
 
   // set-up and output
   virtual void initial_of_new(int n, const tm_initial_args &);

@@ -176,6 +176,28 @@ struct SumUpdate {
     tm_update_sum(sum, r, ledger);
   }
 };
+struct Exchange {
+  tm_exchange_args a;
+  int area_only;
+  KOKKOS_FUNCTION tm_exchange_result operator()(int i) const { return tm_exchange_of_group(i, &a, area_only); }
+};
+struct SumExchange {
+  KOKKOS_FUNCTION void operator()(tm_exchange_result *sum, const tm_exchange_result *r) const
+  {
+    tm_exchange_sum(sum, r);
+  }
+};
+struct Hold {
+  tm_hold_args a;
+  KOKKOS_FUNCTION double operator()(int i) const { return tm_hold(i, &a); }
+};
+struct Drive {
+  tm_drive_args a;
+  KOKKOS_FUNCTION tm_drive_result operator()(int i) const { return tm_drive(i, &a); }
+};
+struct SumDrive {
+  KOKKOS_FUNCTION void operator()(tm_drive_result *sum, const tm_drive_result *r) const { tm_drive_sum(sum, r); }
+};
 struct InitialLimits {
   tm_update_args a;
   unsigned fx;
@@ -276,6 +298,19 @@ class DeviceBackend : public Backend {
     if (fx & RARE) return run_update<0>(n, a, fx);
     if (fx & HEAT) return fx & FLOW ? run_update<RARE>(n, a, fx) : run_update<RARE | FLOW>(n, a, fx);
     return fx & FLOW ? run_update<RARE | HEAT>(n, a, fx) : run_update<RARE | HEAT | FLOW>(n, a, fx);
+  }
+
+  tm_exchange_result exchange(int n, const tm_exchange_args &a, bool area_only) override
+  {
+    return kokkos_sum("sph/tm/heat", n, tm_exchange_nothing(), Exchange{a, area_only}, SumExchange());
+  }
+  double hold(int n, const tm_hold_args &a) override
+  {
+    return kokkos_sum("sph/tm/heat temperature", n, 0.0, Hold{a}, SumReal());
+  }
+  tm_drive_result drive(int n, const tm_drive_args &a) override
+  {
+    return kokkos_sum("sph/tm/drive", n, tm_drive_nothing(), Drive{a}, SumDrive());
   }
 
   void initial_of_new(int n, const tm_initial_args &a) override
