@@ -201,6 +201,15 @@ tm_contact_law FixContactTri::make_law(int type)
 
 void FixContactTri::make_laws()
 {
+  if (request.body_type) {
+    if (request.body_type > atom->ntypes)
+      error->all(FLERR, "Fix contact/tri {} particles: there is no type {}", id, request.body_type);
+    if (pair->materials()[request.body_type].body != TM_BODY_HEAT)
+      error->all(FLERR,
+                 "Fix contact/tri {} particles: type {} must be a material that only conducts "
+                 "heat",
+                 id, request.body_type);
+  }
   const double dp = pair->settings_in_use().spacing;
   laws.assign(atom->ntypes + 1, tm_contact_law{});
   dt_limit = 1e300;
@@ -211,15 +220,6 @@ void FixContactTri::make_laws()
     // 0.35: stability of the half-step prediction, 0.78 without and 0.70 with damping, of 2
     dt_limit =
         std::min(dt_limit, 0.35 * tm_contact_time_step(laws[t].stiffness, mass, laws[t].damping));
-  }
-  if (request.body_type) {
-    if (request.body_type > atom->ntypes)
-      error->all(FLERR, "Fix contact/tri {} particles: there is no type {}", id, request.body_type);
-    if (pair->materials()[request.body_type].body != TM_BODY_HEAT)
-      error->all(FLERR,
-                 "Fix contact/tri {} particles: type {} must be a material that only conducts "
-                 "heat",
-                 id, request.body_type);
   }
   loop_laws.assign(laws.data(), laws.size());
 }
