@@ -4,6 +4,7 @@
 
 #include "compute_cutting_force.h"
 #include "compute_sph_tm_atom.h"
+#include "fix_adapt_neigh.h"
 #include "fix_contact_tri.h"
 #include "fix_sph_tm.h"
 #include "fix_sph_tm_drive.h"
@@ -28,12 +29,14 @@ using namespace LAMMPS_NS;
 using PairKokkos = PairSPHTMKokkos;
 using FixKokkos = FixSPHTMKokkos;
 using ContactKokkos = FixContactTriKokkos;
+using AdaptKokkos = SPHTM_NS::OnLoopsKokkos<FixAdaptNeigh>;
 using HeatKokkos = SPHTM_NS::OnLoopsKokkos<FixSPHTMHeat>;
 using DriveKokkos = SPHTM_NS::OnLoopsKokkos<FixSPHTMDrive>;
 #else
 using PairKokkos = PairSPHTM;
 using FixKokkos = FixSPHTM;
 using ContactKokkos = FixContactTri;
+using AdaptKokkos = FixAdaptNeigh;
 using HeatKokkos = FixSPHTMHeat;
 using DriveKokkos = FixSPHTMDrive;
 #endif
@@ -57,5 +60,6 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *p
   registry.fix<FixSPHTMDrive, DriveKokkos>("sph/tm/drive", "prescribed velocity of a group of sph/tm particles");
   registry.compute<ComputeSPHTMAtom>("sph/tm/atom", "per-particle values of sph/tm");
   registry.fix<FixContactTri, ContactKokkos>("contact/tri", "contact, friction and heat with a tool of triangles");
+  registry.state_fix<FixAdaptNeigh, AdaptKokkos>("adapt/neigh", "what follows the deformation: lists, smoothing length, refinement");
   registry.compute<ComputeCuttingForce>("cutting/force", "forces of a tool in terms of cutting");
 }

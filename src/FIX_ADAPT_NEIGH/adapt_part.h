@@ -1,0 +1,59 @@
+/* SPH-TM: a part of fix adapt/neigh: adaptive lists, smoothing length, refinement. Each owns its keywords, its
+   values of particles and its outputs; the fix hands every call of LAMMPS on to the parts that are in use. */
+#ifndef SPHTM_ADAPT_PART_H
+#define SPHTM_ADAPT_PART_H
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+class FixSPHTM;
+class PairSPHTM;
+class FixAdaptNeigh;
+}    // namespace LAMMPS_NS
+
+namespace SPHTM_NS {
+
+class AdaptPart {
+ public:
+  explicit AdaptPart(LAMMPS_NS::FixAdaptNeigh &owner) : fix(owner) {}
+  virtual ~AdaptPart() = default;
+
+  // takes the keyword arg[0] with its values and returns how many arguments they are; 0: not its keyword
+  virtual int keyword(int narg, char **arg) = 0;
+  virtual std::vector<std::string> keywords() const = 0;
+  virtual bool in_use() const = 0;
+
+  // the calls of LAMMPS, in the order of a step; body and pair of the fix are known from init on
+  virtual void init() {}
+  virtual void setup_pre_exchange() {}
+  virtual void setup_pre_force() {}
+  virtual void pre_exchange() {}      // before particles migrate; only in steps that renew the lists
+  virtual void post_neighbor() {}     // after they have
+  virtual void pre_force() {}
+  virtual void end_of_step() {}
+
+  // values of particles
+  virtual void grow(int /*nmax*/) {}
+  virtual void copy(int /*from*/, int /*to*/) {}
+  virtual void set_new(int /*i*/) {}
+  virtual int most_packed() const { return 0; }    // values of one particle, at most
+  virtual int pack(int /*i*/, double *) { return 0; }
+  virtual int unpack(int /*i*/, const double *) { return 0; }
+  // values of the whole, for restart files
+  virtual std::vector<double> state() { return {}; }
+  virtual void restore(const double *, size_t) {}
+
+  // outputs: entries of the fix's vector, with their names for the doc and messages
+  virtual std::vector<std::string> outputs() const { return {}; }
+  virtual double output(int) { return 0.0; }
+  virtual double bytes() const { return 0.0; }
+
+ protected:
+  LAMMPS_NS::FixAdaptNeigh &fix;
+};
+
+}    // namespace SPHTM_NS
+
+#endif

@@ -1,0 +1,189 @@
+/* SPH-TM: fix adapt/neigh. See doc/fix_adapt_neigh.rst. */
+#include "fix_adapt_neigh.h"
+
+#include "fix_sph_tm.h"
+#include "pair_sph_tm.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "error.h"
+#include "force.h"
+#include "modify.h"
+
+#include <algorithm>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+using namespace SPHTM_NS;
+using namespace FixConst;
+
+FixAdaptNeigh::FixAdaptNeigh(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
+{
+  create_attribute = 1;
+  restart_global = 1;
+  restart_peratom = 1;
+  vector_flag = 1;
+  global_freq = 1;
+  extvector = 0;
+  nevery = 1;
+  read_keywords(3, narg, arg);
+  for (const auto &p : parts)
+    if (p->in_use()) used.push_back(p.get());
+  for (const AdaptPart *p : used) size_vector += (int) p->outputs().size();
+  vector_flag = size_vector > 0;
+  update_packed_size();
+  for (AdaptPart *p : used) p->grow(atom->nmax);
+  atom->add_callback(Atom::GROW);
+  atom->add_callback(Atom::RESTART);
+}
+
+FixAdaptNeigh::~FixAdaptNeigh()
+{
+  if (copymode) return;
+  atom->delete_callback(id, Atom::GROW);
+  atom->delete_callback(id, Atom::RESTART);
+}
+
+void FixAdaptNeigh::read_keywords(int iarg, int narg, char **arg)
+{
+  while (iarg < narg) {
+    int taken = 0;
+    for (auto p = parts.begin(); !taken && p != parts.end(); ++p) taken = (*p)->keyword(narg - iarg, arg + iarg);
+    if (!taken) {
+      std::string known;
+      for (const auto &p : parts)
+        for (const auto &k : p->keywords()) known += (known.empty() ? "" : ", ") + k;
+      error->all(FLERR, "Unknown fix adapt/neigh keyword {}: known are {}", arg[iarg], known);
+    }
+    iarg += taken;
+  }
+}
+
+int FixAdaptNeigh::setmask() { return PRE_EXCHANGE | POST_NEIGHBOR | PRE_FORCE | END_OF_STEP; }
+
+void FixAdaptNeigh::init()
+{
+  const auto bodies = modify->get_fix_by_style("^sph/tm$");
+  sph = bodies.size() == 1 ? dynamic_cast<FixSPHTM *>(bodies[0]) : nullptr;
+  pair_sph = dynamic_cast<PairSPHTM *>(force->pair_match("^sph/tm", 0));
+  if (!sph || !pair_sph) error->all(FLERR, "Fix adapt/neigh needs pair style sph/tm and one fix sph/tm before it");
+  if (modify->get_fix_by_style("^adapt/neigh").size() > 1)
+    error->all(FLERR, "More than one fix adapt/neigh: write all its keywords in one");
+  for (AdaptPart *p : used) p->init();
+}
+
+void FixAdaptNeigh::setup_pre_exchange()
+{
+  for (AdaptPart *p : used) p->setup_pre_exchange();
+}
+void FixAdaptNeigh::setup_pre_force(int)
+{
+  for (AdaptPart *p : used) p->setup_pre_force();
+}
+void FixAdaptNeigh::pre_exchange()
+{
+  for (AdaptPart *p : used) p->pre_exchange();
+}
+void FixAdaptNeigh::post_neighbor()
+{
+  for (AdaptPart *p : used) p->post_neighbor();
+}
+void FixAdaptNeigh::pre_force(int)
+{
+  for (AdaptPart *p : used) p->pre_force();
+}
+void FixAdaptNeigh::end_of_step()
+{
+  for (AdaptPart *p : used) p->end_of_step();
+}
+
+double FixAdaptNeigh::compute_vector(int n)
+{
+  for (AdaptPart *p : used) {
+    const int of_part = (int) p->outputs().size();
+    if (n < of_part) return p->output(n);
+    n -= of_part;
+  }
+  return 0.0;
+}
+
+/* ---------------------------------------------------------------------- values of particles */
+
+void FixAdaptNeigh::update_packed_size()
+{
+  maxexchange = 0;
+  for (const AdaptPart *p : used) maxexchange += p->most_packed();
+}
+
+void FixAdaptNeigh::grow_arrays(int nmax)
+{
+  for (AdaptPart *p : used) p->grow(nmax);
+}
+void FixAdaptNeigh::copy_arrays(int from, int to, int)
+{
+  for (AdaptPart *p : used) p->copy(from, to);
+}
+void FixAdaptNeigh::set_arrays(int i)
+{
+  for (AdaptPart *p : used) p->set_new(i);
+}
+int FixAdaptNeigh::pack_exchange(int i, double *buf)
+{
+  int m = 0;
+  for (AdaptPart *p : used) m += p->pack(i, buf + m);
+  return m;
+}
+int FixAdaptNeigh::unpack_exchange(int i, double *buf)
+{
+  int m = 0;
+  for (AdaptPart *p : used) m += p->unpack(i, buf + m);
+  return m;
+}
+int FixAdaptNeigh::pack_restart(int i, double *buf)
+{
+  const int m = 1 + pack_exchange(i, buf + 1);
+  buf[0] = m;
+  return m;
+}
+void FixAdaptNeigh::unpack_restart(int i, int nth)
+{
+  double *extra = atom->extra[i];
+  int m = 0;
+  for (int k = 0; k < nth; k++) m += static_cast<int>(extra[m]);
+  if (unpack_exchange(i, extra + m + 1) + 1 != static_cast<int>(extra[m]))
+    error->one(FLERR, "Fix adapt/neigh: the restart file was written with other keywords; write the same ones");
+}
+int FixAdaptNeigh::size_restart(int) { return maxsize_restart(); }
+int FixAdaptNeigh::maxsize_restart() { return 1 + maxexchange; }
+
+// per part: number of values, values
+void FixAdaptNeigh::write_restart(FILE *fp)
+{
+  std::vector<double> all;
+  for (AdaptPart *p : used) {
+    const std::vector<double> s = p->state();
+    all.push_back((double) s.size());
+    all.insert(all.end(), s.begin(), s.end());
+  }
+  if (comm->me) return;
+  const int size = (int) (all.size() * sizeof(double));
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(all.data(), 1, size, fp);
+}
+
+void FixAdaptNeigh::restart(char *buf)
+{
+  const auto *value = (const double *) buf;
+  for (AdaptPart *p : used) {
+    const auto n = (size_t) *value++;
+    p->restore(value, n);
+    value += n;
+  }
+}
+
+double FixAdaptNeigh::memory_usage()
+{
+  double sum = 0.0;
+  for (const AdaptPart *p : used) sum += p->bytes();
+  return sum;
+}

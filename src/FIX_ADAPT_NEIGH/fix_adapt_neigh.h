@@ -1,0 +1,65 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   SPH-TM: fix adapt/neigh. What follows the deformation: adaptive neighbour
+   lists (F14), smoothing length and refinement (S13). Each is a part.
+------------------------------------------------------------------------- */
+#ifndef LMP_FIX_ADAPT_NEIGH_H
+#define LMP_FIX_ADAPT_NEIGH_H
+
+#include "fix.h"
+
+#include "adapt_part.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class FixSPHTM;
+class PairSPHTM;
+
+class FixAdaptNeigh : public Fix {
+ public:
+  FixAdaptNeigh(class LAMMPS *, int, char **);
+  ~FixAdaptNeigh() override;
+  int setmask() override;
+  void init() override;
+  void setup_pre_exchange() override;
+  void setup_pre_force(int) override;
+  void pre_exchange() override;
+  void post_neighbor() override;
+  void pre_force(int) override;
+  void end_of_step() override;
+  double compute_vector(int) override;
+
+  void grow_arrays(int) override;
+  void copy_arrays(int, int, int) override;
+  void set_arrays(int) override;
+  int pack_exchange(int, double *) override;
+  int unpack_exchange(int, double *) override;
+  int pack_restart(int, double *) override;
+  void unpack_restart(int, int) override;
+  int size_restart(int) override;
+  int maxsize_restart() override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+  double memory_usage() override;
+
+  // for the parts; valid from init on
+  FixSPHTM &body() { return *sph; }
+  PairSPHTM &pair() { return *pair_sph; }
+  LAMMPS *host() { return lmp; }
+  void update_packed_size();    // when the most a particle packs has changed
+
+ private:
+  std::vector<std::unique_ptr<SPHTM_NS::AdaptPart>> parts;    // all that there are
+  std::vector<SPHTM_NS::AdaptPart *> used;                    // those in use
+  FixSPHTM *sph = nullptr;
+  PairSPHTM *pair_sph = nullptr;
+
+  void read_keywords(int, int, char **);
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
