@@ -82,18 +82,22 @@ void FixAdaptNeigh::setup_pre_force(int)
 }
 void FixAdaptNeigh::pre_exchange()
 {
+  const auto timed = sph->run_clock.timed(this);
   for (AdaptPart *p : used) p->pre_exchange();
 }
 void FixAdaptNeigh::post_neighbor()
 {
+  const auto timed = sph->run_clock.timed(this);
   for (AdaptPart *p : used) p->post_neighbor();
 }
 void FixAdaptNeigh::pre_force(int)
 {
+  const auto timed = sph->run_clock.timed(this);
   for (AdaptPart *p : used) p->pre_force();
 }
 void FixAdaptNeigh::end_of_step()
 {
+  const auto timed = sph->run_clock.timed(this);
   for (AdaptPart *p : used) p->end_of_step();
 }
 

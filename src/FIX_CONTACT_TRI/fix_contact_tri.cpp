@@ -327,6 +327,7 @@ tm_contact_result FixContactTri::run_contact(const tm_contact_args &a, unsigned 
 
 void FixContactTri::post_force(int)
 {
+  const auto timed = state->run_clock.timed(this);
   const bool output = output_due();
   if (output) clear_triangles();
   if (request.body_type) tool_heat.resize(std::max(atom->nmax, 1));

@@ -119,6 +119,7 @@ void FixSPHTMDrive::drive(const double *target, bool act)
 
 void FixSPHTMDrive::post_force(int)
 {
+  const auto timed = body->run_clock.timed(this);
   const bool varies = velocity[0].varies() || velocity[1].varies() || velocity[2].varies();
   double target[3] = {0.0, 0.0, 0.0};
   if (varies) modify->clearstep_compute();

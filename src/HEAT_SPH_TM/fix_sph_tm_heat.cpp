@@ -199,6 +199,7 @@ double FixSPHTMHeat::hold(double T)
 
 void FixSPHTMHeat::end_of_step()
 {
+  const auto timed = body->run_clock.timed(this);
   const double heat = hold(temperature_now());
   power = heat / body->step_dt();
   energy += heat;
@@ -260,6 +261,7 @@ void FixSPHTMHeat::exchange()
 
 void FixSPHTMHeat::post_force(int)
 {
+  const auto timed = body->run_clock.timed(this);
   exchange();
   energy += power * body->step_dt();
   body->ledger.heat_exchanged += power * body->step_dt();

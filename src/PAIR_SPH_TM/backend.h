@@ -43,6 +43,7 @@ class Backend {
   virtual void copy(void *to, const void *from, size_t bytes);    // within it
   virtual void zero(void *, size_t bytes);
   virtual void add(double *to, const double *from, size_t n);
+  virtual void wait() {}    // until all loops are done
 
   // one step of particles 0..n-1
   virtual int drift(int n, const tm_drift_args &, unsigned effects);    // first one lost, or n

@@ -261,6 +261,7 @@ class DeviceBackend : public Backend {
   {
     kokkos_each("sph/tm add", (int) n, Add{to, from});
   }
+  void wait() override { Kokkos::fence("sph/tm wait"); }
 
   int drift(int n, const tm_drift_args &a, unsigned fx) override
   {

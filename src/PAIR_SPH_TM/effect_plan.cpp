@@ -43,6 +43,28 @@ std::string effect_names()
   return all;
 }
 
+const std::vector<unsigned> &effects_by_name()
+{
+  static const std::vector<unsigned> bits = [] {
+    std::vector<unsigned> all;
+    for (const auto &n : NAMES) all.push_back(n.bit);
+    return all;
+  }();
+  return bits;
+}
+
+// the others have loops of their own
+const std::vector<unsigned> &effects_in_loops()
+{
+  static const std::vector<unsigned> bits = [] {
+    std::vector<unsigned> some;
+    for (const auto &n : NAMES)
+      if (n.bit != TM_FX_BODIES) some.push_back(n.bit);
+    return some;
+  }();
+  return bits;
+}
+
 void EffectPlan::derive(const PairSPHTM &pair, int ntypes)
 {
   const PairSPHTM::Settings &set = pair.settings_in_use();

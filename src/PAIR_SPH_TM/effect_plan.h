@@ -17,6 +17,8 @@ namespace SPHTM_NS {
 unsigned effect_by_name(const std::string &name);    // 0 when unknown
 std::string effect_name(unsigned bits);              // of the first of these bits
 std::string effect_names();                          // for messages
+const std::vector<unsigned> &effects_by_name();      // all that have a name
+const std::vector<unsigned> &effects_in_loops();     // those inside the loops of prediction, rates and update
 
 struct EffectPlan {
   // in

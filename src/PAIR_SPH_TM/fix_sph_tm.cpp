@@ -75,6 +75,12 @@ FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg, Backend &loops) :
       value(1);
       if (yes_no(lmp, what, arg[iarg + 1])) forced_on |= TM_FX_LEDGER;
       iarg += 2;
+    } else if (key == "table") {
+      value(1);
+      const bool wait = strcmp(arg[iarg + 1], "wait") == 0;
+      want_table = wait || yes_no(lmp, what, arg[iarg + 1]);
+      run_clock.waits = wait ? &backend : nullptr;
+      iarg += 2;
     } else if (key == "effects") {
       value(1);
       if (strcmp(arg[iarg + 1], "auto") == 0) {
@@ -91,7 +97,7 @@ FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg, Backend &loops) :
       iarg += 3;
     } else
       error->all(FLERR, "Unknown fix sph/tm keyword {}: known are temperature, courant, dt, dt/max, "
-                        "energy, lost, effects", key);
+                        "energy, lost, table, effects", key);
   }
 
   if (forced_on & forced_off)
@@ -285,15 +291,22 @@ void FixSPHTM::setup(int)
   }
   dt = fixed_dt > 0.0 ? fixed_dt : dt_next;
   apply_dt(dt, update->ntimestep);
+  timing = false;    // the run's time begins with its first step
 }
 
 void FixSPHTM::initial_integrate(int)
 {
+  if (!timing) {
+    timing = true;
+    clock_step = update->ntimestep - 1;
+    run_clock.restart();
+  }
   started = true;
   dt = fixed_dt > 0.0 ? fixed_dt : dt_next;
   apply_dt(dt, update->ntimestep - 1);    // this step is counted already
   std::fill(dt_limits, dt_limits + TM_DT_CAUSES, 1e300);    // those of the set-up are in use
   dt_ahead = 0.5 * dt;
+  const auto timed = run_clock.timed(RunClock::DRIFT);
   const int lost = backend.drift(atom->nlocal, drift_args(), fx);
   if (lost < atom->nlocal) stop_on_lost_particle(lost);
 }
@@ -334,7 +347,10 @@ tm_update_args FixSPHTM::update_args()
 
 void FixSPHTM::final_integrate()
 {
-  const tm_update_result sum = backend.update(atom->nlocal, update_args(), fx);
+  const tm_update_result sum = [this] {
+    const auto timed = run_clock.timed(RunClock::UPDATE);
+    return backend.update(atom->nlocal, update_args(), fx);
+  }();
   if (sum.status != TM_OK) stop_on(sum.particle, sum);
   for (int k = 0; k < 3; k++) dt_limits[k] = tm_min(dt_limits[k], sum.dt[k]);
   if (has(TM_FX_LEDGER)) {

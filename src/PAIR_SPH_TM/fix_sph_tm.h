@@ -7,9 +7,15 @@
 
 #include "fix.h"
 #include "particle_fields.h"
+#include "run_clock.h"
 
+#include <map>
 #include <string>
 #include <vector>
+
+namespace SPHTM_NS {
+class EffectProbe;
+}
 
 namespace LAMMPS_NS {
 
@@ -27,6 +33,7 @@ class FixSPHTM : public Fix {
   void pre_force(int) override;
   void final_integrate() override;
   void post_neighbor() override;
+  void post_run() override;
   void reset_dt() override;
   double compute_scalar() override;
   double compute_vector(int) override;
@@ -67,6 +74,8 @@ class FixSPHTM : public Fix {
   double *host_heat_source() { return has(TM_FX_HEAT) ? source.host_write() : nullptr; }
   // another fix asks for heat as a state (called from its init(), or earlier)
   void need(unsigned effect, const std::string &reason);
+  // time of the run's parts: of the pair style's by name, of another fix's by its address
+  SPHTM_NS::RunClock run_clock;
   // upper limit of the time step, already with its safety factor; valid for the next step
   void limit_dt(double limit, int cause);
 
@@ -98,7 +107,7 @@ class FixSPHTM : public Fix {
   enum {
     ENERGY_KINETIC, ENERGY_ELASTIC, ENERGY_PLASTIC, ENERGY_HEAT, ENERGY_CONTACT, ENERGY_FRICTION,
     ENERGY_ARTIFICIAL, ENERGY_EXTERNAL, ENERGY_SUM, VECTOR_DT, VECTOR_CAUSE, VECTOR_NEIGHBORS,
-    VECTOR_SIZE
+    VECTOR_TIMES, VECTOR_SIZE = VECTOR_TIMES + 4
   };
 
   unsigned forced_on = 0, forced_off = 0;
@@ -125,6 +134,13 @@ class FixSPHTM : public Fix {
   double energy_now[VECTOR_SIZE];
   bigint energy_step = -1;
 
+  bool want_table = true, timing = false;
+  bigint clock_step = 0;           // when the clock was set to 0
+
+  friend class SPHTM_NS::EffectProbe;
+  std::map<unsigned, double> bytes_by_effect();
+  std::map<unsigned, double> probe_effects(double, bigint);
+  void times_of_rank(double *) const;
   tm_initial_args initial_args(const tm_state &, unsigned) const;
   void initialise_particles();
   void reduce_dt();

@@ -90,7 +90,10 @@ void FixSPHTM::reduce_dt()
   mine[TM_DT_SOUND] *= courant;
   mine[TM_DT_FORCE] *= courant;
   mine[TM_DT_MAXIMUM] = dt_max > 0.0 ? dt_max : 1e300;
-  MPI_Allreduce(mine, all, TM_DT_CAUSES, MPI_DOUBLE, MPI_MIN, world);
+  {
+    const auto timed = run_clock.timed(SPHTM_NS::RunClock::COMMUNICATION);
+    MPI_Allreduce(mine, all, TM_DT_CAUSES, MPI_DOUBLE, MPI_MIN, world);
+  }
   dt_cause = (int) (std::min_element(all, all + TM_DT_CAUSES) - all);
   double next = all[dt_cause];
   if (next >= 1e300) next = update->dt;

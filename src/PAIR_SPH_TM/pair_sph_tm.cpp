@@ -205,7 +205,7 @@ void PairSPHTM::fill_args(const tm_state &s)
 
 /* ---------------------------------------------------------------------- */
 
-void PairSPHTM::predict(const tm_state &s)
+tm_predict_args PairSPHTM::predict_args(const tm_state &s) const
 {
   tm_predict_args a;
   a.state = s;
@@ -213,11 +213,18 @@ void PairSPHTM::predict(const tm_state &s)
   a.dt_ahead = fix->time_ahead();
   a.art_eps = set.art_eps;
   a.art_component = set.art_component;
-  backend.predict(atom->nlocal, a, fix->effects());
+  return a;
+}
+
+void PairSPHTM::predict(const tm_state &s)
+{
+  const auto timed = fix->run_clock.timed(RunClock::PREDICT);
+  backend.predict(atom->nlocal, predict_args(s), fix->effects());
 }
 
 void PairSPHTM::forward_records()
 {
+  const auto timed = fix->run_clock.timed(RunClock::COMMUNICATION);
   const int width = TM_REC - 3 + (rec.stress ? TM_REC_STRESS : 0) + (rec.heat ? TM_REC_HEAT : 0);
   comm->forward_comm(this, width);
   take_ghost_positions();
@@ -233,6 +240,7 @@ void PairSPHTM::take_ghost_positions()
 // needs the positions of all neighbours; what it makes of the stress, the ghosts need
 void PairSPHTM::correct_gradients()
 {
+  const auto timed = fix->run_clock.timed(RunClock::MOMENTS);
   backend.moments(atom->nlocal, args, fix->effects());
   forward_correction = true;
   comm->forward_comm(this, TM_REC_CORRECTION);
@@ -289,7 +297,11 @@ void PairSPHTM::compute(int eflag, int vflag)
   ev_init(eflag, vflag);
   const int nlocal = atom->nlocal;
   const unsigned fx = fix->effects();
-  if (neighbor->ago == 0 || (int) row_first.size() < nlocal) build_rows();
+  RunClock &clock = fix->run_clock;
+  if (neighbor->ago == 0 || (int) row_first.size() < nlocal) {
+    const auto timed = clock.timed(RunClock::ROWS);
+    build_rows();
+  }
   resize_arrays();
   const tm_state s = fix->state();
   predict(s);
@@ -305,16 +317,23 @@ void PairSPHTM::compute(int eflag, int vflag)
     backend.zero(internal, 3 * nlocal * sizeof(double));
     args.force = internal;
   }
-  backend.rates(nlocal, args, fx);
+  {
+    const auto timed = clock.timed(RunClock::RATES);
+    backend.rates(nlocal, args, fx);
+  }
   args.force = s.force;
   if (internal) backend.add(s.force, internal, 3 * (size_t) nlocal);
-  if (fx & TM_FX_CONDUCTION) backend.thermal(nlocal, args, fx);
+  if (fx & TM_FX_CONDUCTION) {
+    const auto timed = clock.timed(RunClock::THERMAL);
+    backend.thermal(nlocal, args, fx);
+  }
   if (fx & TM_FX_BODIES) body_contact();
   if (eflag || vflag) tally_virial_energy();
 }
 
 void PairSPHTM::body_contact()
 {
+  const auto timed = fix->run_clock.timed(RunClock::BODIES);
   tm_body_contact_args b;
   b.law = tables.law.loop_read();
   b.contact = tables.touch.loop_read();
@@ -423,12 +442,31 @@ void *PairSPHTM::extract(const char *what, int &dim)
   return nullptr;
 }
 
+std::map<unsigned, double> PairSPHTM::bytes_by_effect() const
+{
+  std::map<unsigned, double> bytes;
+  bytes[0] = rec_main.bytes() + gradient.bytes();
+  bytes[TM_FX_ARTSTRESS] = rec_stress.bytes();
+  bytes[TM_FX_HEAT] = rec_heat.bytes();
+  bytes[TM_FX_CONDUCTION] = heat.bytes();
+  bytes[TM_FX_CORRECTION] = rec_correction.bytes() + correction.bytes();
+  bytes[TM_FX_XSPH] = xsph_v.bytes();
+  bytes[TM_FX_SURFACE] = surface.bytes();
+  bytes[TM_FX_LEDGER] = force_internal.bytes();
+  bytes[fix->has(TM_FX_LEDGER) ? TM_FX_LEDGER : TM_FX_ENERGY] += artificial.bytes();
+  return bytes;
+}
+
+double PairSPHTM::bytes_of_rows() const
+{
+  double bytes = row_index.bytes() + row_first.bytes();
+  for (auto *a : {&row_mechanical, &row_thermal, &row_contact}) bytes += a->bytes();
+  return bytes;
+}
+
 double PairSPHTM::memory_usage()
 {
-  double bytes = Pair::memory_usage();
-  bytes += row_index.bytes();
-  for (auto *a : {&rec_main, &rec_stress, &rec_heat, &rec_correction, &gradient, &heat, &correction,
-                  &xsph_v, &surface, &artificial, &force_internal})
-    bytes += a->bytes();
+  double bytes = Pair::memory_usage() + bytes_of_rows();
+  for (const auto &b : bytes_by_effect()) bytes += b.second;
   return bytes;
 }

@@ -11,6 +11,7 @@
 #include "tm_surface.h"
 #include "unit_scale.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,8 @@ class PairSPHTM : public Pair {
   void read_restart_settings(FILE *) override;
   void *extract(const char *, int &) override;
   double memory_usage() override;
+  std::map<unsigned, double> bytes_by_effect() const;    // but for the rows; 0: what every scene has
+  double bytes_of_rows() const;
 
   // for fix sph/tm, fix contact/tri and the computes
   const Settings &settings_in_use() const { return set; }
@@ -66,6 +69,7 @@ class PairSPHTM : public Pair {
   // where the loops run; valid from one force computation to the next reneighbouring
   const tm_material *loop_materials() { return tables.material.loop_read(); }
   const tm_rates_args &rate_args() const { return args; }
+  tm_predict_args predict_args(const tm_state &) const;
   const double *internal_force() { return force_internal.loop_read(); }
   // the same on the host
   tm_records host_records();

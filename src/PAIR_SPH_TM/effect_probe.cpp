@@ -1,0 +1,95 @@
+#include "effect_probe.h"
+
+#include "effect_plan.h"
+#include "fix_sph_tm.h"
+#include "pair_sph_tm.h"
+#include "run_clock.h"
+
+#include <algorithm>
+
+using LAMMPS_NS::FixSPHTM;
+
+namespace SPHTM_NS {
+
+EffectProbe::EffectProbe(FixSPHTM &f, int particles) : fix(f), loops(f.loops()), n(particles)
+{
+  const unsigned fx = fix.effects();
+  auto room = [&](LoopArray<double> &a, bool wanted, int columns) {
+    a.live_in(loops);
+    if (wanted) a.resize((size_t) n * columns);
+  };
+  for (int id = 0; id < TM_F_COUNT; id++)
+    room(state[id], fix.state().field[id] != nullptr, tm_field_table[id].columns);
+  room(x, true, 3);
+  room(v, true, 3);
+  room(main, true, TM_REC);
+  room(stress, fx & TM_FX_ARTSTRESS, TM_REC_STRESS);
+  room(heat_record, fx & TM_FX_HEAT, TM_REC_HEAT);
+  room(force, true, 3);
+  room(gradient, true, 9);
+  room(heat, fx & TM_FX_CONDUCTION, 1);
+  room(xsph_v, fx & TM_FX_XSPH, 3);
+  room(surface, fx & TM_FX_SURFACE, 3);
+  room(artificial, fix.pair()->rate_args().artificial != nullptr, 1);
+}
+
+// seconds of one step of the sample with these effects, from the same state every time
+double EffectProbe::step(unsigned fx)
+{
+  tm_rates_args r = fix.pair()->rate_args();
+  r.effects = fx;
+  r.force = force.loop_write();
+  r.gradient = gradient.loop_write();
+  r.heat = heat.loop_write();
+  r.xsph_v = xsph_v.loop_write();
+  r.surface = surface.loop_write();
+  r.artificial = artificial.loop_write();
+
+  const tm_state now = fix.state();
+  tm_predict_args p = fix.pair()->predict_args(now);
+  p.rec = {main.loop_write(), stress.loop_write(), heat_record.loop_write(), nullptr};
+
+  tm_update_args u = fix.update_args();
+  for (int id = 0; id < TM_F_COUNT; id++) {
+    if (state[id].empty()) continue;
+    u.state.field[id] = state[id].loop_write();
+    loops.copy(u.state.field[id], now.field[id], state[id].bytes());
+  }
+  u.state.x = x.loop_write();
+  u.state.v = v.loop_write();
+  loops.copy(u.state.x, now.x, x.bytes());
+  loops.copy(u.state.v, now.v, v.bytes());
+  if (!(fx & TM_FX_HEAT)) u.source = nullptr;
+
+  loops.wait();
+  const double begin = RunClock::now();
+  loops.predict(n, p, fx);
+  loops.rates(n, r, fx);
+  loops.update(n, u, fx);
+  loops.wait();
+  return RunClock::now() - begin;
+}
+
+std::map<unsigned, double> EffectProbe::shares(int rounds)
+{
+  // an effect is taken away after those that need it
+  const unsigned all = fix.effects();
+  std::map<unsigned, std::pair<unsigned, unsigned>> sets;    // effect -> with, without
+  std::map<unsigned, double> least = {{all, 1e300}};
+  for (const unsigned bit : effects_in_loops()) {
+    if (!(all & bit)) continue;
+    unsigned with = all;
+    if (bit == TM_FX_HEAT) with &= ~unsigned(TM_FX_CONDUCTION);
+    if (bit == TM_FX_VISCOSITY) with &= ~unsigned(TM_FX_BALSARA);
+    sets[bit] = {with, with & ~bit};
+    least[with] = least[with & ~bit] = 1e300;
+  }
+  for (int k = 0; k < rounds; k++)
+    for (auto &l : least) l.second = std::min(l.second, step(l.first));
+  std::map<unsigned, double> share;
+  for (const auto &s : sets)
+    share[s.first] = (least[s.second.first] - least[s.second.second]) / least[all];
+  return share;
+}
+
+}    // namespace SPHTM_NS

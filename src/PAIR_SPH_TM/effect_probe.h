@@ -1,0 +1,35 @@
+/* SPH-TM: what single effects cost inside the loops that hold them all. Prediction, rates and update
+   are run again on copies, with and without each effect. */
+#ifndef SPHTM_EFFECT_PROBE_H
+#define SPHTM_EFFECT_PROBE_H
+
+#include "loop_array.h"
+
+#include <map>
+
+namespace LAMMPS_NS {
+class FixSPHTM;
+}
+
+namespace SPHTM_NS {
+
+class EffectProbe {
+ public:
+  EffectProbe(LAMMPS_NS::FixSPHTM &fix, int particles);
+  // effect -> its share of the time of prediction, rates and update; the fastest of so many rounds
+  std::map<unsigned, double> shares(int rounds);
+
+ private:
+  LAMMPS_NS::FixSPHTM &fix;
+  Backend &loops;
+  int n;
+  LoopArray<double> state[TM_F_COUNT], x, v;                      // copies the update changes
+  LoopArray<double> main, stress, heat_record;                    // written by the prediction
+  LoopArray<double> force, gradient, heat, xsph_v, surface, artificial;    // and by the rate pass
+
+  double step(unsigned effects);
+};
+
+}    // namespace SPHTM_NS
+
+#endif
