@@ -35,6 +35,10 @@ FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg, Backend &loops) :
   scalar_flag = 1;
   vector_flag = 1;
   size_vector = VECTOR_SIZE;
+  array_flag = 1;
+  size_array_rows = 4;
+  size_array_cols = 2;
+  extarray = 0;
   global_freq = 1;
   extscalar = 0;
   extvector = 0;

@@ -37,6 +37,7 @@ class FixSPHTM : public Fix {
   void reset_dt() override;
   double compute_scalar() override;
   double compute_vector(int) override;
+  double compute_array(int, int) override;
   int modify_param(int, char **) override;
 
   void grow_arrays(int) override;
@@ -107,7 +108,7 @@ class FixSPHTM : public Fix {
   enum {
     ENERGY_KINETIC, ENERGY_ELASTIC, ENERGY_PLASTIC, ENERGY_HEAT, ENERGY_CONTACT, ENERGY_FRICTION,
     ENERGY_ARTIFICIAL, ENERGY_EXTERNAL, ENERGY_SUM, VECTOR_DT, VECTOR_CAUSE, VECTOR_NEIGHBORS,
-    VECTOR_TIMES, VECTOR_SIZE = VECTOR_TIMES + 4
+    VECTOR_SIZE
   };
 
   unsigned forced_on = 0, forced_off = 0;
@@ -140,7 +141,6 @@ class FixSPHTM : public Fix {
   friend class SPHTM_NS::EffectProbe;
   std::map<unsigned, double> bytes_by_effect();
   std::map<unsigned, double> probe_effects(double, bigint);
-  void times_of_rank(double *) const;
   tm_initial_args initial_args(const tm_state &, unsigned) const;
   void initialise_particles();
   void reduce_dt();

@@ -26,7 +26,6 @@ void FixSPHTM::sum_energies()
   mine[ENERGY_ARTIFICIAL] = l.artificial;
   mine[ENERGY_EXTERNAL] = -(l.kinetic_work - l.internal_work - l.contact_work + l.tool_work);
   mine[VECTOR_NEIGHBORS] = pair_sph->neighbors();
-  times_of_rank(mine + VECTOR_TIMES);
   MPI_Allreduce(mine, energy_now, VECTOR_SIZE, MPI_DOUBLE, MPI_SUM, world);
   const double unit = pair_sph->units().energy;
   double sum = 0.0;

@@ -129,13 +129,18 @@ void FixSPHTM::post_run()
                         "apart, and slows the run.\n");
 }
 
-// mean over the ranks of ns per particle and step since the run began: all, rates, integration, rows
-void FixSPHTM::times_of_rank(double *out) const
+// wall time of the run so far, mean over the ranks. Rows: all, rates, prediction and update, neighbor rows;
+// columns: seconds, ns per particle and step
+double FixSPHTM::compute_array(int row, int column)
 {
+  using C = RunClock;
   const bigint steps = update->ntimestep - clock_step;
-  const double per = steps > 0 && timing ? 1e9 / ((double) atom->natoms * steps * comm->nprocs) : 0.0;
-  out[0] = per * run_clock.total();
-  out[1] = per * (run_clock.of(RunClock::RATES) + run_clock.of(RunClock::MOMENTS));
-  out[2] = per * (run_clock.of(RunClock::PREDICT) + run_clock.of(RunClock::UPDATE) + run_clock.of(RunClock::DRIFT));
-  out[3] = per * run_clock.of(RunClock::ROWS);
+  if (!timing || steps <= 0) return 0.0;
+  double mine = 0.0, sum;
+  if (row == 0) mine = run_clock.total();
+  if (row == 1) mine = run_clock.of(C::RATES) + run_clock.of(C::MOMENTS);
+  if (row == 2) mine = run_clock.of(C::PREDICT) + run_clock.of(C::UPDATE) + run_clock.of(C::DRIFT);
+  if (row == 3) mine = run_clock.of(C::ROWS);
+  MPI_Allreduce(&mine, &sum, 1, MPI_DOUBLE, MPI_SUM, world);
+  return sum / comm->nprocs * (column ? 1e9 / ((double) atom->natoms * steps) : 1.0);
 }
