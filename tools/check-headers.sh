@@ -17,4 +17,5 @@ esac
 cd "$root"
 folders=$(printf ' -I%s' src/*)
 ls src/*/tm_*.h | xargs -P "$jobs" -I{} sh -c "$compile $folders {} || { echo 'fails: {}'; exit 1; }"
+sh -c "$compile -DTM_PAIR_SINGLE $folders src/PAIR_SPH_TM/tm_rates.h"    # pair arithmetic in single
 echo "$(ls src/*/tm_*.h | wc -l) headers compile alone with $compile"

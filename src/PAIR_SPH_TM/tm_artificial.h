@@ -19,23 +19,23 @@
 
 /* [hot] The factors of Pi_ij >= 0, for callers that have the inverses at hand: mu with
    inv_soft2 = 1/tm_viscosity_soft2, vx = v_ij.x_ij; Pi with inv_rho = 1/rho_mean. h > 0. */
-TM_FN tm_real tm_viscosity_soft2(tm_real h, tm_real r2) { return r2 + 0.01 * h * h; }
-TM_FN tm_real tm_viscosity_mu(tm_real h, tm_real vx, tm_real inv_soft2)
+TM_FN tm_pair tm_viscosity_soft2(tm_pair h, tm_pair r2) { return r2 + TM_PAIR(0.01) * h * h; }
+TM_FN tm_pair tm_viscosity_mu(tm_pair h, tm_pair vx, tm_pair inv_soft2)
 {
-  return h * tm_min(vx, 0.0) * inv_soft2;
+  return h * tm_pair_min(vx, 0) * inv_soft2;
 }
-TM_FN tm_real tm_viscosity_pi(tm_real alpha, tm_real beta, tm_real mu, tm_real c_mean,
-                              tm_real inv_rho)
+TM_FN tm_pair tm_viscosity_pi(tm_pair alpha, tm_pair beta, tm_pair mu, tm_pair c_mean,
+                              tm_pair inv_rho)
 {
   return (beta * mu - alpha * c_mean) * mu * inv_rho;
 }
 
 /* Pi_ij. vx = v_ij.x_ij, r2 = |x_ij|^2, h > 0. */
-TM_FN tm_real tm_viscosity_pair(tm_real alpha, tm_real beta, tm_real h, tm_real vx, tm_real r2,
-                                tm_real c_mean, tm_real rho_mean)
+TM_FN tm_pair tm_viscosity_pair(tm_pair alpha, tm_pair beta, tm_pair h, tm_pair vx, tm_pair r2,
+                                tm_pair c_mean, tm_pair rho_mean)
 {
-  const tm_real mu = tm_viscosity_mu(h, vx, 1.0 / tm_viscosity_soft2(h, r2));
-  return tm_viscosity_pi(alpha, beta, mu, c_mean, 1.0 / rho_mean);
+  const tm_pair mu = tm_viscosity_mu(h, vx, 1 / tm_viscosity_soft2(h, r2));
+  return tm_viscosity_pi(alpha, beta, mu, c_mean, 1 / rho_mean);
 }
 
 /* Shear switch of one particle, 0..1; div and curl are of the velocity. */
@@ -46,16 +46,16 @@ TM_FN tm_real tm_balsara(tm_real div, tm_real curl, tm_real c, tm_real h)
 }
 
 /* [hot] Weight of v_j - v_i in the XSPH velocity of i, F14: m_j/rho_mean W. */
-TM_FN tm_real tm_xsph_pair(tm_real mass_j, tm_real rho_mean, tm_real w)
+TM_FN tm_pair tm_xsph_pair(tm_pair mass_j, tm_pair rho_mean, tm_pair w)
 {
   return mass_j * w / rho_mean;
 }
 
 /* [hot] f^n, n = 0..15. */
-TM_FN tm_real tm_power_int(tm_real f, int n)
+TM_FN tm_pair tm_power_int(tm_pair f, int n)
 {
-  const tm_real f2 = f * f, f4 = f2 * f2, f8 = f4 * f4;
-  return ((n & 1) ? f : 1.0) * ((n & 2) ? f2 : 1.0) * ((n & 4) ? f4 : 1.0) * ((n & 8) ? f8 : 1.0);
+  const tm_pair f2 = f * f, f4 = f2 * f2, f8 = f4 * f4;
+  return ((n & 1) ? f : 1) * ((n & 2) ? f2 : 1) * ((n & 4) ? f4 : 1) * ((n & 8) ? f8 : 1);
 }
 
 /* Artificial stress of one particle in principal axes; scale = 1/rho^2. */

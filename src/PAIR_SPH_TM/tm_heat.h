@@ -13,7 +13,7 @@
 
 #include "tm_material.h"
 
-#define TM_HEAT_TINY 1e-300  /* keeps 0/0 at 0 where neither side conducts */
+#define TM_HEAT_TINY TM_PAIR(TM_SINGLE ? 1e-36 : 1e-300)  /* keeps 0/0 at 0 where neither side conducts */
 
 /* Value of a table at T: linear between its points, constant outside. */
 TM_FN tm_real tm_table_at(const tm_table *a, tm_real T)
@@ -36,10 +36,10 @@ TM_FN tm_real tm_conductivity(const tm_material *m, tm_real T)
 TM_FN tm_real tm_capacity(const tm_material *m, tm_real T) { return tm_table_at(&m->capacity, T); }
 
 /* [hot] One pair of F15 (6): power per volume into particle i. vol_j = m_j/rho_j. */
-TM_FN tm_real tm_conduction_pair(tm_real ki, tm_real kj, tm_real Ti, tm_real Tj, tm_real vol_j,
-                                 tm_real dwdr_over_r)
+TM_FN tm_pair tm_conduction_pair(tm_pair ki, tm_pair kj, tm_pair Ti, tm_pair Tj, tm_pair vol_j,
+                                 tm_pair dwdr_over_r)
 {
-  return 4.0 * ki * kj / (ki + kj + TM_HEAT_TINY) * (Ti - Tj) * (vol_j * dwdr_over_r);
+  return 4 * ki * kj / (ki + kj + TM_HEAT_TINY) * (Ti - Tj) * (vol_j * dwdr_over_r);
 }
 
 /* [hot] The same through an interface of conductance hc_pair between i and j, distance r:

@@ -37,8 +37,8 @@ TM_FN void tm_moment(int i, const tm_rates_args *a, unsigned effects)
   jj[0] = i;
   tm_real TM_ALIGNED col[5][TM_COLUMN];  /* x y z m, and m_j W'/r */
   for (int k = 0, n = 0;;) {
-    n = tm_within_reach(rec, row, a->rows.stride, &k, n_mech, xi, yi, zi, a->reach2, dim3, jj, n,
-                        col[0]);
+    n = tm_within_reach(rec, row, a->rows.stride, &k, n_mech, xi, yi, zi, 1.0, a->reach2, dim3, jj,
+                        n, col[0]);
     if (n == 0) break;
     const int last = TM_COLUMN > 1 && k >= n_mech;
     const int lanes =

@@ -9,8 +9,8 @@
 #include "tm_damage.h"
 #include "tm_eos.h"
 #include "tm_heat.h"
-#include "tm_lanes.h"
 #include "tm_state.h"
+#include "tm_transpose.h"
 
 typedef struct {
   tm_state state;

@@ -20,16 +20,20 @@
    pair; a second one, without a branch or a function call, sums. Neighbour number n of those within
    reach always goes to lane n mod TM_LANES, and rows are sorted by tag: so the sum does not depend
    on where a particle sits in memory, on the skin, the size of a chunk or the number of ranks. On a
-   GPU a chunk is one neighbour. */
+   GPU a chunk is one neighbour.
+
+   In a file that defines TM_PAIR_SINGLE pairs are computed in single (tm_single.h). What a pair gives
+   one particle is then opposite to what it gives the other to the last bit: weights are symmetric in
+   both, and the particle's own share is divided out of the sum. */
 #ifndef TM_RATES_H
 #define TM_RATES_H
 
 #include "tm_artificial.h"
 #include "tm_heat.h"
 #include "tm_kernel.h"
-#include "tm_lanes.h"
 #include "tm_record.h"
 #include "tm_tensor.h"
+#include "tm_transpose.h"
 
 /* Neighbour rows: entry k of particle i is index[first[i] + k * stride]. Mechanical neighbours
    come first, then those that only exchange heat, then those of other bodies in contact. */
@@ -45,6 +49,7 @@ typedef struct {
 typedef struct {
   tm_rows rows;
   tm_records rec;
+  tm_records_single single;
   unsigned effects;        /* run-time bits for the extended instantiation */
 
   tm_real h;               /* smoothing length */
@@ -86,36 +91,42 @@ enum {
 
 /* Appends to jj, n long, the neighbours within reach from entry *k of a row on, until the row ends
    or jj is TM_CHUNK long; returns the new n. Room behind may be overwritten. Where columns have one
-   entry, position receives that of the last one looked at. */
-TM_FN int tm_within_reach(const tm_real *rec, const int *row, ptrdiff_t stride, int *k, int end,
-                          tm_real x, tm_real y, tm_real z, tm_real reach2, int dim3, int *jj, int n,
-                          tm_real *position)
+   entry, position receives that of the last one looked at (in single: x_i minus it). unit: of positions
+   in single. */
+TM_FN int tm_within_reach(const tm_pair *rec, const int *row, ptrdiff_t stride, int *k, int end,
+                          tm_coord x, tm_coord y, tm_coord z, tm_pair unit, tm_pair reach2, int dim3,
+                          int *jj, int n, tm_pair *position)
 {
   (void) position;
-#if TM_LANES >= 4
+#if TM_VECTOR >= 32
   int block[TM_LANES];
-  tm_real TM_ALIGNED col[4][TM_COLUMN];
+  tm_pair TM_ALIGNED col[4][TM_COLUMN];
+  const tm_lanes zero = {0};
   for (; *k < end && n < TM_CHUNK; *k += TM_LANES) {
     const int *r = row + *k, left = end - *k;
     if (left < TM_LANES || stride != 1) {
       for (int l = 0; l < TM_LANES; l++) block[l] = row[(l < left ? *k + l : *k) * stride];
       r = block;
     }
-    tm_transpose(rec, TM_REC, r, dim3 ? 4 : 2, col[0]);
-    const tm_lanes dx = x - tm_lanes_load(col[0]), dy = y - tm_lanes_load(col[1]);
-    const tm_lanes dz = dim3 ? z - tm_lanes_load(col[2]) : tm_lanes_zero();
+    tm_transpose(rec, TM_REC, r, dim3 || TM_SINGLE ? 4 : 2, col[0]);
+    const tm_lanes dx = tm_lanes_apart(x, col[0], unit), dy = tm_lanes_apart(y, col[1], unit);
+    const tm_lanes dz = dim3 ? tm_lanes_apart(z, col[2], unit) : zero;
     const tm_lanes r2 = dx * dx + dy * dy + dz * dz;
-    const unsigned inside = tm_lanes_below(r2, reach2, left < TM_LANES ? (1u << left) - 1u : 255u);
+    const unsigned inside = tm_lanes_below(r2, reach2, (1u << (left < TM_LANES ? left : TM_LANES)) - 1u);
     n += tm_compress(r, inside, jj + n);
   }
 #else
   for (; *k < end && n < TM_CHUNK; ++*k) {
     const int j = row[*k * stride];
-    tm_real r[4];
+    tm_pair r[4];
     tm_fetch(rec + (ptrdiff_t) j * TM_REC, 4, r);
-    const tm_real dx = x - r[0], dy = y - r[1], dz = dim3 ? z - r[2] : 0.0;
+    const tm_pair dx = tm_apart(x, tm_coord_load(r), unit), dy = tm_apart(y, tm_coord_load(r + 1), unit);
+    const tm_pair dz = dim3 ? tm_apart(z, tm_coord_load(r + 2), unit) : 0;
     jj[tm_at(n)] = j;
     n += dx * dx + dy * dy + dz * dz < reach2;
+    if (TM_SINGLE) {
+      r[0] = dx; r[1] = dy; r[2] = dz;
+    }
     if (TM_COLUMN == 1)
       for (int c = 0; c < 4; c++) position[c] = r[c];
   }
@@ -137,48 +148,65 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
 
   const int *row = a->rows.index + a->rows.first[i];
   const int n_mech = a->rows.mechanical[i];
+#if TM_SINGLE
+  const float *TM_RESTRICT rec = a->single.main;
+  const float *TM_RESTRICT rec_s = a->single.more, *TM_RESTRICT rec_t = rec_s + TM_MORE_HEAT;
+  const float *TM_RESTRICT rec_c = a->single.correction;
+  const int stride_s = TM_MORE, stride_t = TM_MORE;
+  const tm_real length = a->single.length;
+  const tm_pair unit = (tm_pair) a->single.position;
+#else
   const tm_real *TM_RESTRICT rec = a->rec.main;
   const tm_real *TM_RESTRICT rec_s = a->rec.stress;
   const tm_real *TM_RESTRICT rec_t = a->rec.heat;
   const tm_real *TM_RESTRICT rec_c = a->rec.correction;
+  const int stride_s = TM_REC_STRESS, stride_t = TM_REC_HEAT;
+  const tm_real length = 1.0, unit = 1.0;
+#endif
 
-  const tm_real *ri = rec + (ptrdiff_t) i * TM_REC;
-  const tm_real xi = ri[0], yi = ri[1], zi = ri[2], mi = ri[TM_REC_M];
-  const tm_real vxi = ri[4], vyi = ri[5], vzi = ri[6], rhoi = ri[TM_REC_RHO];
-  const tm_real pxx = ri[8], pyy = ri[9], pzz = ri[10], pxy = ri[11], pxz = ri[12], pyz = ri[13];
-  const tm_real ci = ri[TM_REC_C], bi = ri[TM_REC_BALSARA];
-  const tm_real inv_rhoi = 1.0 / rhoi;
-  tm_real qxx = 0, qyy = 0, qzz = 0, qxy = 0, qxz = 0, qyz = 0, ti = 0, ki = 0;
-  tm_real cxx = 0, cxy = 0, cxz = 0, cyx = 0, cyy = 0, cyz = 0, czx = 0, czy = 0, czz = 0;
+  const tm_pair *ri = rec + (ptrdiff_t) i * TM_REC;
+  const tm_coord xi = tm_coord_load(ri), yi = tm_coord_load(ri + 1), zi = tm_coord_load(ri + 2);
+  const tm_pair mi = ri[TM_REC_M];
+  const tm_pair vxi = ri[4], vyi = ri[5], vzi = ri[6], rhoi = ri[TM_REC_RHO];
+  const tm_pair pxx = ri[8], pyy = ri[9], pzz = ri[10], pxy = ri[11], pxz = ri[12], pyz = ri[13];
+  const tm_pair ci = ri[TM_REC_C], bi = ri[TM_REC_BALSARA];
+  const tm_pair inv_rhoi = 1 / rhoi;
+  /* the particle's own mass and volume, where weights are symmetric */
+  const tm_pair own_mass = TM_SINGLE ? mi : 1, own_volume = TM_SINGLE ? mi / rhoi : 1;
+  tm_pair qxx = 0, qyy = 0, qzz = 0, qxy = 0, qxz = 0, qyz = 0, ti = 0, ki = 0;
+  tm_pair cxx = 0, cxy = 0, cxz = 0, cyx = 0, cyy = 0, cyz = 0, czx = 0, czy = 0, czz = 0;
   if (artstress) {
-    const tm_real *q = rec_s + (ptrdiff_t) i * TM_REC_STRESS;
+    const tm_pair *q = rec_s + (ptrdiff_t) i * stride_s;
     qxx = q[0]; qyy = q[1]; qzz = q[2]; qxy = q[3]; qxz = q[4]; qyz = q[5];
   }
   if (conduction) {
-    ti = rec_t[(ptrdiff_t) i * TM_REC_HEAT + TM_REC_T];
-    ki = rec_t[(ptrdiff_t) i * TM_REC_HEAT + TM_REC_K];
+    ti = rec_t[(ptrdiff_t) i * stride_t + TM_REC_T];
+    ki = rec_t[(ptrdiff_t) i * stride_t + TM_REC_K];
   }
   if (correction) {
-    const tm_real *c = rec_c + (ptrdiff_t) i * TM_REC_CORRECTION;
+    const tm_pair *c = rec_c + (ptrdiff_t) i * TM_REC_CORRECTION;
     cxx = c[0]; cxy = c[1]; cxz = c[2]; cyx = c[3]; cyy = c[4]; cyz = c[5];
     czx = c[6]; czy = c[7]; czz = c[8];
   }
 
-  const tm_real inv_h = 1.0 / a->h, slope_norm = a->slope_norm, norm = a->norm;
-  const tm_real alpha = a->visc_alpha, beta = a->visc_beta, h = a->h, inv_w = a->art_inv_w;
+  const tm_pair h = (tm_pair) a->h, inv_h = 1 / h, reach2 = (tm_pair) a->reach2;
+  const tm_pair slope_norm = (tm_pair) a->slope_norm, norm = (tm_pair) a->norm;
+  const tm_pair alpha = (tm_pair) a->visc_alpha, beta = (tm_pair) a->visc_beta;
+  const tm_pair inv_w = (tm_pair) a->art_inv_w;
   const int art_n = a->art_n;
 
-  const tm_lanes zero = tm_lanes_zero();
-  tm_lanes ax = zero, ay = zero, az = zero, heat = zero, art = zero;
-  tm_lanes lxx = zero, lxy = zero, lxz = zero, lyx = zero, lyy = zero, lyz = zero;
-  tm_lanes lzx = zero, lzy = zero, lzz = zero;
-  tm_lanes ux = zero, uy = zero, uz = zero, nx = zero, ny = zero, nz = zero;
+  const tm_lanes zero = {0};
+  const tm_sum none = tm_lanes_zero();
+  tm_sum ax = none, ay = none, az = none, heat = none, art = none;
+  tm_sum lxx = none, lxy = none, lxz = none, lyx = none, lyy = none, lyz = none;
+  tm_sum lzx = none, lzy = none, lzz = none;
+  tm_sum ux = none, uy = none, uz = none, nx = none, ny = none, nz = none;
 
   int jj[TM_COLUMN + TM_LANES];
   jj[0] = i;
-  tm_real TM_ALIGNED col[TM_COLUMNS][TM_COLUMN];
+  tm_pair TM_ALIGNED col[TM_COLUMNS][TM_COLUMN];
   for (int k = 0, n = 0;;) {
-    n = tm_within_reach(rec, row, a->rows.stride, &k, n_mech, xi, yi, zi, a->reach2, dim3, jj, n,
+    n = tm_within_reach(rec, row, a->rows.stride, &k, n_mech, xi, yi, zi, unit, reach2, dim3, jj, n,
                         col[TM_REC_X]);
     if (n == 0) break;
 
@@ -189,11 +217,22 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
     if (TM_COLUMN > 1) {
       for (int l = n; l < lanes; l++) jj[tm_at(l)] = i;
       tm_transpose_rows(rec, TM_REC, jj, lanes, TM_REC, col[0]);
-      for (int l = n; l < lanes; l++) col[TM_REC_X][tm_at(l)] = xi + 4.0 * h;
+#if TM_SINGLE
+      for (int l = 0; l < lanes; l += TM_LANES) {
+        tm_lanes_store(col[0] + tm_at(l), tm_lanes_apart(xi, col[0] + tm_at(l), unit));
+        tm_lanes_store(col[1] + tm_at(l), tm_lanes_apart(yi, col[1] + tm_at(l), unit));
+        if (dim3) tm_lanes_store(col[2] + tm_at(l), tm_lanes_apart(zi, col[2] + tm_at(l), unit));
+      }
+      for (int l = n; l < lanes; l++) col[TM_REC_X][tm_at(l)] = 4 * h;
+      if (artstress) tm_transpose_rows(rec_s, TM_MORE, jj, lanes, TM_MORE, col[TM_COL_STRESS]);
+      else if (conduction) tm_transpose_rows(rec_s + 4, TM_MORE, jj, lanes, 4, col[TM_COL_STRESS + 4]);
+#else
+      for (int l = n; l < lanes; l++) col[TM_REC_X][tm_at(l)] = xi + 4 * h;
       if (artstress)
         tm_transpose_rows(rec_s, TM_REC_STRESS, jj, lanes, TM_REC_STRESS, col[TM_COL_STRESS]);
       if (conduction)
         tm_transpose_rows(rec_t, TM_REC_HEAT, jj, lanes, TM_REC_HEAT, col[TM_COL_HEAT]);
+#endif
       if (correction)
         for (int l = 0; l < lanes; l++)
           for (int c = 0; c < TM_REC_CORRECTION; c++)
@@ -201,61 +240,73 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
                 rec_c[jj[tm_at(l)] * (ptrdiff_t) TM_REC_CORRECTION + c];
     } else {
       const ptrdiff_t j = jj[0];
-      tm_fetch(rec + j * TM_REC + TM_REC_V, (viscosity ? TM_REC : TM_REC_C) - TM_REC_V, col[TM_REC_V]);
+      const int all = TM_SINGLE || viscosity;
+      tm_fetch(rec + j * TM_REC + TM_REC_V, (all ? TM_REC : TM_REC_C) - TM_REC_V, col[TM_REC_V]);
+#if TM_SINGLE
+      if (artstress) tm_fetch(rec_s + j * TM_MORE, TM_MORE, col[TM_COL_STRESS]);
+      else if (conduction) tm_fetch(rec_s + j * TM_MORE + 4, 4, col[TM_COL_STRESS + 4]);
+#else
       if (artstress) tm_fetch(rec_s + j * TM_REC_STRESS, TM_REC_STRESS, col[TM_COL_STRESS]);
       if (conduction) tm_fetch(rec_t + j * TM_REC_HEAT, TM_REC_HEAT, col[TM_COL_HEAT]);
+#endif
       if (correction)
         for (int c = 0; c < TM_REC_CORRECTION; c++)
           col[TM_COL_CORRECTION + c][0] = rec_c[j * TM_REC_CORRECTION + c];
     }
-    /* entry l of a column */
+    /* entry l of a column; x_i minus column c, which in single is that difference already */
 #define TM_MAIN(c) TM_COL(c)
 #define TM_STRESS(c) TM_COL(TM_COL_STRESS + (c))
 #define TM_HEAT(c) TM_COL(TM_COL_HEAT + (c))
 #define TM_CORR(c) TM_COL(TM_COL_CORRECTION + (c))
 #define TM_COL(c) col[c][tm_at(l)]
-#define TM_X(c) TM_COL(TM_REC_X + (c))
+#define TM_LOAD(entry) tm_lanes_load(&entry)
+#if TM_SINGLE
+#define TM_APART(x, c) TM_COL(TM_REC_X + (c))
+#define TM_LANES_APART(x, c) TM_LOAD(TM_APART(x, c))
+#else
+#define TM_APART(x, c) ((x) - TM_COL(TM_REC_X + (c)))
+#define TM_LANES_APART(x, c) ((x) - TM_LOAD(TM_COL(TM_REC_X + (c))))
+#endif
 
     /* coefficients of each pair */
 #if !defined(__CUDACC__)
 #pragma omp simd
 #endif
     for (int l = 0; l < lanes; l++) {
-      const tm_real dx = xi - TM_X(0), dy = yi - TM_X(1), dz = dim3 ? zi - TM_X(2) : 0.0;
-      const tm_real r2 = dx * dx + dy * dy + dz * dz, r = sqrt(r2), q = r * inv_h;
-      const tm_real mj = TM_MAIN(TM_REC_M), rhoj = TM_MAIN(TM_REC_RHO);
-      tm_real inv_r;
+      const tm_pair dx = TM_APART(xi, 0), dy = TM_APART(yi, 1), dz = dim3 ? TM_APART(zi, 2) : 0;
+      const tm_pair r2 = dx * dx + dy * dy + dz * dz, r = tm_pair_sqrt(r2), q = r * inv_h;
+      const tm_pair mj = TM_MAIN(TM_REC_M), rhoj = TM_MAIN(TM_REC_RHO);
+      tm_pair inv_r;
       if (viscosity) {
-        const tm_real vx = vxi - TM_MAIN(4), vy = vyi - TM_MAIN(5);
-        const tm_real vz = dim3 ? vzi - TM_MAIN(6) : 0.0;
-        const tm_real rho2 = rhoi + rhoj, soft2 = tm_viscosity_soft2(h, r2);
-        const tm_real inv = 1.0 / (r2 * (soft2 * rho2));  /* one division for three */
+        const tm_pair vx = vxi - TM_MAIN(4), vy = vyi - TM_MAIN(5);
+        const tm_pair vz = dim3 ? vzi - TM_MAIN(6) : 0;
+        const tm_pair rho2 = rhoi + rhoj, soft2 = tm_viscosity_soft2(h, r2);
+        const tm_pair inv = 1 / (r2 * (soft2 * rho2));  /* one division for three */
         inv_r = r * (soft2 * rho2) * inv;
-        const tm_real mu = tm_viscosity_mu(h, vx * dx + vy * dy + vz * dz, r2 * rho2 * inv);
-        tm_real pi = tm_viscosity_pi(alpha, beta, mu, 0.5 * (ci + TM_MAIN(TM_REC_C)),
-                                     2.0 * (r2 * soft2) * inv);
-        if (balsara) pi *= 0.5 * (bi + TM_MAIN(TM_REC_BALSARA));
+        const tm_pair mu = tm_viscosity_mu(h, vx * dx + vy * dy + vz * dz, r2 * rho2 * inv);
+        tm_pair pi = tm_viscosity_pi(alpha, beta, mu, TM_PAIR(0.5) * (ci + TM_MAIN(TM_REC_C)),
+                                     2 * (r2 * soft2) * inv);
+        if (balsara) pi *= TM_PAIR(0.5) * (bi + TM_MAIN(TM_REC_BALSARA));
         TM_COL(TM_COL_VISCOUS) = pi;
       } else
-        inv_r = 1.0 / r;
-      const tm_real g = slope_norm * tm_kernel_slope(kernel, q) * inv_r;  /* W'/r */
-      TM_COL(TM_COL_SLOPE) = mj * g;
+        inv_r = 1 / r;
+      const tm_pair g = slope_norm * tm_kernel_slope(kernel, q) * inv_r;  /* W'/r */
+      TM_COL(TM_COL_SLOPE) = mj * own_mass * g;
       if (artstress)
         TM_COL(TM_COL_TENSILE) = tm_power_int(tm_kernel_shape(kernel, q) * inv_w, art_n);
       if (conduction)
-        TM_COL(TM_COL_CONDUCTED) = tm_conduction_pair(ki, TM_HEAT(TM_REC_K), ti,
-                                                      TM_HEAT(TM_REC_T), mj / rhoj, g);
-      if (per_rho) TM_COL(TM_COL_PER_RHO) = 1.0 / rhoj;
+        TM_COL(TM_COL_CONDUCTED) = tm_conduction_pair(ki, TM_HEAT(TM_REC_K), ti, TM_HEAT(TM_REC_T),
+                                                      mj / rhoj * own_volume, g);
+      if (per_rho) TM_COL(TM_COL_PER_RHO) = 1 / rhoj;
       if (xsph)
         TM_COL(TM_COL_SMOOTH) =
-            tm_xsph_pair(mj, 0.5 * (rhoi + rhoj), norm * tm_kernel_shape(kernel, q));
+            tm_xsph_pair(mj, TM_PAIR(0.5) * (rhoi + rhoj), norm * tm_kernel_shape(kernel, q));
     }
 
     /* sums */
-#define TM_LOAD(entry) tm_lanes_load(&entry)
     for (int l = 0; l < lanes; l += TM_LANES) {
-      const tm_lanes dx = xi - TM_LOAD(TM_X(0)), dy = yi - TM_LOAD(TM_X(1));
-      const tm_lanes dz = dim3 ? zi - TM_LOAD(TM_X(2)) : zero;
+      const tm_lanes dx = TM_LANES_APART(xi, 0), dy = TM_LANES_APART(yi, 1);
+      const tm_lanes dz = dim3 ? TM_LANES_APART(zi, 2) : zero;
       const tm_lanes vx = vxi - TM_LOAD(TM_MAIN(4)), vy = vyi - TM_LOAD(TM_MAIN(5));
       const tm_lanes vz = dim3 ? vzi - TM_LOAD(TM_MAIN(6)) : zero;
       const tm_lanes mg = TM_LOAD(TM_COL(TM_COL_SLOPE)), wx = mg * dx, wy = mg * dy, wz = mg * dz;
@@ -338,14 +389,17 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
 #undef TM_HEAT
 #undef TM_CORR
 #undef TM_COL
-#undef TM_X
+#undef TM_APART
+#undef TM_LANES_APART
 #undef TM_LOAD
     if (last) break;
     for (int l = lanes; l < n; l++) jj[tm_at(l - lanes)] = jj[tm_at(l)];
     n -= lanes;
   }
 
-  const tm_real lscale = form_f14 ? 1.0 : inv_rhoi;
+  const tm_real per_length = TM_SINGLE ? 1.0 / length : 1.0;
+  const tm_real per_mass = TM_SINGLE ? per_length / mi : 1.0;
+  const tm_real lscale = (form_f14 ? 1.0 : TM_SINGLE ? 1.0 / rhoi : inv_rhoi) * per_mass;
   tm_real *L = a->gradient + (ptrdiff_t) i * 9;
   L[0] = lscale * tm_lanes_sum(lxx); L[1] = lscale * tm_lanes_sum(lxy);
   L[2] = lscale * tm_lanes_sum(lxz); L[3] = lscale * tm_lanes_sum(lyx);
@@ -359,13 +413,14 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
       L[r] = l.x; L[r + 1] = l.y; L[r + 2] = l.z;
     }
   }
-  const tm_real mf = mi * a->force_unit;
+  const tm_real mf = (TM_SINGLE ? per_length : mi) * a->force_unit;
   double *f = a->force + 3 * (ptrdiff_t) i;
   f[0] += mf * tm_lanes_sum(ax);
   f[1] += mf * tm_lanes_sum(ay);
   f[2] += mf * tm_lanes_sum(az);
-  if ((artstress || viscosity) && a->artificial) a->artificial[i] = 0.5 * mi * tm_lanes_sum(art);
-  if (conduction) a->heat[i] = tm_lanes_sum(heat);
+  if ((artstress || viscosity) && a->artificial) a->artificial[i] = (TM_SINGLE ? 0.5 * per_length : 0.5 * mi) * tm_lanes_sum(art);
+  if (conduction)
+    a->heat[i] = TM_SINGLE ? tm_lanes_sum(heat) * per_length * per_length / own_volume : tm_lanes_sum(heat);
   if (xsph) {
     tm_real *u = a->xsph_v + 3 * (ptrdiff_t) i;
     u[0] = a->xsph * tm_lanes_sum(ux);
@@ -374,9 +429,9 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
   }
   if (surface) {
     tm_real *s = a->surface + 3 * (ptrdiff_t) i;
-    s[0] = tm_lanes_sum(nx);
-    s[1] = tm_lanes_sum(ny);
-    s[2] = tm_lanes_sum(nz);
+    s[0] = per_mass * tm_lanes_sum(nx);
+    s[1] = per_mass * tm_lanes_sum(ny);
+    s[2] = per_mass * tm_lanes_sum(nz);
   }
 }
 

@@ -31,4 +31,15 @@ typedef struct {
   tm_real *correction;  /* TM_REC_CORRECTION, or NULL */
 } tm_records;
 
+/* The same for pair arithmetic in single, see tm_single.h. */
+enum { TM_MORE = 8, TM_MORE_HEAT = 6 };  /* artificial stress, temperature, conductivity */
+
+typedef struct {
+  float *main;          /* TM_REC per particle; the position is three whole numbers */
+  float *more;          /* TM_MORE, or NULL */
+  float *correction;    /* TM_REC_CORRECTION, or NULL */
+  tm_real length;       /* lengths in the records and the arguments of the rates are in units of this */
+  tm_real position;     /* unit of positions, in units of length */
+} tm_records_single;
+
 #endif

@@ -46,33 +46,33 @@ TM_FN tm_real tm_kernel_norm(int kernel, int dim, tm_real h)
 }
 
 /* [hot] W / norm; kernel is a literal. */
-TM_FN tm_real tm_kernel_shape(int kernel, tm_real q)
+TM_FN tm_pair tm_kernel_shape(int kernel, tm_pair q)
 {
-  const tm_real a1 = tm_max(1.0 - q, 0.0), a2 = tm_max(2.0 - q, 0.0);
-  if (kernel == TM_KERNEL_HYPERBOLIC) return a2 * a2 * a2 - 2.0 * (a1 * a1 * a1);
-  if (kernel == TM_KERNEL_CUBIC) return 0.25 * (a2 * a2 * a2) - a1 * a1 * a1;
+  const tm_pair a1 = tm_pair_max(1 - q, 0), a2 = tm_pair_max(2 - q, 0);
+  if (kernel == TM_KERNEL_HYPERBOLIC) return a2 * a2 * a2 - 2 * (a1 * a1 * a1);
+  if (kernel == TM_KERNEL_CUBIC) return TM_PAIR(0.25) * (a2 * a2 * a2) - a1 * a1 * a1;
   if (kernel == TM_KERNEL_QUINTIC) {
-    const tm_real a3 = tm_max(3.0 - q, 0.0), b1 = a1 * a1, b2 = a2 * a2, b3 = a3 * a3;
-    return b3 * b3 * a3 - 6.0 * (b2 * b2 * a2) + 15.0 * (b1 * b1 * a1);
+    const tm_pair a3 = tm_pair_max(3 - q, 0), b1 = a1 * a1, b2 = a2 * a2, b3 = a3 * a3;
+    return b3 * b3 * a3 - 6 * (b2 * b2 * a2) + 15 * (b1 * b1 * a1);
   }
-  const tm_real b = 0.25 * a2 * a2; /* (1-q/2)^2 */
-  if (kernel == TM_KERNEL_WENDLAND_C2) return b * b * (2.0 * q + 1.0);
-  return b * b * b * ((35.0 / 12.0 * q + 3.0) * q + 1.0);
+  const tm_pair b = TM_PAIR(0.25) * a2 * a2; /* (1-q/2)^2 */
+  if (kernel == TM_KERNEL_WENDLAND_C2) return b * b * (2 * q + 1);
+  return b * b * b * ((TM_PAIR(35.0 / 12.0) * q + 3) * q + 1);
 }
 
 /* [hot] d shape / dq, never positive; kernel is a literal. */
-TM_FN tm_real tm_kernel_slope(int kernel, tm_real q)
+TM_FN tm_pair tm_kernel_slope(int kernel, tm_pair q)
 {
-  const tm_real a1 = tm_max(1.0 - q, 0.0), a2 = tm_max(2.0 - q, 0.0);
-  if (kernel == TM_KERNEL_HYPERBOLIC) return 6.0 * (a1 * a1) - 3.0 * (a2 * a2);
-  if (kernel == TM_KERNEL_CUBIC) return 3.0 * (a1 * a1) - 0.75 * (a2 * a2);
+  const tm_pair a1 = tm_pair_max(1 - q, 0), a2 = tm_pair_max(2 - q, 0);
+  if (kernel == TM_KERNEL_HYPERBOLIC) return 6 * (a1 * a1) - 3 * (a2 * a2);
+  if (kernel == TM_KERNEL_CUBIC) return 3 * (a1 * a1) - TM_PAIR(0.75) * (a2 * a2);
   if (kernel == TM_KERNEL_QUINTIC) {
-    const tm_real a3 = tm_max(3.0 - q, 0.0), b1 = a1 * a1, b2 = a2 * a2, b3 = a3 * a3;
-    return -5.0 * (b3 * b3) + 30.0 * (b2 * b2) - 75.0 * (b1 * b1);
+    const tm_pair a3 = tm_pair_max(3 - q, 0), b1 = a1 * a1, b2 = a2 * a2, b3 = a3 * a3;
+    return -5 * (b3 * b3) + 30 * (b2 * b2) - 75 * (b1 * b1);
   }
-  const tm_real a = 0.5 * a2, b = a * a;
-  if (kernel == TM_KERNEL_WENDLAND_C2) return -5.0 * q * (b * a);
-  return -7.0 / 3.0 * q * (b * b * a) * (5.0 * q + 2.0);
+  const tm_pair a = TM_PAIR(0.5) * a2, b = a * a;
+  if (kernel == TM_KERNEL_WENDLAND_C2) return -5 * q * (b * a);
+  return TM_PAIR(-7.0 / 3.0) * q * (b * b * a) * (5 * q + 2);
 }
 
 #endif

@@ -24,14 +24,33 @@
 #define TM_RESTRICT restrict
 #endif
 
-/* Precision of particle state and of pair arithmetic. */
+/* Precision of particle state and of the sums over neighbours. */
 typedef double tm_real;
+
+/* Precision of pair arithmetic: that of the state, or single in a file that defines TM_PAIR_SINGLE
+   before its first header. Constants of pair functions are integers or TM_PAIR(x), so that nothing
+   is computed in double on the way. */
+#if defined(TM_PAIR_SINGLE)
+typedef float tm_pair;
+#define TM_SINGLE 1
+#else
+typedef double tm_pair;
+#define TM_SINGLE 0
+#endif
+#define TM_PAIR(x) ((tm_pair) (x))
 
 #define TM_PI 3.14159265358979323846
 
 /* fmin/fmax honour NaN and signed zero and so do not vectorise; these do. */
 TM_FN tm_real tm_min(tm_real a, tm_real b) { return a < b ? a : b; }
 TM_FN tm_real tm_max(tm_real a, tm_real b) { return a > b ? a : b; }
+TM_FN tm_pair tm_pair_min(tm_pair a, tm_pair b) { return a < b ? a : b; }
+TM_FN tm_pair tm_pair_max(tm_pair a, tm_pair b) { return a > b ? a : b; }
+#if defined(TM_PAIR_SINGLE)
+TM_FN tm_pair tm_pair_sqrt(tm_pair x) { return sqrtf(x); }
+#else
+TM_FN tm_pair tm_pair_sqrt(tm_pair x) { return sqrt(x); }
+#endif
 TM_FN tm_real tm_clamp(tm_real x, tm_real lo, tm_real hi) { return tm_min(tm_max(x, lo), hi); }
 
 #endif

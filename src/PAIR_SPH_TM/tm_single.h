@@ -1,0 +1,79 @@
+/* SPH-TM: what a particle shows to its neighbours, for pair arithmetic in single. The state, the sums
+   over neighbours and everything outside the rate pass stay in double.
+
+   Lengths are in units of one length (the particle spacing), masses in density times a power of it,
+   all else in the units of the run: so no power of a length leaves the range of single.
+
+   Positions are whole numbers of a unit, modulo 2^32. The difference of two is exact as long as it is
+   below 2^31 units, wherever the body is. The period of 2^32 units is at least four times the reach
+   of neighbour rows: neighbours are told from their copies a period away unless they move three times
+   the reach without new rows. The unit is below 2^-29 reaches of a row, 1/50 of what single resolves
+   of the distance itself.
+
+   Stress, velocity and temperature are rounded once, here, to 2^-24 of their value: the two
+   particles of a pair see the same numbers. */
+#ifndef TM_SINGLE_H
+#define TM_SINGLE_H
+
+#include "tm_rates.h"
+
+typedef struct {
+  tm_records rec;            /* in double, owned and ghost */
+  tm_records_single single;
+  tm_real per_mass;          /* 1/length^dim */
+} tm_single_args;
+
+/* Unit of positions for rows that hold neighbours up to reach away, in units of length. */
+TM_FN tm_real tm_single_position_unit(tm_real reach, tm_real length)
+{
+  int bits;
+  frexp(4.0 * reach / length, &bits);
+  return ldexp(1.0, bits - 32);
+}
+
+/* Largest coordinate, in units of length, that double still resolves to a unit. */
+TM_FN tm_real tm_single_farthest(tm_real position_unit) { return ldexp(position_unit, 52); }
+
+/* The arguments of the rates as single wants them; length^dim = volume. */
+TM_FN void tm_single_arguments(tm_rates_args *a, tm_real volume)
+{
+  const tm_real length = a->single.length;
+  a->h /= length;
+  a->reach2 /= length * length;
+  a->norm *= volume;
+  a->slope_norm *= volume * length;
+}
+
+TM_FN float tm_single_position(tm_real x, tm_real units)
+{
+  const unsigned whole = (unsigned) (long long) floor(x * units + 0.5);
+  float out;
+  memcpy(&out, &whole, sizeof(out));
+  return out;
+}
+
+/* The records of particle i. */
+TM_FN void tm_single(int i, const tm_single_args *a, unsigned effects)
+{
+  const tm_records_single *s = &a->single;
+  const tm_real *r = a->rec.main + (ptrdiff_t) i * TM_REC;
+  const tm_real units = 1.0 / (s->length * s->position);
+  float *out = s->main + (ptrdiff_t) i * TM_REC;
+  for (int c = 0; c < 3; c++) out[c] = tm_single_position(r[c], units);
+  out[TM_REC_M] = (float) (r[TM_REC_M] * a->per_mass);
+  for (int c = TM_REC_V; c < TM_REC; c++) out[c] = (float) r[c];
+  if (s->more) {
+    float *more = s->more + (ptrdiff_t) i * TM_MORE;
+    const tm_real *q = a->rec.stress + (ptrdiff_t) i * TM_REC_STRESS;
+    const tm_real *t = a->rec.heat + (ptrdiff_t) i * TM_REC_HEAT;
+    for (int c = 0; c < TM_REC_STRESS; c++) more[c] = (effects & TM_FX_ARTSTRESS) ? (float) q[c] : 0;
+    for (int c = 0; c < TM_REC_HEAT; c++)
+      more[TM_MORE_HEAT + c] = (effects & TM_FX_CONDUCTION) ? (float) t[c] : 0;
+  }
+  if (effects & TM_FX_CORRECTION)
+    for (int c = 0; c < TM_REC_CORRECTION; c++)
+      s->correction[(ptrdiff_t) i * TM_REC_CORRECTION + c] =
+          (float) a->rec.correction[(ptrdiff_t) i * TM_REC_CORRECTION + c];
+}
+
+#endif
