@@ -155,6 +155,11 @@ tm_tally_result Backend::tally(int n, const tm_tally_args &a, unsigned effects)
       *this, n, tm_tally_result{}, [&](int i) { return tm_tally(i, &a, effects); }, tm_tally_sum);
 }
 
+tm_size_range Backend::size_range(int n, const tm_state &s)
+{
+  return sum_particles(*this, n, tm_size_nothing(), [&](int i) { return tm_size_of(i, &s); }, tm_size_sum);
+}
+
 double Backend::near_count(int n, const tm_near_args &a)
 {
   return sum_particles(*this, n, 0.0, [&](int i) { return tm_near_count(i, &a); }, add_to);

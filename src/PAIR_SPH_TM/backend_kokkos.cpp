@@ -219,6 +219,13 @@ struct Tally {
 struct SumTally {
   KOKKOS_FUNCTION void operator()(tm_tally_result *sum, const tm_tally_result *r) const { tm_tally_sum(sum, r); }
 };
+struct SizeOf {
+  tm_state s;
+  KOKKOS_FUNCTION tm_size_range operator()(int i) const { return tm_size_of(i, &s); }
+};
+struct SumSizes {
+  KOKKOS_FUNCTION void operator()(tm_size_range *sum, const tm_size_range *r) const { tm_size_sum(sum, r); }
+};
 struct NearCount {
   tm_near_args a;
   KOKKOS_FUNCTION double operator()(int i) const { return tm_near_count(i, &a); }
@@ -292,7 +299,8 @@ class DeviceBackend : public Backend {
   }
   tm_update_result update(int n, const tm_update_args &a, unsigned fx) override
   {
-    constexpr unsigned RARE = TM_FX_PLANE_STRESS | TM_FX_ENERGY | TM_FX_DAMAGE | TM_FX_BALSARA | TM_FX_XSPH;
+    constexpr unsigned RARE = TM_FX_PLANE_STRESS | TM_FX_ENERGY | TM_FX_DAMAGE | TM_FX_BALSARA | TM_FX_XSPH |
+        TM_FX_SMOOTHING;
     constexpr unsigned HEAT = TM_FX_HEAT | TM_FX_CONDUCTION, FLOW = TM_FX_PLASTICITY;
     if (fx & TM_FX_LEDGER)
       return kokkos_sum("sph/tm update", n, tm_update_nothing(), UpdateWithLedger{a, fx}, SumUpdate{1});
@@ -329,6 +337,10 @@ class DeviceBackend : public Backend {
   tm_tally_result tally(int n, const tm_tally_args &a, unsigned fx) override
   {
     return kokkos_sum("sph/tm tally", n, tm_tally_result{}, Tally{a, fx}, SumTally());
+  }
+  tm_size_range size_range(int n, const tm_state &s) override
+  {
+    return kokkos_sum("sph/tm sizes", n, tm_size_nothing(), SizeOf{s}, SumSizes());
   }
   double near_count(int n, const tm_near_args &a) override
   {

@@ -75,7 +75,7 @@ const Attribute ATTRIBUTES[] = {
        return p.m->body == TM_BODY_SOLID
            ? tm_eos_sound_speed(p.m, p.rho(), p.state(TM_F_ENERGY, 0, 0.0)) : 0.0;
      }},
-    {"h", [](const Particle &p) { return p.pair->settings_in_use().h; }},
+    {"h", [](const Particle &p) { return p.state(TM_F_SIZE, TM_S_H, p.pair->settings_in_use().h); }},
     {"neighbors", [](const Particle &p) { return p.neighbors ? p.neighbors[p.i] : 0.0; }},
     {"surface/area",
      [](const Particle &p) {

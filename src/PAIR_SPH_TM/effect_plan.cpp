@@ -19,7 +19,7 @@ const Name NAMES[] = {{"viscosity", TM_FX_VISCOSITY},   {"artstress", TM_FX_ARTS
                       {"correction", TM_FX_CORRECTION}, {"balsara", TM_FX_BALSARA},
                       {"xsph", TM_FX_XSPH},             {"surface", TM_FX_SURFACE},
                       {"internal-energy", TM_FX_ENERGY}, {"bodies", TM_FX_BODIES},
-                      {"energy", TM_FX_LEDGER}};
+                      {"energy", TM_FX_LEDGER},         {"smoothing", TM_FX_SMOOTHING}};
 }    // namespace
 
 unsigned effect_by_name(const std::string &name)

@@ -25,6 +25,7 @@ EffectProbe::EffectProbe(FixSPHTM &f, int particles) : fix(f), loops(f.loops()),
   room(main, true, TM_REC);
   room(stress, fx & TM_FX_ARTSTRESS, TM_REC_STRESS);
   room(heat_record, fx & TM_FX_HEAT, TM_REC_HEAT);
+  room(size, fx & TM_FX_SMOOTHING, TM_REC_SIZE);
   room(force, true, 3);
   room(gradient, true, 9);
   room(heat, fx & TM_FX_CONDUCTION, 1);
@@ -47,7 +48,7 @@ double EffectProbe::step(unsigned fx)
 
   const tm_state now = fix.state();
   tm_predict_args p = fix.pair()->predict_args(now);
-  p.rec = {main.loop_write(), stress.loop_write(), heat_record.loop_write(), nullptr};
+  p.rec = {main.loop_write(), stress.loop_write(), heat_record.loop_write(), nullptr, size.loop_write()};
 
   tm_update_args u = fix.update_args();
   for (int id = 0; id < TM_F_COUNT; id++) {

@@ -182,6 +182,12 @@ void FixSPHTM::derive_effects()
     const tm_initial_args a = initial_args(host_state(), fresh);
     for (int i = 0; i < atom->nlocal; i++) tm_initial(i, &a);
   }
+  if (has(TM_FX_SMOOTHING)) {    // lists are made for these sizes
+    const tm_initial_args a = initial_args(host_state(), fields.mask());
+    for (int i = 0; i < atom->nlocal; i++) tm_initial_of_new(i, &a);
+    const tm_size_range r = sizes();
+    pair_sph->cover_sizes(r.largest_h, r.smallest_dp);
+  }
   if (comm->me == 0 && (before != fx || !reported)) {
     for (const auto &line : plan.report) utils::logmesg(lmp, "{}\n", line);
     for (const auto &w : plan.warnings) error->warning(FLERR, w);
@@ -216,6 +222,8 @@ tm_initial_args FixSPHTM::initial_args(const tm_state &s, unsigned mask) const
   a.state = s;
   a.fields = mask;
   a.temperature = temperature0;
+  a.ratio = pair_sph->settings_in_use().ratio;
+  a.dim3 = domain->dimension == 3;
   return a;
 }
 
@@ -257,6 +265,18 @@ void FixSPHTM::point_to_atoms(tm_state &s)
   s.mask = atom->mask;
   s.mass = atom->mass;
   s.rmass = atom->rmass_flag ? atom->rmass : nullptr;
+}
+
+tm_size_range FixSPHTM::sizes()
+{
+  const PairSPHTM::Settings &set = pair_sph->settings_in_use();
+  if (!has(TM_FX_SMOOTHING)) return {set.h, set.h, set.spacing};
+  const tm_size_range mine = backend.size_range(atom->nlocal, state());
+  const double low[3] = {-mine.largest_h, mine.smallest_h, mine.smallest_dp};
+  double all[3];
+  MPI_Allreduce(low, all, 3, MPI_DOUBLE, MPI_MIN, world);
+  if (all[0] == 0.0) return {set.h, set.h, set.spacing};    // no particles
+  return {-all[0], all[1], all[2]};
 }
 
 double FixSPHTM::temperature(int i)
@@ -344,7 +364,7 @@ tm_update_args FixSPHTM::update_args()
   a.visc_alpha = pair_sph->settings_in_use().visc_alpha;
   a.accel_unit = pair_sph->units().force;
   a.temperature = temperature0;
-  a.heat_rate = pair_sph->lattice_sums().heat_rate;
+  a.heat_rate = pair_sph->fastest_heat_rate();
   a.k_max = pair_sph->largest_conductivity();
   return a;
 }

@@ -57,6 +57,8 @@ class FixSPHTM : public Fix {
 
   unsigned effects() const { return fx; }
   bool has(unsigned effect) const { return (fx & effect) != 0; }
+  // asked for by now, by the user or another fix
+  bool wants(unsigned effect) const { return ((fx | forced_on | asked) & effect) != 0; }
   SPHTM_NS::Backend &loops() { return backend; }
   // pointers valid until the next reneighbouring: of the particle loops, and of the host
   tm_state state();
@@ -67,6 +69,8 @@ class FixSPHTM : public Fix {
   double step_dt() const { return dt; }
   bool restored() const { return started; }        // has taken a step, here or before a restart
   double start_temperature() const { return temperature0; }
+  // sizes of all particles; collective. Where all are the same, those of the pair style
+  tm_size_range sizes();
   double temperature(int i);                       // of owned particle i, K; on the host
   PairSPHTM *pair() { return pair_sph; }
   // power (mass length^2/time^3) given to owned particles this step by contact and heat fixes;

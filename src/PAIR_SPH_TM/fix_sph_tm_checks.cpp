@@ -81,7 +81,7 @@ void FixSPHTM::stop_on(int i, const tm_update_result &r)
 // what a script gets wrong about particles: overlaps, a spacing that is not theirs, infinite values
 void FixSPHTM::check_start()
 {
-  const double dp = pair_sph->settings_in_use().spacing;
+  const double dp = has(TM_FX_SMOOTHING) ? pair_sph->smallest_spacing() : pair_sph->settings_in_use().spacing;
   const tm_nearest c = pair_sph->nearest();
   if (c.distance < 0.1 * dp) {
     double **x = atom->x;
@@ -111,7 +111,7 @@ void FixSPHTM::check_start()
   if (all[1] == 0.0 && atom->natoms > 1 && solids)
     error->warning(FLERR, "Pair style sph/tm: no particle has a neighbor within reach; are the particles "
                           "{:.6g} (the keyword spacing) apart?", dp);
-  else if (all[1] > 0.0 && (all[0] / all[1] > 1.4 * dp || all[0] / all[1] < 0.6 * dp))
+  else if (!has(TM_FX_SMOOTHING) && all[1] > 0.0 && (all[0] / all[1] > 1.4 * dp || all[0] / all[1] < 0.6 * dp))
     error->warning(FLERR, "Pair style sph/tm: the nearest neighbors are {:.6g} apart on the mean, the keyword "
                           "spacing says {:.6g}; masses, kernels and contact follow the keyword",
                    all[0] / all[1], dp);

@@ -28,7 +28,7 @@ const char *FixSPHTM::dt_cause_name() const
 void FixSPHTM::setup_dt()
 {
   double limit = 1e300;
-  const double h = pair_sph->settings_in_use().h;
+  const double h = sizes().smallest_h;
   for (int t = 1; t <= atom->ntypes; t++) {
     const tm_material &m = pair_sph->materials()[t];
     if (m.body != TM_BODY_SOLID) continue;

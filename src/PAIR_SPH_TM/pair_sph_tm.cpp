@@ -27,8 +27,8 @@ PairSPHTM::PairSPHTM(LAMMPS *lmp, Backend &loops) : Pair(lmp), backend(loops)
   tables.live_in(loops);
   for (auto *a : {&row_index, &row_mechanical, &row_thermal, &row_contact}) a->live_in(loops);
   row_first.live_in(loops);
-  for (auto *a : {&rec_main, &rec_stress, &rec_heat, &rec_correction, &gradient, &heat, &correction, &xsph_v,
-                  &surface, &artificial, &near_count, &tally, &force_internal})
+  for (auto *a : {&rec_main, &rec_stress, &rec_heat, &rec_correction, &rec_size, &gradient, &heat, &correction,
+                  &xsph_v, &surface, &artificial, &near_count, &tally, &force_internal})
     a->live_in(loops);
   restartinfo = 1;
   single_enable = 0;
@@ -59,6 +59,9 @@ void PairSPHTM::init_style()
                  force->pair == this ? "" : "sph/tm ");
   unit = unit_scale(lmp);
   lattice = tm_lattice_sums(set.kernel, domain->dimension, set.ratio);
+  heat_rate = lattice.heat_rate;
+  list_h = set.h;
+  least_spacing = set.spacing;
   surface_scale = tm_surface_make(set.kernel, domain->dimension, set.spacing, set.h, TM_SURFACE_THRESHOLD);
   complete_laws();
 
@@ -106,7 +109,7 @@ double PairSPHTM::init_one(int i, int j)
 void PairSPHTM::Tables::live_in(Backend &loops)
 {
   material.live_in(loops);
-  for (auto *a : {&conductance, &young, &effusivity}) a->live_in(loops);
+  for (auto *a : {&conductance, &young, &effusivity, &gradient}) a->live_in(loops);
   law.live_in(loops);
   touch.live_in(loops);
 }
@@ -145,6 +148,7 @@ void PairSPHTM::resize_arrays()
   rec_stress.make_room(fix->has(TM_FX_ARTSTRESS), all * TM_REC_STRESS);
   rec_heat.make_room(fix->has(TM_FX_HEAT), all * TM_REC_HEAT);
   rec_correction.make_room(fix->has(TM_FX_CORRECTION), all * TM_REC_CORRECTION);
+  rec_size.make_room(fix->has(TM_FX_SMOOTHING), all * TM_REC_SIZE);
   gradient.make_room(true, own * 9);
   heat.make_room(fix->has(TM_FX_CONDUCTION), own);
   correction.make_room(fix->has(TM_FX_CORRECTION), own * 6);
@@ -156,6 +160,7 @@ void PairSPHTM::resize_arrays()
   rec.stress = rec_stress.loop_write();
   rec.heat = rec_heat.loop_write();
   rec.correction = rec_correction.loop_write();
+  rec.size = rec_size.loop_write();
 }
 
 tm_records PairSPHTM::host_records()
@@ -165,6 +170,7 @@ tm_records PairSPHTM::host_records()
   r.stress = const_cast<tm_real *>(rec_stress.host_read());
   r.heat = const_cast<tm_real *>(rec_heat.host_read());
   r.correction = const_cast<tm_real *>(rec_correction.host_read());
+  r.size = const_cast<tm_real *>(rec_size.host_read());
   return r;
 }
 
@@ -185,6 +191,8 @@ void PairSPHTM::fill_args(const tm_state &s)
   args.reach2 = reach * reach;
   args.norm = tm_kernel_norm(set.kernel, domain->dimension, set.h);
   args.slope_norm = args.norm / (set.h * lattice.gradient);
+  args.support2 = tm_kernel_support(set.kernel) * tm_kernel_support(set.kernel);
+  args.norm_of_one = tm_kernel_norm(set.kernel, domain->dimension, 1.0);
   args.visc_alpha = set.visc_alpha;
   args.visc_beta = set.visc_beta;
   args.art_n = set.art_n;
@@ -205,7 +213,7 @@ void PairSPHTM::fill_args(const tm_state &s)
 
 /* ---------------------------------------------------------------------- */
 
-tm_predict_args PairSPHTM::predict_args(const tm_state &s) const
+tm_predict_args PairSPHTM::predict_args(const tm_state &s)
 {
   tm_predict_args a;
   a.state = s;
@@ -213,6 +221,7 @@ tm_predict_args PairSPHTM::predict_args(const tm_state &s) const
   a.dt_ahead = fix->time_ahead();
   a.art_eps = set.art_eps;
   a.art_component = set.art_component;
+  a.gradient = tables.gradient.loop_read();
   return a;
 }
 
@@ -222,11 +231,16 @@ void PairSPHTM::predict(const tm_state &s)
   backend.predict(atom->nlocal, predict_args(s), fix->effects());
 }
 
+int PairSPHTM::forward_columns() const
+{
+  return TM_REC - 3 + (rec.stress ? TM_REC_STRESS : 0) + (rec.heat ? TM_REC_HEAT : 0) +
+      (rec.size ? TM_REC_SIZE : 0);
+}
+
 void PairSPHTM::forward_records()
 {
   const auto timed = fix->run_clock.timed(RunClock::COMMUNICATION);
-  const int width = TM_REC - 3 + (rec.stress ? TM_REC_STRESS : 0) + (rec.heat ? TM_REC_HEAT : 0);
-  comm->forward_comm(this, width);
+  comm->forward_comm(this, forward_columns());
   take_ghost_positions();
 }
 
@@ -261,10 +275,12 @@ int PairSPHTM::pack_forward_comm(int n, int *sendlist, double *buf, int, int *)
     return (int) (buf - start);
   }
   const tm_real *main = rec_main.host_read(), *stress = rec_stress.host_read(), *heat = rec_heat.host_read();
+  const tm_real *size = rec_size.host_read();
   for (int k = 0; k < n; k++) {
     buf = std::copy_n(main + (size_t) sendlist[k] * TM_REC + 3, TM_REC - 3, buf);
     put(stress, sendlist[k], TM_REC_STRESS);
     put(heat, sendlist[k], TM_REC_HEAT);
+    put(size, sendlist[k], TM_REC_SIZE);
   }
   return (int) (buf - start);
 }
@@ -282,11 +298,13 @@ void PairSPHTM::unpack_forward_comm(int n, int first, double *buf)
     return;
   }
   tm_real *main = rec_main.host_write(), *stress = rec_stress.host_write(), *heat = rec_heat.host_write();
+  tm_real *size = rec_size.host_write();
   for (int j = first; j < first + n; j++) {
     std::copy_n(buf, TM_REC - 3, main + (size_t) j * TM_REC + 3);
     buf += TM_REC - 3;
     get(stress, j, TM_REC_STRESS);
     get(heat, j, TM_REC_HEAT);
+    get(size, j, TM_REC_SIZE);
   }
 }
 
@@ -309,6 +327,7 @@ void PairSPHTM::compute(int eflag, int vflag)
   rec.main = rec_main.loop_write();    // the host may have filled those of ghosts
   rec.stress = rec_stress.loop_write();
   rec.heat = rec_heat.loop_write();
+  rec.size = rec_size.loop_write();
   fill_args(s);
   if (fx & TM_FX_CORRECTION) correct_gradients();
   backend.zero(args.artificial, args.artificial ? nlocal * sizeof(double) : 0);
@@ -381,7 +400,8 @@ tm_near_args PairSPHTM::near_args(bool of_each)
   tm_near_args a;
   a.rows = args.rows;
   a.x = fix->state().x;
-  a.reach2 = args.reach2;
+  a.reach2 = rec.size ? args.support2 : args.reach2;
+  a.size = rec.size;
   a.count = near_count.loop_write();
   return a;
 }
@@ -425,8 +445,8 @@ double PairSPHTM::contact_stiffness_limit(int t) const
     if (l.meeting != CONTACT) continue;
     const double e1 = material[t].young, e2 = material[u].young;
     const double k = l.contact.penalty * e1 * e2 / (e1 + e2) *
-        (domain->dimension == 3 ? set.spacing : 1.0);
-    const double mass = pow(set.spacing, domain->dimension) *
+        (domain->dimension == 3 ? least_spacing : 1.0);
+    const double mass = pow(least_spacing, domain->dimension) *
         std::min(material[t].rho0, material[u].rho0) * 0.5;
     const double dt = sqrt(mass / k);
     limit = limit > 0.0 ? std::min(limit, dt) : dt;
@@ -450,6 +470,7 @@ std::map<unsigned, double> PairSPHTM::bytes_by_effect() const
   bytes[TM_FX_HEAT] = rec_heat.bytes();
   bytes[TM_FX_CONDUCTION] = heat.bytes();
   bytes[TM_FX_CORRECTION] = rec_correction.bytes() + correction.bytes();
+  bytes[TM_FX_SMOOTHING] = rec_size.bytes();
   bytes[TM_FX_XSPH] = xsph_v.bytes();
   bytes[TM_FX_SURFACE] = surface.bytes();
   bytes[TM_FX_LEDGER] = force_internal.bytes();

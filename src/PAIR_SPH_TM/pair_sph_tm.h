@@ -69,7 +69,7 @@ class PairSPHTM : public Pair {
   // where the loops run; valid from one force computation to the next reneighbouring
   const tm_material *loop_materials() { return tables.material.loop_read(); }
   const tm_rates_args &rate_args() const { return args; }
-  tm_predict_args predict_args(const tm_state &) const;
+  tm_predict_args predict_args(const tm_state &);
   const double *internal_force() { return force_internal.loop_read(); }
   // the same on the host
   tm_records host_records();
@@ -84,8 +84,14 @@ class PairSPHTM : public Pair {
   double largest_conductivity() const;      // of all types at all temperatures
   double contact_stiffness_limit(int type) const;
   const SPHTM_NS::UnitScale &units() const { return unit; }
+  // particles of different size (effect smoothing): smoothing lengths up to h are in the rows, the
+  // smallest particle has the edge dp. Collective; from init() on, before LAMMPS makes its lists
+  void cover_sizes(double h, double dp);
+  double covered_h() const { return list_h; }
+  double smallest_spacing() const { return least_spacing; }
   // valid from init_style on
   const tm_lattice &lattice_sums() const { return lattice; }
+  double fastest_heat_rate() const { return heat_rate; }
   const tm_surface &surface_measure() const { return surface_scale; }
 
  protected:
@@ -93,6 +99,8 @@ class PairSPHTM : public Pair {
   Settings set;
   SPHTM_NS::UnitScale unit;
   tm_lattice lattice = {};
+  double heat_rate = 0.0;               // the fastest of the sizes in use, see tm_lattice.h
+  double list_h = 0.0, least_spacing = 0.0;
   tm_surface surface_scale = {};
   int atom_types = 0;
   std::vector<tm_material> material;    // by type
@@ -102,6 +110,7 @@ class PairSPHTM : public Pair {
   struct Tables {
     SPHTM_NS::LoopArray<tm_material> material;
     SPHTM_NS::LoopArray<tm_real> conductance, young, effusivity;
+    SPHTM_NS::LoopArray<tm_real> gradient;    // tm_gradient_table, with particles of different size
     SPHTM_NS::LoopArray<tm_body_law> law;
     SPHTM_NS::LoopArray<int> touch;
     void live_in(SPHTM_NS::Backend &);
@@ -115,7 +124,7 @@ class PairSPHTM : public Pair {
   ptrdiff_t row_stride = 1;
 
   // records of owned and ghost particles; results of owned ones
-  SPHTM_NS::LoopArray<tm_real> rec_main, rec_stress, rec_heat, rec_correction;
+  SPHTM_NS::LoopArray<tm_real> rec_main, rec_stress, rec_heat, rec_correction, rec_size;
   SPHTM_NS::LoopArray<tm_real> gradient, heat, correction, xsph_v, surface, artificial;
   SPHTM_NS::LoopArray<tm_real> near_count, tally;
   SPHTM_NS::LoopArray<double> force_internal;
@@ -135,6 +144,7 @@ class PairSPHTM : public Pair {
   void fill_args(const tm_state &);
   void predict(const tm_state &);
   void forward_records();
+  int forward_columns() const;        // of one ghost: the records in use but for the position
   virtual void take_ghost_positions();    // into their records
   tm_near_args near_args(bool of_each);
   void correct_gradients();

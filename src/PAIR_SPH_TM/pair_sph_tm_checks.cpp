@@ -1,6 +1,8 @@
 /* SPH-TM: pair style sph/tm, checks of masses, spacing and overlaps. See doc/pair_sph_tm.rst. */
 #include "pair_sph_tm.h"
 
+#include "fix_sph_tm.h"
+
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
@@ -19,7 +21,7 @@ void PairSPHTM::check_masses()
     return fabs(mass - particle_mass(type)) > 1e-6 * particle_mass(type);
   };
   std::vector<bigint> wrong(atom->ntypes + 1, 0), all(atom->ntypes + 1, 0);
-  if (atom->rmass_flag) {
+  if (atom->rmass_flag && !fix->wants(TM_FX_SMOOTHING)) {
     for (int i = 0; i < atom->nlocal; i++) wrong[atom->type[i]] += differs(atom->rmass[i], atom->type[i]);
     MPI_Allreduce(wrong.data(), all.data(), atom->ntypes + 1, MPI_LMP_BIGINT, MPI_SUM, world);
   }
@@ -27,7 +29,8 @@ void PairSPHTM::check_masses()
   for (int t = 1; t <= atom->ntypes; t++)
     if (all[t])
       error->warning(FLERR, "Pair sph/tm: {} particles of type {} have a mass of their own, density times spacing "
-                            "gives {:.8g}; 'set type {} mass {:.8g}' sets it", all[t], t, particle_mass(t), t,
+                            "gives {:.8g}; 'set type {} mass {:.8g}' sets it, 'effects smoothing on' of fix sph/tm "
+                            "gives each the size of its mass", all[t], t, particle_mass(t), t,
                      particle_mass(t));
     else if (!atom->rmass_flag && differs(atom->mass[t], t))
       error->warning(FLERR, "Pair sph/tm: mass of type {} is {:.8g}, density times spacing gives "
@@ -40,7 +43,12 @@ void PairSPHTM::check_volume()
   const int dim = domain->dimension;
   double box = 1.0;
   for (int d = 0; d < dim; d++) box *= domain->prd[d];
-  const double needed = (double) atom->natoms * pow(set.spacing, dim);
+  double needed = (double) atom->natoms * pow(set.spacing, dim);
+  if (atom->rmass_flag && fix->wants(TM_FX_SMOOTHING)) {
+    double mine = 0.0;
+    for (int i = 0; i < atom->nlocal; i++) mine += atom->rmass[i] / material[atom->type[i]].rho0;
+    MPI_Allreduce(&mine, &needed, 1, MPI_DOUBLE, MPI_SUM, world);
+  }
   if (needed > 3.0 * box)
     error->all(FLERR, "Pair style sph/tm spacing {:.8g}: {} particles would need {} of {:.6g}, the box has {:.6g}; "
                       "give the spacing of the particles in the length unit of the run", set.spacing, atom->natoms,
@@ -50,7 +58,9 @@ void PairSPHTM::check_volume()
 // room for the neighbors of a body compressed to a third: LAMMPS's own is meant for molecules
 void PairSPHTM::check_list_size()
 {
-  const double cut = (tm_kernel_support(set.kernel) * set.h + neighbor->skin) / set.spacing;
+  // smoothing lengths may double during a run
+  const double h = (fix->has(TM_FX_SMOOTHING) ? 2.0 : 1.0) * list_h;
+  const double cut = (tm_kernel_support(set.kernel) * h + neighbor->skin) / least_spacing;
   const int need = (int) (3.0 * (domain->dimension == 3 ? 4.0 / 3.0 * TM_PI * cut * cut * cut : TM_PI * cut * cut));
   if (neighbor->oneatom >= need) return;
   neighbor->oneatom = need;

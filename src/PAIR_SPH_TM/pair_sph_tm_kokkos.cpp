@@ -139,7 +139,7 @@ namespace {
 // what ghosts get: P K, or their records but for the positions
 struct Ghost {
   tm_records rec;
-  int correction;
+  int columns, correction;
   KOKKOS_FUNCTION static double *copy(double *to, const double *from, int n)
   {
     for (int c = 0; c < n; c++) to[c] = from[c];
@@ -153,7 +153,8 @@ struct Ghost {
     }
     buf = copy(buf, rec.main + j * TM_REC + 3, TM_REC - 3);
     if (rec.stress) buf = copy(buf, rec.stress + j * TM_REC_STRESS, TM_REC_STRESS);
-    if (rec.heat) copy(buf, rec.heat + j * TM_REC_HEAT, TM_REC_HEAT);
+    if (rec.heat) buf = copy(buf, rec.heat + j * TM_REC_HEAT, TM_REC_HEAT);
+    if (rec.size) copy(buf, rec.size + j * TM_REC_SIZE, TM_REC_SIZE);
   }
   KOKKOS_FUNCTION void unpack(ptrdiff_t j, const double *buf) const
   {
@@ -167,13 +168,13 @@ struct Ghost {
       copy(rec.stress + j * TM_REC_STRESS, buf, TM_REC_STRESS);
       buf += TM_REC_STRESS;
     }
-    if (rec.heat) copy(rec.heat + j * TM_REC_HEAT, buf, TM_REC_HEAT);
+    if (rec.heat) {
+      copy(rec.heat + j * TM_REC_HEAT, buf, TM_REC_HEAT);
+      buf += TM_REC_HEAT;
+    }
+    if (rec.size) copy(rec.size + j * TM_REC_SIZE, buf, TM_REC_SIZE);
   }
-  KOKKOS_FUNCTION int width() const
-  {
-    if (correction) return TM_REC_CORRECTION;
-    return TM_REC - 3 + (rec.stress ? TM_REC_STRESS : 0) + (rec.heat ? TM_REC_HEAT : 0);
-  }
+  KOKKOS_FUNCTION int width() const { return correction ? TM_REC_CORRECTION : columns; }
 };
 struct PackGhosts {
   Ghost ghost;
@@ -206,7 +207,7 @@ struct TakePositions {
 int PairSPHTMKokkos::pack_forward_comm_kokkos(int n, DAT::tdual_int_1d k_sendlist,
                                               DAT::tdual_xfloat_1d &buf, int, int *)
 {
-  const Ghost ghost{rec, forward_correction};
+  const Ghost ghost{rec, forward_columns(), forward_correction};
   kokkos_each("sph/tm send to ghosts", n,
               PackGhosts{ghost, k_sendlist.view<LMPDeviceType>().data(), buf.view<LMPDeviceType>().data()});
   return n * ghost.width();
@@ -215,7 +216,7 @@ int PairSPHTMKokkos::pack_forward_comm_kokkos(int n, DAT::tdual_int_1d k_sendlis
 void PairSPHTMKokkos::unpack_forward_comm_kokkos(int n, int first, DAT::tdual_xfloat_1d &buf)
 {
   kokkos_each("sph/tm receive ghosts", n,
-              UnpackGhosts{{rec, forward_correction}, first, buf.view<LMPDeviceType>().data()});
+              UnpackGhosts{{rec, forward_columns(), forward_correction}, first, buf.view<LMPDeviceType>().data()});
 }
 
 void PairSPHTMKokkos::take_ghost_positions()

@@ -1,7 +1,8 @@
 /* SPH-TM: contact between particle bodies that do not share a continuum.
 
    The law of F15 (9)-(16) between two particles instead of a particle and a triangle: penetration
-   delta = dp - r of two spheres of diameter dp (one particle spacing), normal along the line of
+   delta = dp - r of two spheres of diameter dp (one particle spacing; the mean of the two where
+   particles have a size of their own), normal along the line of
    centres, stiffness F15 (10)  k = PFAC E_i E_j dp/(E_i + E_j)  (per unit thickness in 2D: without
    dp), damping F15 (11) with DFAC = 1 critical for the pair, 2 sqrt(k m_eff); the damping adds to
    the spring while closing and the sum is never tensile. Coulomb friction acts on
@@ -24,7 +25,7 @@ typedef struct {
   const int *contact;       /* nonzero where a type pair meets by contact */
   const tm_real *young;     /* per type */
   const tm_real *effusivity;/* per type, sqrt(k rho c_p) at the reference temperature */
-  tm_real spacing;          /* dp */
+  tm_real spacing;          /* dp, where all particles have the same */
   tm_real dt;
   tm_real *source;          /* heat power of particle i, added to, or NULL */
 } tm_body_contact_args;
@@ -68,13 +69,16 @@ TM_FN tm_body_contact_result tm_body_contact(int i, const tm_rates_args *a,
     const tm_vec3 d = tm_vec(ri[0] - rj[0], ri[1] - rj[1], dim3 ? ri[2] - rj[2] : 0.0);
     const tm_real r2 = tm_vec_dot(d, d);
     const int pair = a->type[i] * (a->ntypes + 1) + a->type[j];
-    if (r2 >= b->spacing * b->spacing || r2 == 0.0 || !b->contact[pair]) continue;
+    const tm_real dp = a->rec.size ? 0.5 * (a->rec.size[(ptrdiff_t) i * TM_REC_SIZE + TM_SIZE_DP] +
+                                            a->rec.size[j * TM_REC_SIZE + TM_SIZE_DP])
+                                   : b->spacing;
+    if (r2 >= dp * dp || r2 == 0.0 || !b->contact[pair]) continue;
     const tm_body_law *law = b->law + pair;
-    const tm_real r = sqrt(r2), delta = b->spacing - r;
+    const tm_real r = sqrt(r2), delta = dp - r;
     const tm_vec3 n = tm_vec_scale(1.0 / r, d);
     const tm_real ei = b->young[a->type[i]], ej = b->young[a->type[j]];
     const tm_real mi = ri[TM_REC_M], mj = rj[TM_REC_M], meff = mi * mj / (mi + mj);
-    const tm_real stiff = law->penalty * ei * ej / (ei + ej) * (dim3 ? b->spacing : 1.0);
+    const tm_real stiff = law->penalty * ei * ej / (ei + ej) * (dim3 ? dp : 1.0);
     const tm_vec3 v = tm_vec(ri[4] - rj[4], ri[5] - rj[5], dim3 ? ri[6] - rj[6] : 0.0);
     const tm_real vn = tm_vec_dot(v, n);
     const tm_real spring = stiff * delta;

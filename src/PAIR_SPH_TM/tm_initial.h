@@ -4,12 +4,15 @@
 #ifndef TM_INITIAL_H
 #define TM_INITIAL_H
 
+#include "tm_size.h"
 #include "tm_update.h"
 
 typedef struct {
   tm_state state;
   unsigned fields;      /* mask of the fields to be set, 1 << enum tm_field_id */
   tm_real temperature;
+  tm_real ratio;        /* smoothing length over spacing */
+  int dim3;
 } tm_initial_args;
 
 /* The fields of particle i that do not start with 0. */
@@ -23,6 +26,9 @@ TM_FN void tm_initial(int i, const tm_initial_args *a)
   }
   if (a->fields & (1u << TM_F_BALSARA)) *tm_field_row(s, TM_F_BALSARA, i) = 1.0;
   if (a->fields & (1u << TM_F_THICKNESS)) *tm_field_row(s, TM_F_THICKNESS, i) = 1.0;
+  if (a->fields & (1u << TM_F_SIZE))
+    tm_size_initial(tm_field_row(s, TM_F_SIZE, i), tm_particle_mass(s, i), s->material[s->type[i]].rho0, a->ratio,
+                    a->dim3);
   if (a->fields & (1u << TM_F_RHO)) *tm_field_row(s, TM_F_RHO, i) = s->material[s->type[i]].rho0;
 }
 
@@ -56,21 +62,22 @@ TM_FN tm_update_result tm_initial_limits(int i, const tm_update_args *a, unsigne
 {
   const tm_state *s = &a->state;
   const tm_material *m = s->material + s->type[i];
+  const tm_real h = tm_particle_h(s, i, a->h, effects);
   tm_update_result out = tm_update_nothing();
   if (seed) tm_initial_history(i, a, effects);
   if (m->body == TM_BODY_SOLID) {
     const tm_real c = a->rec.main[(ptrdiff_t) i * TM_REC + TM_REC_C];
-    out.dt[TM_DT_SOUND] = tm_sound_time_step(a->h, c, a->visc_alpha, effects);
+    out.dt[TM_DT_SOUND] = tm_sound_time_step(h, c, a->visc_alpha, effects);
     const double *f = s->force + 3 * (ptrdiff_t) i;
     const tm_real acc =
         a->accel_unit / tm_particle_mass(s, i) * sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
-    if (acc > 0.0 && (s->mask[i] & a->group)) out.dt[TM_DT_FORCE] = sqrt(a->h / acc);
+    if (acc > 0.0 && (s->mask[i] & a->group)) out.dt[TM_DT_FORCE] = sqrt(h / acc);
   }
   if (effects & TM_FX_CONDUCTION) {
     const tm_real T = tm_field_row(s, TM_F_TEMP, i)[0], k = tm_conductivity(m, T);
     if (k > 0.0)
       out.dt[TM_DT_CONDUCTION] = tm_heat_time_step(*tm_field_row(s, TM_F_RHO, i), tm_capacity(m, T),
-                                                   a->h, k, a->k_max, a->heat_rate);
+                                                   h, k, a->k_max, a->heat_rate);
   }
   return out;
 }

@@ -60,15 +60,25 @@ TM_FN void tm_lattice_layer(int kernel, int dim, tm_real h, int x, tm_real *by_x
     }
 }
 
+TM_FN tm_real tm_lattice_gradient(int kernel, int dim, tm_real h)
+{
+  tm_real sum = 0.0, by_x, by_r;
+  for (int x = 1; x <= tm_lattice_reach(kernel, h); x++) {
+    tm_lattice_layer(kernel, dim, h, x, &by_x, &by_r);
+    sum += x * by_x;
+  }
+  return sum;
+}
+
 TM_FN tm_lattice tm_lattice_sums(int kernel, int dim, tm_real h)
 {
   tm_lattice out;
   tm_real across = 0.0;
-  out.gradient = out.heat_rate = 0.0;
+  out.heat_rate = 0.0;
+  out.gradient = tm_lattice_gradient(kernel, dim, h);
   for (int x = 1; x <= tm_lattice_reach(kernel, h); x++) {
     tm_real by_x, by_r;
     tm_lattice_layer(kernel, dim, h, x, &by_x, &by_r);
-    out.gradient += x * by_x;
     across += x * by_r;   /* x pairs of layers cross the interface */
   }
   out.interface = 1.0 / across;

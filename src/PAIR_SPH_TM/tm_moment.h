@@ -24,28 +24,34 @@
 TM_FN void tm_moment(int i, const tm_rates_args *a, unsigned effects)
 {
   const int kernel = tm_fx_kernel(effects), dim3 = (effects & TM_FX_3D) != 0;
+  const int sizes = (a->effects & TM_FX_SMOOTHING) != 0;
   const int *row = a->rows.index + a->rows.first[i];
   const int n_mech = a->rows.mechanical[i];
   const tm_real *TM_RESTRICT rec = a->rec.main;
   const tm_real *ri = rec + (ptrdiff_t) i * TM_REC;
-  const tm_real xi = ri[0], yi = ri[1], zi = ri[2], h = a->h, inv_h = 1.0 / h;
+  const tm_real *TM_RESTRICT rec_z = sizes ? a->rec.size : NULL;
+  const tm_pair_size of_all = {a->h, 1.0 / a->h, a->norm, a->slope_norm, 1.0};
+  const tm_pair_size own = tm_own_size(sizes ? rec_z + (ptrdiff_t) i * TM_REC_SIZE : NULL, of_all);
+  const tm_real reach2 = sizes ? a->support2 : a->reach2;
+  const tm_real xi = ri[0], yi = ri[1], zi = ri[2], far = 4.0 * own.h;
   const tm_lanes zero = tm_lanes_zero();
   tm_lanes mxx = zero, myy = zero, mzz = zero, mxy = zero, mxz = zero, myz = zero;
 
   /* the row in chunks as in tm_rates() */
   int jj[TM_COLUMN + TM_LANES];
   jj[0] = i;
-  tm_real TM_ALIGNED col[5][TM_COLUMN];  /* x y z m, and m_j W'/r */
+  tm_real TM_ALIGNED col[5 + TM_REC_SIZE][TM_COLUMN];  /* x y z m, m_j W'/r, size */
   for (int k = 0, n = 0;;) {
-    n = tm_within_reach(rec, row, a->rows.stride, &k, n_mech, xi, yi, zi, 1.0, a->reach2, dim3, jj,
-                        n, col[0]);
+    n = tm_within_reach(rec, rec_z, own.inv_h, row, a->rows.stride, &k, n_mech, xi, yi, zi, 1.0, reach2,
+                        dim3, jj, n, col[0]);
     if (n == 0) break;
     const int last = TM_COLUMN > 1 && k >= n_mech;
     const int lanes =
         TM_COLUMN == 1 ? 1 : (last ? n + TM_LANES - 1 : n) / TM_LANES * TM_LANES;
     for (int l = n; l < lanes; l++) jj[tm_at(l)] = i;
     tm_transpose_rows(rec, TM_REC, jj, lanes, 4, col[0]);
-    for (int l = n; l < lanes; l++) col[TM_REC_X][tm_at(l)] = xi + 4.0 * h;
+    if (sizes) tm_transpose_rows(rec_z, TM_REC_SIZE, jj, lanes, TM_REC_SIZE, col[5]);
+    for (int l = n; l < lanes; l++) col[TM_REC_X][tm_at(l)] = xi + far;
 #if !defined(__CUDACC__)
 #pragma omp simd
 #endif
@@ -53,7 +59,11 @@ TM_FN void tm_moment(int i, const tm_rates_args *a, unsigned effects)
       const int m = tm_at(l);
       const tm_real dx = xi - col[0][m], dy = yi - col[1][m], dz = dim3 ? zi - col[2][m] : 0.0;
       const tm_real r = sqrt(dx * dx + dy * dy + dz * dz);
-      col[4][m] = col[TM_REC_M][m] * tm_kernel_slope(kernel, r * inv_h) / r;
+      const tm_pair_size p = sizes ? tm_pair_of_sizes(&own, col[5 + TM_SIZE_INV_H][m], col[5 + TM_SIZE_FACTOR][m],
+                                                      1.0, a->norm_of_one, dim3)
+                                   : of_all;
+      col[4][m] = col[TM_REC_M][m] * tm_kernel_slope(kernel, r * p.inv_h) / r;
+      if (sizes) col[4][m] *= p.slope_norm;
     }
     for (int l = 0; l < lanes; l += TM_LANES) {
       const tm_lanes dx = xi - tm_lanes_load(col[0] + tm_at(l)), dy = yi - tm_lanes_load(col[1] + tm_at(l));
@@ -69,7 +79,7 @@ TM_FN void tm_moment(int i, const tm_rates_args *a, unsigned effects)
     n -= lanes;
   }
 
-  const tm_real s = a->slope_norm / ri[TM_REC_RHO];
+  const tm_real s = (sizes ? 1.0 : a->slope_norm) / ri[TM_REC_RHO];
   const tm_sym3 M = tm_sym(s * tm_lanes_sum(mxx), s * tm_lanes_sum(myy), s * tm_lanes_sum(mzz),
                            s * tm_lanes_sum(mxy), s * tm_lanes_sum(mxz), s * tm_lanes_sum(myz));
   const tm_sym3 K = tm_sym_inverse_bounded(M, dim3, TM_MOMENT_LOW);

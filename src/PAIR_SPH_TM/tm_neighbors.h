@@ -126,10 +126,12 @@ TM_FN void tm_row_put(int i, int k, int n, const tm_row_entry *entry, const tm_r
 typedef struct {
   tm_rows rows;
   const double *x;
-  tm_real reach2;
+  tm_real reach2;         /* (support h)^2, with size support^2 */
+  const tm_real *size;    /* records of size, or NULL */
   tm_real *count;         /* mechanical neighbors within reach of each particle, or NULL */
 } tm_near_args;
 
+/* Square of the distance in the row; j its particle. */
 TM_FN tm_real tm_near_dist2(int i, int k, const tm_near_args *a, int *j)
 {
   *j = a->rows.index[a->rows.first[i] + k * a->rows.stride];
@@ -142,7 +144,12 @@ TM_FN tm_real tm_near_dist2(int i, int k, const tm_near_args *a, int *j)
 TM_FN tm_real tm_near_count(int i, const tm_near_args *a)
 {
   int count = 0, j;
-  for (int k = 0; k < a->rows.mechanical[i]; k++) count += tm_near_dist2(i, k, a, &j) < a->reach2;
+  for (int k = 0; k < a->rows.mechanical[i]; k++) {
+    tm_real r2 = tm_near_dist2(i, k, a, &j);
+    if (a->size)
+      r2 *= a->size[(ptrdiff_t) i * TM_REC_SIZE + TM_SIZE_INV_H] * a->size[(ptrdiff_t) j * TM_REC_SIZE + TM_SIZE_INV_H];
+    count += r2 < a->reach2;
+  }
   if (a->count) a->count[i] = count;
   return count;
 }

@@ -9,6 +9,7 @@
 #include "tm_damage.h"
 #include "tm_eos.h"
 #include "tm_heat.h"
+#include "tm_size.h"
 #include "tm_state.h"
 #include "tm_transpose.h"
 
@@ -17,6 +18,7 @@ typedef struct {
   tm_records rec;
   tm_real dt_ahead;      /* time from the state to the force point: dt/2, or 0 at set-up */
   tm_real art_eps;       /* artificial stress epsilon, 0..1 */
+  const tm_real *gradient;  /* tm_gradient_table, with particles of their own size */
   int art_component;     /* nonzero: F14 (18) per component instead of principal axes */
 } tm_predict_args;
 
@@ -76,6 +78,9 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
   r[TM_REC_C] = c;
   r[TM_REC_BALSARA] = (effects & TM_FX_BALSARA) ? *tm_field_row(s, TM_F_BALSARA, i) : 1.0;
 
+  if (effects & TM_FX_SMOOTHING)
+    tm_size_record(tm_field_row(s, TM_F_SIZE, i), r[TM_REC_M] / rho_sum, a->gradient, tm_fx_kernel(effects),
+                   (effects & TM_FX_3D) != 0, a->rec.size + (ptrdiff_t) i * TM_REC_SIZE);
   if (effects & TM_FX_HEAT) {
     const tm_real *t = tm_field_row(s, TM_F_TEMP, i);
     const tm_real T = t[0] + c1 * t[1] + c2 * t[2];

@@ -32,6 +32,7 @@
 #include "tm_heat.h"
 #include "tm_kernel.h"
 #include "tm_record.h"
+#include "tm_size.h"
 #include "tm_tensor.h"
 #include "tm_transpose.h"
 
@@ -56,6 +57,7 @@ typedef struct {
   tm_real reach2;          /* (support * h)^2 */
   tm_real norm;            /* kernel constant, 1/h^dim included */
   tm_real slope_norm;      /* of its slope: norm/h over the lattice's gradient, see tm_lattice.h */
+  tm_real support2, norm_of_one;   /* of h = 1, for particles with an h of their own */
   tm_real visc_alpha, visc_beta;
   int art_n;               /* exponent of the artificial stress */
   tm_real art_inv_w;       /* 1 / shape(dp/h) */
@@ -80,7 +82,8 @@ enum {
   TM_COL_STRESS = TM_REC,
   TM_COL_HEAT = TM_COL_STRESS + TM_REC_STRESS,
   TM_COL_CORRECTION = TM_COL_HEAT + TM_REC_HEAT,
-  TM_COL_SLOPE = TM_COL_CORRECTION + TM_REC_CORRECTION, /* m_j W'/r */
+  TM_COL_SIZE = TM_COL_CORRECTION + TM_REC_CORRECTION,
+  TM_COL_SLOPE = TM_COL_SIZE + TM_REC_SIZE, /* m_j W'/r */
   TM_COL_TENSILE,      /* f^n of the artificial stress */
   TM_COL_VISCOUS,      /* Pi */
   TM_COL_CONDUCTED,    /* power per volume into i */
@@ -92,10 +95,11 @@ enum {
 /* Appends to jj, n long, the neighbours within reach from entry *k of a row on, until the row ends
    or jj is TM_CHUNK long; returns the new n. Room behind may be overwritten. Where columns have one
    entry, position receives that of the last one looked at (in single: x_i minus it). unit: of positions
-   in single. */
-TM_FN int tm_within_reach(const tm_pair *rec, const int *row, ptrdiff_t stride, int *k, int end,
-                          tm_coord x, tm_coord y, tm_coord z, tm_pair unit, tm_pair reach2, int dim3,
-                          int *jj, int n, tm_pair *position)
+   in single. With size, the records of size of all particles, distances are over the pair's h; inv_h is
+   the particle's own 1/h. */
+TM_FN int tm_within_reach(const tm_pair *rec, const tm_pair *size, tm_pair inv_h, const int *row,
+                          ptrdiff_t stride, int *k, int end, tm_coord x, tm_coord y, tm_coord z, tm_pair unit,
+                          tm_pair reach2, int dim3, int *jj, int n, tm_pair *position)
 {
   (void) position;
 #if TM_VECTOR >= 32
@@ -111,7 +115,11 @@ TM_FN int tm_within_reach(const tm_pair *rec, const int *row, ptrdiff_t stride, 
     tm_transpose(rec, TM_REC, r, dim3 || TM_SINGLE ? 4 : 2, col[0]);
     const tm_lanes dx = tm_lanes_apart(x, col[0], unit), dy = tm_lanes_apart(y, col[1], unit);
     const tm_lanes dz = dim3 ? tm_lanes_apart(z, col[2], unit) : zero;
-    const tm_lanes r2 = dx * dx + dy * dy + dz * dz;
+    tm_lanes r2 = dx * dx + dy * dy + dz * dz;
+    if (size) {
+      tm_transpose(size, TM_REC_SIZE, r, TM_SINGLE ? 4 : 2, col[0]);
+      r2 *= inv_h * tm_lanes_load(col[TM_SIZE_INV_H]);
+    }
     const unsigned inside = tm_lanes_below(r2, reach2, (1u << (left < TM_LANES ? left : TM_LANES)) - 1u);
     n += tm_compress(r, inside, jj + n);
   }
@@ -123,7 +131,8 @@ TM_FN int tm_within_reach(const tm_pair *rec, const int *row, ptrdiff_t stride, 
     const tm_pair dx = tm_apart(x, tm_coord_load(r), unit), dy = tm_apart(y, tm_coord_load(r + 1), unit);
     const tm_pair dz = dim3 ? tm_apart(z, tm_coord_load(r + 2), unit) : 0;
     jj[tm_at(n)] = j;
-    n += dx * dx + dy * dy + dz * dz < reach2;
+    const tm_pair r2 = dx * dx + dy * dy + dz * dz;
+    n += (size ? r2 * (inv_h * size[(ptrdiff_t) j * TM_REC_SIZE + TM_SIZE_INV_H]) : r2) < reach2;
     if (TM_SINGLE) {
       r[0] = dx; r[1] = dy; r[2] = dz;
     }
@@ -144,7 +153,7 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
   const int conduction = (fx & TM_FX_CONDUCTION) != 0, form_f14 = (fx & TM_FX_FORM_F14) != 0;
   const int correction = (fx & TM_FX_CORRECTION) != 0, balsara = (fx & TM_FX_BALSARA) != 0;
   const int xsph = (fx & TM_FX_XSPH) != 0, surface = (fx & TM_FX_SURFACE) != 0;
-  const int per_rho = form_f14 || surface;
+  const int per_rho = form_f14 || surface, sizes = (fx & TM_FX_SMOOTHING) != 0;
 
   const int *row = a->rows.index + a->rows.first[i];
   const int n_mech = a->rows.mechanical[i];
@@ -152,6 +161,7 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
   const float *TM_RESTRICT rec = a->single.main;
   const float *TM_RESTRICT rec_s = a->single.more, *TM_RESTRICT rec_t = rec_s + TM_MORE_HEAT;
   const float *TM_RESTRICT rec_c = a->single.correction;
+  const float *TM_RESTRICT rec_z = sizes ? a->single.size : NULL;
   const int stride_s = TM_MORE, stride_t = TM_MORE;
   const tm_real length = a->single.length;
   const tm_pair unit = (tm_pair) a->single.position;
@@ -160,6 +170,7 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
   const tm_real *TM_RESTRICT rec_s = a->rec.stress;
   const tm_real *TM_RESTRICT rec_t = a->rec.heat;
   const tm_real *TM_RESTRICT rec_c = a->rec.correction;
+  const tm_real *TM_RESTRICT rec_z = sizes ? a->rec.size : NULL;
   const int stride_s = TM_REC_STRESS, stride_t = TM_REC_HEAT;
   const tm_real length = 1.0, unit = 1.0;
 #endif
@@ -189,10 +200,11 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
     czx = c[6]; czy = c[7]; czz = c[8];
   }
 
-  const tm_pair h = (tm_pair) a->h, inv_h = 1 / h, reach2 = (tm_pair) a->reach2;
-  const tm_pair slope_norm = (tm_pair) a->slope_norm, norm = (tm_pair) a->norm;
+  const tm_pair h = (tm_pair) a->h, reach2 = (tm_pair) (sizes ? a->support2 : a->reach2);
   const tm_pair alpha = (tm_pair) a->visc_alpha, beta = (tm_pair) a->visc_beta;
-  const tm_pair inv_w = (tm_pair) a->art_inv_w;
+  const tm_pair_size of_all = {h, 1 / h, (tm_pair) a->norm, (tm_pair) a->slope_norm, (tm_pair) a->art_inv_w};
+  const tm_pair_size own = tm_own_size(sizes ? rec_z + (ptrdiff_t) i * TM_REC_SIZE : NULL, of_all);
+  const tm_pair norm_of_one = (tm_pair) a->norm_of_one, far = 4 * own.h;
   const int art_n = a->art_n;
 
   const tm_lanes zero = {0};
@@ -206,8 +218,8 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
   jj[0] = i;
   tm_pair TM_ALIGNED col[TM_COLUMNS][TM_COLUMN];
   for (int k = 0, n = 0;;) {
-    n = tm_within_reach(rec, row, a->rows.stride, &k, n_mech, xi, yi, zi, unit, reach2, dim3, jj, n,
-                        col[TM_REC_X]);
+    n = tm_within_reach(rec, rec_z, own.inv_h, row, a->rows.stride, &k, n_mech, xi, yi, zi, unit, reach2,
+                        dim3, jj, n, col[TM_REC_X]);
     if (n == 0) break;
 
     /* lanes left over wait for the next chunk, or are filled up with copies of i out of reach */
@@ -223,16 +235,17 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
         tm_lanes_store(col[1] + tm_at(l), tm_lanes_apart(yi, col[1] + tm_at(l), unit));
         if (dim3) tm_lanes_store(col[2] + tm_at(l), tm_lanes_apart(zi, col[2] + tm_at(l), unit));
       }
-      for (int l = n; l < lanes; l++) col[TM_REC_X][tm_at(l)] = 4 * h;
+      for (int l = n; l < lanes; l++) col[TM_REC_X][tm_at(l)] = far;
       if (artstress) tm_transpose_rows(rec_s, TM_MORE, jj, lanes, TM_MORE, col[TM_COL_STRESS]);
       else if (conduction) tm_transpose_rows(rec_s + 4, TM_MORE, jj, lanes, 4, col[TM_COL_STRESS + 4]);
 #else
-      for (int l = n; l < lanes; l++) col[TM_REC_X][tm_at(l)] = xi + 4 * h;
+      for (int l = n; l < lanes; l++) col[TM_REC_X][tm_at(l)] = xi + far;
       if (artstress)
         tm_transpose_rows(rec_s, TM_REC_STRESS, jj, lanes, TM_REC_STRESS, col[TM_COL_STRESS]);
       if (conduction)
         tm_transpose_rows(rec_t, TM_REC_HEAT, jj, lanes, TM_REC_HEAT, col[TM_COL_HEAT]);
 #endif
+      if (sizes) tm_transpose_rows(rec_z, TM_REC_SIZE, jj, lanes, TM_REC_SIZE, col[TM_COL_SIZE]);
       if (correction)
         for (int l = 0; l < lanes; l++)
           for (int c = 0; c < TM_REC_CORRECTION; c++)
@@ -249,6 +262,7 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
       if (artstress) tm_fetch(rec_s + j * TM_REC_STRESS, TM_REC_STRESS, col[TM_COL_STRESS]);
       if (conduction) tm_fetch(rec_t + j * TM_REC_HEAT, TM_REC_HEAT, col[TM_COL_HEAT]);
 #endif
+      if (sizes) tm_fetch(rec_z + j * TM_REC_SIZE, TM_REC_SIZE, col[TM_COL_SIZE]);
       if (correction)
         for (int c = 0; c < TM_REC_CORRECTION; c++)
           col[TM_COL_CORRECTION + c][0] = rec_c[j * TM_REC_CORRECTION + c];
@@ -258,6 +272,7 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
 #define TM_STRESS(c) TM_COL(TM_COL_STRESS + (c))
 #define TM_HEAT(c) TM_COL(TM_COL_HEAT + (c))
 #define TM_CORR(c) TM_COL(TM_COL_CORRECTION + (c))
+#define TM_SIZE(c) TM_COL(TM_COL_SIZE + (c))
 #define TM_COL(c) col[c][tm_at(l)]
 #define TM_LOAD(entry) tm_lanes_load(&entry)
 #if TM_SINGLE
@@ -274,33 +289,36 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
 #endif
     for (int l = 0; l < lanes; l++) {
       const tm_pair dx = TM_APART(xi, 0), dy = TM_APART(yi, 1), dz = dim3 ? TM_APART(zi, 2) : 0;
-      const tm_pair r2 = dx * dx + dy * dy + dz * dz, r = tm_pair_sqrt(r2), q = r * inv_h;
+      const tm_pair_size p = sizes ? tm_pair_of_sizes(&own, TM_SIZE(TM_SIZE_INV_H), TM_SIZE(TM_SIZE_FACTOR),
+                                                      TM_SIZE(TM_SIZE_TENSILE), norm_of_one, dim3)
+                                   : of_all;
+      const tm_pair r2 = dx * dx + dy * dy + dz * dz, r = tm_pair_sqrt(r2), q = r * p.inv_h;
       const tm_pair mj = TM_MAIN(TM_REC_M), rhoj = TM_MAIN(TM_REC_RHO);
       tm_pair inv_r;
       if (viscosity) {
         const tm_pair vx = vxi - TM_MAIN(4), vy = vyi - TM_MAIN(5);
         const tm_pair vz = dim3 ? vzi - TM_MAIN(6) : 0;
-        const tm_pair rho2 = rhoi + rhoj, soft2 = tm_viscosity_soft2(h, r2);
+        const tm_pair rho2 = rhoi + rhoj, soft2 = tm_viscosity_soft2(p.h, r2);
         const tm_pair inv = 1 / (r2 * (soft2 * rho2));  /* one division for three */
         inv_r = r * (soft2 * rho2) * inv;
-        const tm_pair mu = tm_viscosity_mu(h, vx * dx + vy * dy + vz * dz, r2 * rho2 * inv);
+        const tm_pair mu = tm_viscosity_mu(p.h, vx * dx + vy * dy + vz * dz, r2 * rho2 * inv);
         tm_pair pi = tm_viscosity_pi(alpha, beta, mu, TM_PAIR(0.5) * (ci + TM_MAIN(TM_REC_C)),
                                      2 * (r2 * soft2) * inv);
         if (balsara) pi *= TM_PAIR(0.5) * (bi + TM_MAIN(TM_REC_BALSARA));
         TM_COL(TM_COL_VISCOUS) = pi;
       } else
         inv_r = 1 / r;
-      const tm_pair g = slope_norm * tm_kernel_slope(kernel, q) * inv_r;  /* W'/r */
+      const tm_pair g = p.slope_norm * tm_kernel_slope(kernel, q) * inv_r;  /* W'/r */
       TM_COL(TM_COL_SLOPE) = mj * own_mass * g;
       if (artstress)
-        TM_COL(TM_COL_TENSILE) = tm_power_int(tm_kernel_shape(kernel, q) * inv_w, art_n);
+        TM_COL(TM_COL_TENSILE) = tm_power_int(tm_kernel_shape(kernel, q) * p.inv_w, art_n);
       if (conduction)
         TM_COL(TM_COL_CONDUCTED) = tm_conduction_pair(ki, TM_HEAT(TM_REC_K), ti, TM_HEAT(TM_REC_T),
                                                       mj / rhoj * own_volume, g);
       if (per_rho) TM_COL(TM_COL_PER_RHO) = 1 / rhoj;
       if (xsph)
         TM_COL(TM_COL_SMOOTH) =
-            tm_xsph_pair(mj, TM_PAIR(0.5) * (rhoi + rhoj), norm * tm_kernel_shape(kernel, q));
+            tm_xsph_pair(mj, TM_PAIR(0.5) * (rhoi + rhoj), p.norm * tm_kernel_shape(kernel, q));
     }
 
     /* sums */
@@ -388,6 +406,7 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
 #undef TM_STRESS
 #undef TM_HEAT
 #undef TM_CORR
+#undef TM_SIZE
 #undef TM_COL
 #undef TM_APART
 #undef TM_LANES_APART

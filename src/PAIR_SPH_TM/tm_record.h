@@ -23,12 +23,16 @@ enum {
 enum { TM_REC_STRESS = 6 };                            /* artificial stress, xx yy zz xy xz yz */
 enum { TM_REC_T = 0, TM_REC_K = 1, TM_REC_HEAT = 2 };  /* temperature, conductivity */
 enum { TM_REC_CORRECTION = 9 };                        /* P K, row major */
+/* 1/h, correction of sums over gradW (tm_lattice.h), 1/W of the reference spacing of the artificial
+   stress over W(0)'s norm, edge of the particle; see tm_size.h */
+enum { TM_SIZE_INV_H = 0, TM_SIZE_FACTOR = 1, TM_SIZE_TENSILE = 2, TM_SIZE_DP = 3, TM_REC_SIZE = 4 };
 
 typedef struct {
   tm_real *main;        /* TM_REC per particle, owned and ghost */
   tm_real *stress;      /* TM_REC_STRESS, or NULL */
   tm_real *heat;        /* TM_REC_HEAT, or NULL */
   tm_real *correction;  /* TM_REC_CORRECTION, or NULL */
+  tm_real *size;        /* TM_REC_SIZE, or NULL: all particles have the size of the pair style */
 } tm_records;
 
 /* The same for pair arithmetic in single, see tm_single.h. */
@@ -38,6 +42,7 @@ typedef struct {
   float *main;          /* TM_REC per particle; the position is three whole numbers */
   float *more;          /* TM_MORE, or NULL */
   float *correction;    /* TM_REC_CORRECTION, or NULL */
+  float *size;          /* TM_REC_SIZE, or NULL */
   tm_real length;       /* lengths in the records and the arguments of the rates are in units of this */
   tm_real position;     /* unit of positions, in units of length */
 } tm_records_single;

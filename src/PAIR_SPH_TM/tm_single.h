@@ -74,6 +74,14 @@ TM_FN void tm_single(int i, const tm_single_args *a, unsigned effects)
     for (int c = 0; c < TM_REC_CORRECTION; c++)
       s->correction[(ptrdiff_t) i * TM_REC_CORRECTION + c] =
           (float) a->rec.correction[(ptrdiff_t) i * TM_REC_CORRECTION + c];
+  if (effects & TM_FX_SMOOTHING) {
+    const tm_real *z = a->rec.size + (ptrdiff_t) i * TM_REC_SIZE;
+    float *size = s->size + (ptrdiff_t) i * TM_REC_SIZE;
+    size[TM_SIZE_INV_H] = (float) (z[TM_SIZE_INV_H] * s->length);
+    size[TM_SIZE_FACTOR] = (float) z[TM_SIZE_FACTOR];
+    size[TM_SIZE_TENSILE] = (float) z[TM_SIZE_TENSILE];
+    size[TM_SIZE_DP] = (float) (z[TM_SIZE_DP] / s->length);
+  }
 }
 
 #endif

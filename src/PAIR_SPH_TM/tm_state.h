@@ -33,5 +33,10 @@ TM_FN tm_real tm_particle_mass(const tm_state *s, int i)
 {
   return s->rmass ? s->rmass[i] : s->mass[s->type[i]];
 }
+/* Smoothing length of particle i; h is that of all where they do not differ. */
+TM_FN tm_real tm_particle_h(const tm_state *s, int i, tm_real h, unsigned effects)
+{
+  return (effects & TM_FX_SMOOTHING) ? tm_field_row(s, TM_F_SIZE, i)[TM_S_H] : h;
+}
 
 #endif

@@ -40,7 +40,8 @@ typedef struct {
   const double *force_internal;  /* force of the pair style alone, with the ledger */
   const tm_real *source;         /* heat given to the particle by contact and fluxes (power) */
   int group;                     /* x and v are integrated for these */
-  tm_real dt, h, visc_alpha;
+  tm_real dt, visc_alpha;
+  tm_real h;                     /* smoothing length of all, where particles have none of their own */
   tm_real accel_unit;            /* force of the unit style / mass -> acceleration */
   tm_real temperature;           /* of every particle where heat is off */
   tm_real heat_rate, k_max;      /* see tm_heat_time_step */
@@ -202,6 +203,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
   const tm_material *m = s->material + s->type[i];
   const tm_real *rec = a->rec.main + (ptrdiff_t) i * TM_REC;
   const int dim3 = (effects & TM_FX_3D) != 0;
+  const tm_real h = tm_particle_h(s, i, a->h, effects);
   tm_update_result out = tm_update_nothing();
   out.particle = i;
 
@@ -264,7 +266,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     if (effects & TM_FX_BALSARA) {
       const tm_vec3 curl = tm_vec(L.zy - L.yz, L.xz - L.zx, L.yx - L.xy);
       *tm_field_row(s, TM_F_BALSARA, i) =
-          tm_balsara(tm_mat_trace(L), tm_vec_norm(curl), rec[TM_REC_C], a->h);
+          tm_balsara(tm_mat_trace(L), tm_vec_norm(curl), rec[TM_REC_C], h);
     }
     if (effects & TM_FX_HEAT)
       out.heat = tm_update_temperature(i, a, m, q.rho, q.yield * q.d_eps * inv_dt, effects);
@@ -275,9 +277,9 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       if (a->artificial) out.artificial = a->dt * a->artificial[i];
     }
 
-    out.dt[TM_DT_SOUND] = tm_sound_time_step(a->h, rec[TM_REC_C], a->visc_alpha, effects);
+    out.dt[TM_DT_SOUND] = tm_sound_time_step(h, rec[TM_REC_C], a->visc_alpha, effects);
     const tm_real a2 = tm_vec_dot(acc, acc);
-    if (a2 > 0.0) out.dt[TM_DT_FORCE] = sqrt(a->h / sqrt(a2));
+    if (a2 > 0.0) out.dt[TM_DT_FORCE] = sqrt(h / sqrt(a2));
     const double *v = s->v + 3 * (ptrdiff_t) i;
     const tm_real v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
     const tm_real check = q.rho + q.s.xx + q.s.xy + q.s.yz + v2;
@@ -293,7 +295,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       const tm_real k = tm_conductivity(m, T);
       if (k > 0.0)
         out.dt[TM_DT_CONDUCTION] = tm_heat_time_step(*tm_field_row(s, TM_F_RHO, i), tm_capacity(m, T),
-                                                     a->h, k, a->k_max, a->heat_rate);
+                                                     h, k, a->k_max, a->heat_rate);
     }
     if (out.status == TM_OK && !(T - T == 0.0)) out.status = TM_BAD_NAN;
     else if (out.status == TM_OK && !(T > 0.0)) out.status = TM_BAD_TEMPERATURE;

@@ -30,6 +30,7 @@ enum tm_effect {
   TM_FX_PLANE_STRESS = 1 << 14, /* 2D with free thickness */
   TM_FX_BODIES = 1 << 15,       /* contact between particle bodies */
   TM_FX_LEDGER = 1 << 16,       /* energy bookkeeping */
+  TM_FX_SMOOTHING = 1 << 17,    /* smoothing length and size of each particle of its own */
 
   TM_FX_KERNEL_SHIFT = 20       /* three bits of enum tm_kernel */
 };
@@ -37,7 +38,8 @@ enum tm_effect {
 #define TM_FX_RATE_MASK \
   ((unsigned) (TM_FX_3D | TM_FX_VISCOSITY | TM_FX_ARTSTRESS | TM_FX_CONDUCTION))
 #define TM_FX_EXTENDED_MASK \
-  ((unsigned) (TM_FX_FORM_F14 | TM_FX_CORRECTION | TM_FX_BALSARA | TM_FX_XSPH | TM_FX_SURFACE))
+  ((unsigned) (TM_FX_FORM_F14 | TM_FX_CORRECTION | TM_FX_BALSARA | TM_FX_XSPH | TM_FX_SURFACE | \
+               TM_FX_SMOOTHING))
 #define TM_FX_KERNEL_MASK (7u << TM_FX_KERNEL_SHIFT)
 
 TM_FN int tm_fx_kernel(unsigned fx) { return (int) ((fx >> TM_FX_KERNEL_SHIFT) & 7u); }

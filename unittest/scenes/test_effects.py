@@ -34,8 +34,8 @@ BIG = SCENE.replace("1e-3", "1e-4").replace("-0.001 0.001", "-0.0001 0.0001").re
 YIELDS = "strength plastic 400e6 100e6"
 STEEL = "strength johnson/cook 792e6 510e6 0.26 0.014 1.03 298 1793 1"
 HEAT = "heat 38 477 0.9"
-ALL = ("viscosity artstress heat conduction plasticity damage correction balsara xsph surface internal-energy bodies "
-       "energy").split()
+ALL = ("viscosity artstress heat conduction plasticity damage correction balsara xsph surface internal-energy bodies energy "
+       "smoothing").split()
 STEP = "dt 5e-8 "    # the coefficient of the viscosity, on or off, is part of the automatic step
 checks = Checks()
 
