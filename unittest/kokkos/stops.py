@@ -1,0 +1,70 @@
+"""What stops a run on its way: scripts that do, and the message. It must be the same with Kokkos as without; on a GPU the
+bundle's 'run test' compares too (bench/gpu/run.py)."""
+import re
+
+BASE = """
+units si
+dimension 2
+boundary f f p
+atom_style atomic
+newton off
+lattice sq 1e-3 origin 0.5 0.5 0
+region box block {box} -0.5e-3 0.5e-3 units box
+create_box 1 box
+region work block 0 8e-3 0 8e-3 INF INF units box
+create_atoms 1 region work
+{more}
+pair_style sph/tm hyperbolic 1.2 spacing 1e-3
+pair_coeff 1 1 density 2700 elastic 70e9 0.33 strength johnson/cook 428e6 327e6 1.008 0.01 1.31 293 855 1.0 &
+  heat 200 900 0.9
+fix body all sph/tm {fix}
+group one id 30
+thermo 10
+run 20
+{lines}
+run 80
+"""
+SMALL, LARGE = "-5e-3 13e-3 -5e-3 13e-3", "-1 1 -1 1"
+TORN = """variable g atom 1.15e7*exp(-((x-5.5e-3)^2+(y-3.5e-3)^2)/2.25e-6)
+variable u atom v_g*(x-5.5e-3)
+variable w atom v_g*(y-3.5e-3)
+velocity all set v_u v_w NULL units box"""
+CASES = {
+    "state that is no number": dict(lines="variable f equal exp(800*(step>25))\nfix push one addforce v_f 0 0"),
+    "runaway": dict(lines="fix push one addforce 1e10 0 0"),
+    "velocity set too high": dict(lines="velocity one set 1e6 0 0 units box"),
+    "density": dict(fix="dt 6e-8", lines=TORN),
+    "leaves the box": dict(box=SMALL, lines="group last id 32\nvelocity last set 8000 300 0 units box"),
+    "heat taken out": dict(lines="fix sink one sph/tm/heat source -1e20"),
+    "overlap at the start": dict(more="create_atoms 1 single 2.5e-3 2.5e-3 0 units box"),
+}
+
+# Rows that become many times longer than the room there was for them. What a row holds beyond the reach of the kernel does
+# not count: the state is the same, bit for bit, as with short rows.
+GROW = BASE.format(box=LARGE, more="", fix="", lines="velocity one set 100 0 0 units box\n{skin}") + \
+    "write_dump all custom end.dump id x y vx vy fx fy modify sort id format float %.17g\n"
+ROWS_GROW, ROWS_STAY = GROW.format(skin="neighbor 6e-3 bin"), GROW.format(skin="")
+
+
+def script(name):
+    return BASE.format(**dict(dict(box=LARGE, more="", lines="", fix=""), **CASES[name]))
+
+
+def message(output):
+    """LAMMPS's error message, without the place in its code."""
+    text = " ".join(" ".join(re.findall(r"^ERROR.*", output, re.M)).split())
+    return re.sub(r" \(\S*\.cpp:\d+\)", "", text)
+
+
+NUMBER = r"[-+]?\d+\.?\d*(?:e[-+]?\d+)?"
+
+
+def same(one, other, relative):
+    """The same words, the same whole numbers, other numbers to that difference."""
+    if re.split(NUMBER, one) != re.split(NUMBER, other):
+        return False
+    for a, b in zip(re.findall(NUMBER, one), re.findall(NUMBER, other)):
+        whole = a.lstrip("-").isdigit() and b.lstrip("-").isdigit()
+        if a != b and (whole or abs(float(a) - float(b)) > relative * max(abs(float(a)), abs(float(b)))):
+            return False
+    return bool(one)
