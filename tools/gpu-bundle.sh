@@ -26,7 +26,7 @@ top=$work/$name
 mkdir -p "$top/bin" "$top/lib" "$top/libexec" "$top/plugin" "$top/bench/gpu" "$top/scenes" "$top/mpi/share"
 
 say "programs and libraries"
-cp "$root"/bench/gpu/*.py "$top/bench/gpu/"
+cp "$root"/bench/gpu/*.py "$root/unittest/kokkos/stops.py" "$top/bench/gpu/"
 cp "$root/bench/gpu/run" "$top/run"
 cp -R "$root/materials" "$top/"
 echo "$devices" > "$top/devices"
@@ -36,6 +36,14 @@ cp "$host/lmp" "$top/libexec/lmp"
 cp "$(command -v orterun)" "$top/libexec/mpirun"
 cp "$plugin/sphtmplugin.so" "$top/plugin/"
 strip --strip-unneeded "$top/plugin/sphtmplugin.so"
+if [ $devices = cuda ]; then
+  toolkit=$(dirname -- "$(dirname -- "$(readlink -f "$(command -v nvcc || echo /usr/local/cuda/bin/nvcc)")")")
+  mpicc -std=c11 -O2 -Wall -Wextra -shared -fPIC "-I$toolkit/include" "$root/tools/device-mpi/device_mpi.c" \
+    -o "$top/lib/libdevice_mpi.so" "-L$toolkit/lib64" -lcudart
+  kokkos=$(sed -n 's/^Kokkos_DIR:[A-Z]*=//p' "$host/CMakeCache.txt")
+  arch=$(sed -n 's/^set(Kokkos_ARCH .*[A-Z]\([0-9]*\))$/sm_\1/p' "$kokkos/KokkosConfigCommon.cmake")
+  "$root/tools/device-test.sh" "$top/libexec/device" ${arch:-}
+fi
 for program in lmp mpirun; do cp "$root/bench/gpu/with-libraries.sh" "$top/bin/$program"; done
 
 # Open MPI's components, without those for networks and batch systems that a single machine does not have

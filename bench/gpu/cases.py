@@ -92,16 +92,37 @@ def tool_environment(folder, top):
     return {"KOKKOS_TOOLS_LIBS": os.path.join(top, "lib", "libkernel_table.so"), "SPHTM_KERNEL_TABLE": table}, table
 
 
-def launches(name, folder, top, lammps, steps):
-    """Copies between memories, their bytes, and launches in a run of so many steps."""
+def launches(name, folder, top, lammps, steps, particles):
+    """What a run of so many steps launches and copies between memories: name -> (number, bytes); the copies of data of
+    particles by step: how many of them -> (steps, bytes)."""
     environment, table = tool_environment(folder, top)
+    environment.update(SPHTM_LARGE_COPY=str(particles), SPHTM_STEP_KERNEL="sph/tm rates")
     output, status = lammps(folder, prepare(name, folder, top, steps), environment=environment)
     if status != 0 or not os.path.isfile(table):
         return None
-    rows = read_table(table)
-    apart = [r for r in rows if r[0] == "copy" and len(set(r[1].split(":")[0].split(" <- "))) == 2]
-    return (sum(r[2] for r in apart), sum(r[4] for r in apart), sum(r[2] for r in rows if r[0] == "kernel"),
-            {r[1]: (r[2], r[4]) for r in apart})
+    counts = {"kernel": {}, "copy": {}, "data": {}, "step": {}}
+    for kind, what, calls, _, size in read_table(table):
+        if kind in ("kernel", "step") or len(set(what.split(":")[0].split(" <- "))) == 2:
+            counts[kind][what] = (calls, size)
+    return counts
+
+
+def transfers(short, long, steps):
+    """What a longer run has more than a shorter one belongs to its steps."""
+    more = {kind: {k: (n[0] - short[kind].get(k, (0, 0))[0], n[1] - short[kind].get(k, (0, 0))[1]) for k, n in rows.items()}
+            for kind, rows in long.items()}
+    more = {kind: {k: n for k, n in rows.items() if n[0] > 0} for kind, rows in more.items()}
+
+    def sum_of(kind, place):
+        return sum(n[place] for n in more[kind].values())
+
+    return {"launches_per_step": sum_of("kernel", 0) / steps,
+            "copies_per_step": (sum_of("copy", 0) + sum_of("data", 0)) / steps,
+            "copied_bytes_per_step": (sum_of("copy", 1) + sum_of("data", 1)) / steps,
+            "particle_data": {"copies_per_step": sum_of("data", 0) / steps, "bytes_per_step": sum_of("data", 1) / steps,
+                              "steps_by_copies": {k: n[0] for k, n in more["step"].items()},
+                              "copies_of": {k: {"copies": n[0], "bytes": n[1]} for k, n in more["data"].items()}},
+            "other_copies_of": {k: {"copies": n[0], "bytes": n[1]} for k, n in more["copy"].items()}}
 
 
 def failure(output, status):
@@ -118,13 +139,10 @@ def run(name, folder, top, lammps):
     if status != 0 or "Loop time of" not in output:
         return {"case": name, "error": failure(output, status)}
     result = dict({"case": name}, **figures(output))
-    if CASES[name][4]:    # what a longer run has more than a shorter one belongs to the steps
-        short, long = (launches(name, folder, top, lammps, n) for n in (20, 120))
+    if CASES[name][4]:
+        short, long = (launches(name, folder, top, lammps, n, result["particles"]) for n in (20, 120))
         if short and long:
-            per_step = [(b - a) / 100 for a, b in zip(short[:3], long[:3])]
-            result.update(copies_per_step=per_step[0], copied_bytes_per_step=per_step[1], launches_per_step=per_step[2],
-                          copies_of={k: {"copies": n[0] - short[3].get(k, (0, 0))[0], "bytes": n[1] - short[3].get(k, (0, 0))[1]}
-                                     for k, n in long[3].items() if n[0] > short[3].get(k, (0, 0))[0]})
+            result.update(transfers(short, long, 100))
     return result
 
 

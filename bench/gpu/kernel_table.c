@@ -2,6 +2,9 @@
    between memories. At the end of the run it writes the file named by SPHTM_KERNEL_TABLE, a line each:
      kernel <tab> name <tab> launches <tab> seconds <tab> 0
      copy   <tab> to and from memory <tab> copies <tab> seconds <tab> bytes
+     data   the same for copies of SPHTM_LARGE_COPY bytes or more: those of data of particles
+     step   <tab> number of copies of data between two memories in a step <tab> steps <tab> 0 <tab> bytes in all of them
+   A step goes from one launch of a kernel whose name begins with SPHTM_STEP_KERNEL to the next.
    Kokkos waits for the device around every launch while a tool is loaded: times are of the kernels alone. */
 #include <stdint.h>
 #include <stdio.h>
@@ -21,6 +24,8 @@ static struct row rows[MAX_ROWS];
 static int n_rows;
 static double started;
 static struct row *copying;
+static uint64_t large = UINT64_MAX, copies_in_step, bytes_in_step;
+static const char *step_kernel = "";
 
 struct space {    /* Kokkos passes the name of a memory space by value */
   char name[64];
@@ -45,10 +50,22 @@ static struct row *find(const char *kind, const char *name)
   return &rows[n_rows++];
 }
 
-static const char kernel[] = "kernel", copy[] = "copy";
+static const char kernel[] = "kernel", copy[] = "copy", data[] = "data", step[] = "step";
+
+static void end_step(void)
+{
+  char name[24];
+  struct row *r;
+  snprintf(name, sizeof name, "%llu", (unsigned long long) copies_in_step);
+  r = find(step, name);
+  r->calls++;
+  r->bytes += bytes_in_step;
+  copies_in_step = bytes_in_step = 0;
+}
 
 static void begin(const char *name, uint64_t *id)
 {
+  if (*step_kernel && !strncmp(name, step_kernel, strlen(step_kernel))) end_step();
   *id = (uint64_t) (find(kernel, name) - rows);
   started = now();
 }
@@ -57,6 +74,17 @@ static void end(uint64_t id)
 {
   rows[id].calls++;
   rows[id].seconds += now() - started;
+}
+
+void kokkosp_init_library(int sequence, uint64_t version, uint32_t devices, void *info)
+{
+  const char *bytes = getenv("SPHTM_LARGE_COPY"), *name = getenv("SPHTM_STEP_KERNEL");
+  (void) sequence;
+  (void) version;
+  (void) devices;
+  (void) info;
+  if (bytes) large = strtoull(bytes, NULL, 10);
+  if (name) step_kernel = name;
 }
 
 void kokkosp_begin_parallel_for(const char *name, uint32_t device, uint64_t *id)
@@ -85,8 +113,12 @@ void kokkosp_begin_deep_copy(struct space to, const char *to_name, const void *t
   (void) to_ptr;
   (void) from_ptr;
   snprintf(name, sizeof name, "%s <- %s: %.100s <- %.100s", to.name, from.name, to_name, from_name);
-  copying = find(copy, name);
+  copying = find(bytes >= large ? data : copy, name);
   copying->bytes += bytes;
+  if (bytes >= large && strcmp(to.name, from.name)) {
+    copies_in_step++;
+    bytes_in_step += bytes;
+  }
   started = now();
 }
 void kokkosp_end_deep_copy(void)

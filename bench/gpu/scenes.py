@@ -5,7 +5,7 @@ import gzip
 import os
 import re
 
-STATE = "state.dump"
+STATE, START = "state.dump", "start.dump"
 COLUMNS = ("x", "y", "z", "vx", "vy", "vz", "density", "pressure", "temperature", "pstrain", "vonmises")
 # columns that share a scale: a difference counts against the largest value among them
 SCALES = ("x y z", "vx vy vz", "density", "pressure vonmises", "temperature", "pstrain")
@@ -29,31 +29,50 @@ SCENES = {
 }
 
 
-def small_script(text, steps):
-    """The script with its runs cut to so many steps, and the state of the particles written after the last."""
+def small_script(text, steps, more=""):
+    """The script with its runs cut to so many steps, more lines before the first, the positions before it and the state of
+    the particles after the last run written."""
     text = re.split(r"^clear\b", text, flags=re.M)[0]    # of scripts that start over with another value
-    state = "compute         state all sph/tm/atom %s\n" % " ".join(COLUMNS[6:])
-    text = re.sub(r"^(?=run\s)", lambda m: state, text, count=1, flags=re.M)
+    before = more + ("compute         state all sph/tm/atom %s\nwrite_dump all custom %s id x y z modify sort id format "
+                     "float %%.17g\n" % (" ".join(COLUMNS[6:]), START))
+    text = re.sub(r"^(?=run\s)", lambda m: before, text, count=1, flags=re.M)
     text = re.sub(r"^run(\s+)(?!0\b)\S+", lambda m: "run%s%d" % (m[1], steps), text, flags=re.M)
     return text + ("\nwrite_dump all custom %s id %s c_state[*] modify sort id format float %%.17g\n"
                    % (STATE, " ".join(COLUMNS[:6])))
 
 
-def read_state(path):
-    """Rows of numbers, by id, of the only frame of a dump; the file may be gzipped."""
-    with (gzip.open if path.endswith(".gz") else open)(path, "rt") as f:
+def rows_of(path):
+    with open(path) as f:
         text = f.read()
-    rows = text[text.index("ITEM: ATOMS"):].splitlines()[1:]
-    return [[float(word) for word in row.split()] for row in rows]
+    return [row.split() for row in text[text.index("ITEM: ATOMS"):].splitlines()[1:]]
+
+
+def state(folder):
+    """Rows of numbers as text: where each particle started, and its state; in order of the starts. How particles are
+    numbered depends on the number of ranks, where they start does not."""
+    start = {row[0]: row[1:] for row in rows_of(os.path.join(folder, START))}
+    rows = [start[row[0]] + row[1:] for row in rows_of(os.path.join(folder, STATE))]
+    return sorted(rows, key=lambda row: [float(word) for word in row[:3]])
+
+
+def write_state(path, rows):
+    with gzip.open(path, "wt") as f:
+        f.writelines(" ".join(row) + "\n" for row in rows)
+
+
+def read_state(path):
+    with gzip.open(path, "rt") as f:
+        return [line.split() for line in f]
 
 
 def differences(rows, expected):
     """Largest difference of each group of columns over the largest value expected in it; None: other particles."""
-    if [row[0] for row in rows] != [row[0] for row in expected]:
+    rows, expected = ([[float(word) for word in row] for row in r] for r in (rows, expected))
+    if [row[:3] for row in rows] != [row[:3] for row in expected]:
         return None
     worst = {}
     for group in SCALES:
-        places = [1 + COLUMNS.index(name) for name in group.split()]
+        places = [3 + COLUMNS.index(name) for name in group.split()]
         scale = max(abs(row[k]) for row in expected for k in places)
         apart = [abs(a[k] - b[k]) for a, b in zip(rows, expected) for k in places]
         # max() passes over NaN

@@ -10,6 +10,7 @@
 #include "contact_loop.h"
 #include "loop_tool.h"
 #include "tm_carry.h"
+#include "tm_spread.h"
 #include "tool_motion.h"
 #include "tri_tool.h"
 
@@ -114,12 +115,13 @@ class FixContactTri : public Fix {
   // the loops over the particles of this rank
   virtual tm_contact_result run_contact(const tm_contact_args &, unsigned effects);
   virtual void run_carry(const tm_carry_args &);
+  virtual int run_divide(const tm_spread_args &);
+  virtual void run_collect(const tm_spread_args &);
   tm_pose pose_now() const { return motion.pose(clock, 0.0, 0.0); }
   void book(double dt);
   void update_temperature();
   void place_body(const tm_pose &from, const tm_pose &to);
   void heat_body();
-  double heat_weight(int i, int j) const;
   void sum_up();
 
   bool output_due() const;

@@ -9,7 +9,6 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "tm_kernel.h"
 #include "tm_winding.h"
 
 #include <algorithm>
@@ -134,51 +133,53 @@ void FixContactTri::place_body(const tm_pose &from, const tm_pose &to)
   run_carry({state->state(), groupbit, request.body_type, domain->dimension == 3, from, to});
 }
 
-double FixContactTri::heat_weight(int i, int j) const
+// the first particle whose heat nobody takes, or n
+int FixContactTri::run_divide(const tm_spread_args &a)
 {
-  const PairSPHTM::Settings &set = pair->settings_in_use();
-  const double *main = pair->host_records().main;
-  const double *a = main + (size_t) i * TM_REC, *b = main + (size_t) j * TM_REC;
-  const double dx = a[0] - b[0], dy = a[1] - b[1], dz = a[2] - b[2];
-  return tm_kernel_shape(set.kernel, sqrt(dx * dx + dy * dy + dz * dz) / set.h);
+  const int n = atom->nlocal;
+  return state->loops().sum_blocks(
+      n, n,
+      [&](int begin, int end) {
+        for (int i = begin; i < end; i++)
+          if (tm_spread_divide(i, &a)) return i;
+        return n;
+      },
+      [](int *first, const int *i) { *first = std::min(*first, *i); });
 }
 
-/* Friction heat for the tool goes to its particles within the kernel of the rubbing one (F15's
-   NeibContTherm), in parts that add up to all of it: the rubbing particle divides its heat by the
-   sum of its weights, then each tool particle collects. What finds no tool particle is lost, and
-   said. */
+void FixContactTri::run_collect(const tm_spread_args &a)
+{
+  state->loops().blocks(atom->nlocal, [&](int begin, int end) {
+    for (int i = begin; i < end; i++) tm_spread_collect(i, &a);
+  });
+}
+
+// friction heat for the tool goes to its particles; what finds none is lost, and said
 void FixContactTri::heat_body()
 {
-  const tm_rows rows = pair->host_rows();
-  const int *type = atom->type;
-  double *source = state->host_heat_source(), *lost = tool_heat.host_write();
-  auto each_neighbor = [&](int i, auto &&use) {
-    const int *row = rows.index + rows.first[i];
-    for (int k = 0; k < rows.thermal[i]; k++) use(row[(rows.mechanical[i] + k) * rows.stride]);
-  };
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (lost[i] == 0.0) continue;
-    double sum = 0.0;
-    each_neighbor(i, [&](int j) {
-      if (type[j] == request.body_type) sum += heat_weight(i, j);
-    });
-    if (sum == 0.0)
-      error->one(FLERR,
-                 "Fix contact/tri {} particles: no particle of type {} near the contact at "
-                 "{:.6g} {:.6g} {:.6g} takes up the friction heat; fill the tool with "
-                 "particles up to its surface",
-                 id, request.body_type, atom->x[i][0], atom->x[i][1], atom->x[i][2]);
-    lost[i] /= sum;
+  const tm_rates_args &rates = pair->rate_args();
+  const PairSPHTM::Settings &set = pair->settings_in_use();
+  tm_spread_args a;
+  a.rows = rates.rows;
+  a.main = rates.rec.main;
+  a.type = rates.type;
+  a.body_type = request.body_type;
+  a.kernel = set.kernel;
+  a.h = set.h;
+  a.heat = tool_heat.loop_write();
+  a.source = state->heat_source();
+  const int i = run_divide(a);
+  if (i < atom->nlocal) {
+    const tm_real *x = pair->host_records().main + (size_t) i * TM_REC;
+    error->one(FLERR,
+               "Fix contact/tri {} particles: no particle of type {} near the contact at "
+               "{:.6g} {:.6g} {:.6g} takes up the friction heat; fill the tool with "
+               "particles up to its surface",
+               id, request.body_type, x[0], x[1], x[2]);
   }
   comm->forward_comm(this);
-  for (int j = 0; j < atom->nlocal; j++) {
-    if (type[j] != request.body_type) continue;
-    double heat = 0.0;
-    each_neighbor(j, [&](int i) {
-      if (lost[i] != 0.0) heat += lost[i] * heat_weight(i, j);
-    });
-    source[j] += heat;
-  }
+  a.heat = tool_heat.loop_write();
+  run_collect(a);
 }
 
 int FixContactTri::pack_forward_comm(int n, int *list, double *buf, int, int *)

@@ -19,6 +19,7 @@ FixContactTriKokkos::FixContactTriKokkos(LAMMPS *lmp, int narg, char **arg) : Fi
   datamask_read = X_MASK | V_MASK | F_MASK | TYPE_MASK | MASK_MASK | RMASS_MASK;
   datamask_modify = F_MASK;
   if (request.body_type) datamask_modify |= X_MASK | V_MASK;
+  forward_comm_device = 1;
 }
 
 // the look for overlaps at the start is the host's
@@ -48,6 +49,30 @@ tm_contact_result contact_kernel(int n, const tm_contact_args &a, unsigned fx)
   return kokkos_sum("contact/tri", n, tm_contact_nothing(), Contact<EFFECTS, ANY>{a, fx}, SumContact());
 }
 
+struct Divide {
+  tm_spread_args a;
+  int n;
+  KOKKOS_FUNCTION int operator()(int i) const { return tm_spread_divide(i, &a) ? i : n; }
+};
+struct Least {
+  KOKKOS_FUNCTION void operator()(int *least, const int *i) const { *least = *i < *least ? *i : *least; }
+};
+struct Collect {
+  tm_spread_args a;
+  KOKKOS_FUNCTION void operator()(int j) const { tm_spread_collect(j, &a); }
+};
+struct PackHeat {
+  const double *heat;
+  const int *list;
+  double *buf;
+  KOKKOS_FUNCTION void operator()(int k) const { buf[k] = heat[list[k]]; }
+};
+struct UnpackHeat {
+  double *heat;
+  const double *buf;
+  KOKKOS_FUNCTION void operator()(int k) const { heat[k] = buf[k]; }
+};
+
 struct Carry {
   tm_carry_args a;
   KOKKOS_FUNCTION void operator()(int i) const { tm_carry(i, &a); }
@@ -73,5 +98,30 @@ void FixContactTriKokkos::run_carry(const tm_carry_args &a)
 {
   if (state->loops().shared()) FixContactTri::run_carry(a);
   else kokkos_each("contact/tri carry", atom->nlocal, Carry{a});
+}
+
+int FixContactTriKokkos::run_divide(const tm_spread_args &a)
+{
+  if (state->loops().shared()) return FixContactTri::run_divide(a);
+  const int n = atom->nlocal;
+  return kokkos_sum("contact/tri divide heat", n, n, Divide{a, n}, Least());
+}
+
+void FixContactTriKokkos::run_collect(const tm_spread_args &a)
+{
+  if (state->loops().shared()) FixContactTri::run_collect(a);
+  else kokkos_each("contact/tri collect heat", atom->nlocal, Collect{a});
+}
+
+int FixContactTriKokkos::pack_forward_comm_kokkos(int n, DAT::tdual_int_1d k_sendlist, DAT::tdual_xfloat_1d &buf, int, int *)
+{
+  kokkos_each("contact/tri send heat", n,
+              PackHeat{tool_heat.loop_read(), k_sendlist.view<LMPDeviceType>().data(), buf.view<LMPDeviceType>().data()});
+  return n;
+}
+
+void FixContactTriKokkos::unpack_forward_comm_kokkos(int n, int first, DAT::tdual_xfloat_1d &buf)
+{
+  kokkos_each("contact/tri receive heat", n, UnpackHeat{tool_heat.loop_write() + first, buf.view<LMPDeviceType>().data()});
 }
 #endif

@@ -14,10 +14,14 @@ class FixContactTriKokkos : public FixContactTri, public KokkosBase {
  public:
   FixContactTriKokkos(class LAMMPS *, int, char **);
   void setup(int) override;
+  int pack_forward_comm_kokkos(int, DAT::tdual_int_1d, DAT::tdual_xfloat_1d &, int, int *) override;
+  void unpack_forward_comm_kokkos(int, int, DAT::tdual_xfloat_1d &) override;
 
  protected:
   tm_contact_result run_contact(const tm_contact_args &, unsigned) override;
   void run_carry(const tm_carry_args &) override;
+  int run_divide(const tm_spread_args &) override;
+  void run_collect(const tm_spread_args &) override;
 };
 
 }    // namespace LAMMPS_NS
