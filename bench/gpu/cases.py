@@ -102,6 +102,8 @@ def launches(name, folder, top, lammps, steps, particles):
         return None
     counts = {"kernel": {}, "copy": {}, "data": {}, "step": {}}
     for kind, what, calls, _, size in read_table(table):
+        if kind == "fill":
+            continue
         if kind in ("kernel", "step") or len(set(what.split(":")[0].split(" <- "))) == 2:
             counts[kind][what] = (calls, size)
     return counts

@@ -3,6 +3,7 @@
      kernel <tab> name <tab> launches <tab> seconds <tab> 0
      copy   <tab> to and from memory <tab> copies <tab> seconds <tab> bytes
      data   the same for copies of SPHTM_LARGE_COPY bytes or more: those of data of particles
+     fill   the same for memory filled with one value, which Kokkos announces as a copy from nowhere
      step   <tab> number of copies of data between two memories in a step <tab> steps <tab> 0 <tab> bytes in all of them
    A step goes from one launch of a kernel whose name begins with SPHTM_STEP_KERNEL to the next.
    Kokkos waits for the device around every launch while a tool is loaded: times are of the kernels alone. */
@@ -50,7 +51,8 @@ static struct row *find(const char *kind, const char *name)
   return &rows[n_rows++];
 }
 
-static const char kernel[] = "kernel", copy[] = "copy", data[] = "data", step[] = "step";
+static const char kernel[] = "kernel", copy[] = "copy", data[] = "data", fill[] = "fill",
+                  step[] = "step";
 
 static void end_step(void)
 {
@@ -113,9 +115,9 @@ void kokkosp_begin_deep_copy(struct space to, const char *to_name, const void *t
   (void) to_ptr;
   (void) from_ptr;
   snprintf(name, sizeof name, "%s <- %s: %.100s <- %.100s", to.name, from.name, to_name, from_name);
-  copying = find(bytes >= large ? data : copy, name);
+  copying = find(!strcmp(from_name, "(none)") ? fill : bytes >= large ? data : copy, name);
   copying->bytes += bytes;
-  if (bytes >= large && strcmp(to.name, from.name)) {
+  if (copying->kind == data && strcmp(to.name, from.name)) {
     copies_in_step++;
     bytes_in_step += bytes;
   }

@@ -9,6 +9,7 @@
 #include "error.h"
 #include "update.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace LAMMPS_NS;
@@ -85,11 +86,13 @@ void FixSPHTM::check_start()
   const tm_nearest c = pair_sph->nearest();
   if (c.distance < 0.1 * dp) {
     double **x = atom->x;
+    const auto pair = std::minmax(c.i, c.j, [&](int i, int j) { return atom->tag[i] < atom->tag[j]; });
+    const int i = pair.first, j = pair.second;
     error->one(FLERR, "Pair style sph/tm: particles {} and {} are {} at {:.6g} {:.6g} {:.6g}; remove one of "
                       "them ('delete_atoms overlap {:.6g} all all')",
-               atom->tag[c.i], atom->tag[c.j], c.distance == 0.0 ? "in the same place" :
-               fmt::format("only {:.6g} of the spacing apart", c.distance / dp), x[c.i][0], x[c.i][1],
-               x[c.i][2], 0.5 * dp);
+               atom->tag[i], atom->tag[j], c.distance == 0.0 ? "in the same place" :
+               fmt::format("only {:.6g} of the spacing apart", c.distance / dp), x[i][0], x[i][1],
+               x[i][2], 0.5 * dp);
   }
   for (int i = 0; i < atom->nlocal; i++) {
     const double *x = atom->x[i], *v = atom->v[i], *f = atom->f[i];

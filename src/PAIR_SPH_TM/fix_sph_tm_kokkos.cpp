@@ -6,6 +6,8 @@
 
 #include "atom_kokkos.h"
 #include "atom_masks.h"
+#include "modify.h"
+#include "utils.h"
 
 using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
@@ -87,16 +89,26 @@ void FixSPHTMKokkos::init()
     atomKK->k_mass.modify<LMPHostType>();
     atomKK->k_mass.sync<LMPDeviceType>();
   }
+  // LAMMPS takes a fix without a Kokkos version for one that changes all that atoms have. These only read, and nothing has
+  // to go back to a GPU after each of their turns.
+  for (Fix *f : modify->get_fix_list())
+    if (!f->kokkosable && (utils::strmatch(f->style, "^ave/") || utils::strmatch(f->style, "^(print|vector)$")))
+      f->datamask_modify = EMPTY_MASK;
 }
 
 // checks of the set-up look at particles on the host
 void FixSPHTMKokkos::setup(int vflag)
 {
-  atoms_to_host();
+  atomKK->sync(Host, ALL_MASK);
   FixSPHTM::setup(vflag);
 }
 
-void FixSPHTMKokkos::atoms_to_host() { atomKK->sync(Host, ALL_MASK); }
+// in the middle of a step: what the loops have changed is known to LAMMPS only at its end
+void FixSPHTMKokkos::atoms_to_host()
+{
+  atomKK->modified(execution_space, datamask_modify);
+  atomKK->sync(Host, ALL_MASK);
+}
 
 void FixSPHTMKokkos::point_to_atoms(tm_state &s)
 {
