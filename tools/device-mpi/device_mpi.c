@@ -9,6 +9,8 @@
    buffer is free again. Where the receiver cannot open the handle, the message goes through pinned memory of both hosts.
    Both sides of a message must use device memory, and a receive is as long as its message: as LAMMPS has it.
 
+   SPHTM_DEVICE_MPI_HOST=1 sends all through the host; SPHTM_DEVICE_MPI_SAY=1 says at the end how many went which way.
+
    LIMITS: one thread calls MPI; MPI_Waitany and the like do not know these receives. */
 #include <cuda_runtime_api.h>
 #include <mpi.h>
@@ -62,6 +64,7 @@ static int n_peers;
 static receive receives[MAX_RECEIVES];
 static int n_receives;         /* in use */
 static cudaStream_t stream;
+static long n_direct, n_through_host;
 
 static void check(cudaError_t status, const char *what)
 {
@@ -137,7 +140,7 @@ static int send_from_device(const void *from, size_t bytes, int rank, int tag, M
   peer *p = find_peer(comm, rank);
   header h;
   finish(p);
-  if (p->opens == UNKNOWN && getenv("SPHTM_DEVICE_MPI_HOST")) p->opens = NO;    /* for tests */
+  if (p->opens == UNKNOWN && getenv("SPHTM_DEVICE_MPI_HOST")) p->opens = NO;
   make_buffer(p, bytes);
   memset(&h, 0, sizeof h);
   h.through_host = p->opens != YES;    /* the first message goes so, and asks */
@@ -146,6 +149,8 @@ static int send_from_device(const void *from, size_t bytes, int rank, int tag, M
     h.version = p->version;
   }
   h.bytes = bytes;
+  if (h.through_host) n_through_host++;
+  else n_direct++;
   if (h.through_host) {
     make_pinned(&p->pinned, &p->pinned_room, bytes);
     copy(p->pinned, from, bytes);
@@ -245,5 +250,7 @@ int MPI_Finalize(void)
 {
   int i;
   for (i = 0; i < n_peers; i++) finish(peers[i]);
+  if (getenv("SPHTM_DEVICE_MPI_SAY"))
+    fprintf(stderr, "device_mpi: %ld messages from GPU to GPU, %ld through the host\n", n_direct, n_through_host);
   return PMPI_Finalize();
 }
