@@ -8,7 +8,6 @@
 #include "atom_kokkos.h"
 #include "atom_masks.h"
 #include "error.h"
-#include "kokkos.h"
 #include "neigh_list_kokkos.h"
 #include "neigh_request.h"
 #include "neighbor.h"
@@ -33,11 +32,6 @@ void PairSPHTMKokkos::init_style()
   auto *request = neighbor->find_request(this);
   request->set_kokkos_device(true);
   request->set_kokkos_host(false);
-#if defined(LMP_KOKKOS_GPU)
-  // Where MPI knows only the host's memory, LAMMPS lets the host pack what ghosts get, out of whole arrays. Its other way
-  // packs on the GPU and copies what it packed: comm->init(), which comes next, takes that.
-  lmp->kokkos->forward_pair_comm_classic = lmp->kokkos->forward_fix_comm_classic = 0;
-#endif
 }
 
 /* ---------------------------------------------------------------------- rows */

@@ -7,6 +7,7 @@ static ut_particles p;
 static tm_initial_args initial(unsigned fields)
 {
   tm_initial_args a;
+  memset(&a, 0, sizeof a);
   a.state = p.state;
   a.fields = fields;
   a.temperature = 350.0;

@@ -131,6 +131,7 @@ static void near(void)
 {
   double each[N];
   tm_near_args a;
+  memset(&a, 0, sizeof a);
   a.rows.index = index_; a.rows.first = first; a.rows.stride = TM_ROW_SLICE;
   a.rows.mechanical = count[0]; a.rows.thermal = count[1]; a.rows.contact = count[2];
   a.x = x;

@@ -35,15 +35,16 @@ typedef struct {
   tm_tri_view mesh;
   tm_grid_view grid;
   tm_pose from, to;
+  double factor[TM_GRADIENT_ENTRIES];                 /* tm_gradient_table */
   /* rows */
   int count[TM_SEGMENTS][CLOUD], index[CLOUD * ROOM];
   ptrdiff_t first[CLOUD];
   /* compared, all of one kind */
   double x[3 * CLOUD], v[3 * CLOUD], force[3 * CLOUD], force_internal[3 * CLOUD], source[CLOUD];
   double rho[CLOUD], stress[6 * CLOUD], history[TM_H_COLUMNS * CLOUD], pstrain[3 * CLOUD], temperature[3 * CLOUD];
-  double energy[CLOUD], damage[2 * CLOUD], balsara[CLOUD], xsph[3 * CLOUD], thickness[CLOUD];
+  double size[TM_S_COLUMNS * CLOUD], energy[CLOUD], damage[2 * CLOUD], balsara[CLOUD], xsph[3 * CLOUD], thickness[CLOUD];
   __attribute__((aligned(16))) double rec_main[TM_REC * CLOUD], rec_stress[TM_REC_STRESS * CLOUD], rec_heat[TM_REC_HEAT * CLOUD];
-  double rec_correction[TM_REC_CORRECTION * CLOUD];
+  double rec_correction[TM_REC_CORRECTION * CLOUD], rec_size[TM_REC_SIZE * CLOUD];
   double gradient[9 * CLOUD], heat[CLOUD], correction[6 * CLOUD], xsph_v[3 * CLOUD], surface[3 * CLOUD];
   double artificial[CLOUD], near[CLOUD], tally[TM_TALLY * CLOUD], tool_heat[CLOUD];
   double result[POINTS_MOST * CLOUD];                 /* what the function returned */
@@ -54,6 +55,7 @@ typedef struct {
   ARRAY(x, 3) ARRAY(v, 3) ARRAY(force, 3) ARRAY(source, 1) ARRAY(rho, 1) ARRAY(stress, 6) ARRAY(history, 20)         \
   ARRAY(pstrain, 3) ARRAY(temperature, 3) ARRAY(energy, 1) ARRAY(damage, 2) ARRAY(balsara, 1) ARRAY(xsph, 3)         \
   ARRAY(thickness, 1) ARRAY(rec_main, TM_REC) ARRAY(rec_stress, 6) ARRAY(rec_heat, 2) ARRAY(rec_correction, 9)       \
+  ARRAY(size, TM_S_COLUMNS) ARRAY(rec_size, TM_REC_SIZE)                                                             \
   ARRAY(gradient, 9) ARRAY(heat, 1) ARRAY(correction, 6) ARRAY(xsph_v, 3) ARRAY(surface, 3) ARRAY(artificial, 1)     \
   ARRAY(near, 1) ARRAY(tally, TM_TALLY) ARRAY(tool_heat, 1) ARRAY(result, POINTS_MOST)
 
@@ -63,7 +65,7 @@ TM_FN tm_state cloud_state(cloud *w)
   s.field[TM_F_RHO] = w->rho; s.field[TM_F_STRESS] = w->stress; s.field[TM_F_HISTORY] = w->history;
   s.field[TM_F_PSTRAIN] = w->pstrain; s.field[TM_F_TEMP] = w->temperature; s.field[TM_F_ENERGY] = w->energy;
   s.field[TM_F_DAMAGE] = w->damage; s.field[TM_F_BALSARA] = w->balsara; s.field[TM_F_XSPH] = w->xsph;
-  s.field[TM_F_THICKNESS] = w->thickness;
+  s.field[TM_F_THICKNESS] = w->thickness; s.field[TM_F_SIZE] = w->size;
   s.x = w->x; s.v = w->v; s.force = w->force;
   s.type = w->type; s.mask = w->mask;
   s.material = w->material;
@@ -75,6 +77,7 @@ TM_FN tm_records cloud_records(cloud *w)
 {
   tm_records r;
   r.main = w->rec_main; r.stress = w->rec_stress; r.heat = w->rec_heat; r.correction = w->rec_correction;
+  r.size = (w->effects & TM_FX_SMOOTHING) ? w->rec_size : NULL;
   return r;
 }
 TM_FN tm_row_args cloud_row_args(cloud *w)
@@ -94,7 +97,10 @@ TM_FN tm_row_args cloud_row_args(cloud *w)
 TM_FN tm_rates_args cloud_rates(cloud *w)
 {
   tm_rates_args a;
-  const tm_real reach = tm_kernel_support(w->kernel) * w->h;
+  const tm_real support = tm_kernel_support(w->kernel), reach = support * w->h;
+  memset(&a.single, 0, sizeof a.single);
+  a.support2 = support * support;
+  a.norm_of_one = tm_kernel_norm(w->kernel, w->dim, 1.0);
   a.rows.index = w->index; a.rows.first = w->first; a.rows.stride = w->slice;
   a.rows.mechanical = w->count[0]; a.rows.thermal = w->count[1]; a.rows.contact = w->count[2];
   a.rec = cloud_records(w);
@@ -161,6 +167,7 @@ STAGE(predict)
   a.dt_ahead = 0.5 * w->dt;
   a.art_eps = 0.3;
   a.art_component = w->dim == 2;
+  a.gradient = w->factor;
   tm_predict(i, &a, w->effects);
   tm_predict_artstress(i, i + 1, &a, w->effects);
   (void) out;
@@ -291,7 +298,8 @@ STAGE(near)
   tm_near_args a;
   a.rows = r.rows;
   a.x = w->x;
-  a.reach2 = r.reach2;
+  a.size = r.rec.size;
+  a.reach2 = a.size ? r.support2 : r.reach2;
   a.count = w->near;
   out[0] = tm_near_count(i, &a);
   const tm_nearest c = tm_nearest_neighbor(i, &a);
@@ -314,6 +322,8 @@ STAGE(initial)
   a.state = cloud_state(w);
   a.fields = (1u << TM_F_COUNT) - 1;
   a.temperature = 321.0;
+  a.ratio = 1.2;
+  a.dim3 = w->dim == 3;
   if (i % 2) w->rho[i] = 0.0;
   tm_initial_of_new(i, &a);
   (void) out;

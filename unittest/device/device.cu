@@ -250,6 +250,8 @@ int main()
   compare_cloud("3d", 3, TM_KERNEL_HYPERBOLIC, 1.2, basic);
   compare_cloud("3d_every_effect", 3, TM_KERNEL_WENDLAND_C4, 1.2, basic | more | TM_FX_CORRECTION);
   compare_cloud("2d_plane_stress_f14", 2, TM_KERNEL_QUINTIC, 1.1, basic | more | TM_FX_FORM_F14 | TM_FX_PLANE_STRESS);
+  compare_cloud("3d_sizes", 3, TM_KERNEL_HYPERBOLIC, 1.2, basic | more | TM_FX_CORRECTION | TM_FX_SMOOTHING);
+  compare_cloud("2d_sizes", 2, TM_KERNEL_WENDLAND_C2, 1.2, basic | TM_FX_SMOOTHING);
   compare_cloud("2d_cubic", 2, TM_KERNEL_CUBIC, 1.3, basic | TM_FX_CORRECTION);
   compare_cloud("2d_wendland_c2", 2, TM_KERNEL_WENDLAND_C2, 1.3, TM_FX_HEAT | TM_FX_CONDUCTION);
   failed += points_not_built();

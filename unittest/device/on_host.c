@@ -68,6 +68,8 @@ static void make_particle(cloud *w, int i, const int *at, int side)
   w->damage[2 * i + 1] = i % 17 == 0;
   w->balsara[i] = ut_random(0, 1);
   w->thickness[i] = ut_random(0.9, 1.1);
+  tm_size_initial(w->size + TM_S_COLUMNS * i, w->mass[w->type[i]], w->material[w->type[i]].rho0, w->h / dp, w->dim == 3);
+  w->size[TM_S_COLUMNS * i + TM_S_H] *= ut_random(0.9, 1.1);
   w->source[i] = ut_random(0, 1e2);
 }
 
@@ -116,6 +118,7 @@ void cloud_make(cloud *w, int dim, int kernel, double ratio, unsigned effects, t
       w->conductance[pair] = a != b ? 2e4 : 0.0;
       w->touch_law[pair].friction = 0.2; w->touch_law[pair].penalty = 0.1; w->touch_law[pair].damping = 0.3;
     }
+  tm_gradient_table(kernel, dim, w->factor);
   const int side = dim == 3 ? SIDE : 31;
   for (int a = 0; a < side; a++)
     for (int b = 0; b < side; b++)

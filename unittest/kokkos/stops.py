@@ -25,7 +25,7 @@ run 20
 {lines}
 run 80
 """
-SMALL, LARGE = "-5e-3 13e-3 -5e-3 13e-3", "-1 1 -1 1"
+SMALL, LARGE = "-13e-3 13e-3 -13e-3 13e-3", "-1 1 -1 1"
 CASES = {
     "state that is no number": dict(lines="variable f equal exp(800*(step>25))\nfix push one addforce v_f 0 0"),
     "runaway": dict(lines="fix push one addforce 1e10 0 0"),
