@@ -1,0 +1,102 @@
+#!/usr/bin/python3
+"""The bent beam: elastic profile, then refined where it is stretched. ./sphtm scenes bending_beam"""
+import os
+import sys
+
+import numpy as np
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "bench"))
+from study import Study                                                                # noqa: E402
+from sphtm_scene import read_dump                                                      # noqa: E402
+
+L, W = 0.05, 12.5e-3
+# S13: edge of the square 0.5 of the spacing; the keyword takes smoothing lengths, 1.2 spacings
+REFINE = "refine square epsilon 0.41667 alpha %s when v_strain above 0.01 every 50"
+ROWS = {"unrefined": "none", "refined": REFINE % "0.5", "refined_wide": REFINE % "1.0"}
+
+
+def elastic_profile(result, rows, at=0.5):
+    """Stress along the beam over the height at a part of the free length, and what the moment of the force there asks for."""
+    dx, frame = W / rows, read_dump(result.path("elastic.dump"))[-1]
+    h = result.columns("history.dat")
+    force = h[(h[:, 1] > frame_time(result) - 50e-6) & (h[:, 1] <= frame_time(result))][:, 2].mean()
+    near = np.abs(frame["x"] - at * L) < 1.01 * dx
+    y, s = frame["y"][near], frame["c_p[2]"][near]
+    moment = force * (L + 3 * dx - at * L)
+    return y, s, 12 * moment / W**3 * (y - frame["y"][near].mean()), 6 * moment / W**2
+
+
+def frame_time(result):
+    t = result.thermo[1]
+    return t["Time"][-1]
+
+
+def profile_error(y, s, wanted, top):
+    """Largest difference from the linear profile over the stress of the surface; slope of the best line over the wanted."""
+    best = np.polyfit(wanted, s, 1)
+    return np.abs(s - wanted).max() / top, best[0]
+
+
+def gap(frame, rows, height=0.25):
+    """Largest distance to the nearest particle on the right, in spacings, among those of the upper quarter near the clamp."""
+    dx = W / rows
+    x, y = frame["x"], frame["y"]
+    near = (x > -dx) & (x < 0.4 * L)
+    worst = 0.0
+    # the row of the lattice a particle came from is not kept through splitting: look along the surface, the highest particle
+    # of every column of one spacing
+    edges = np.arange(-dx, 0.4 * L, dx)
+    tops = []
+    for a in edges:
+        m = near & (x >= a) & (x < a + dx)
+        if m.any():
+            k = np.flatnonzero(m)[np.argmax(y[m])]
+            tops.append((x[k], y[k]))
+    tops = np.array(tops)
+    if len(tops) > 1:
+        worst = np.hypot(*np.diff(tops, axis=0).T).max() / dx
+    return worst
+
+
+def main():
+    sizes = {"small": {"rows": 10}, "default": {"rows": 25}, "large": {"rows": 50}}
+    study = Study(__file__, sizes, __doc__)
+    rows, table, frames = study.size["rows"], {}, {}
+    for row, adapt in ROWS.items():
+        if not study.wants(row):
+            continue
+        result = study.run(row, dict(study.size, adapt=adapt), may_stop=True)
+        if not os.path.exists(result.path("end.dump")):
+            table[row] = {"stopped": result.errors()}
+            continue
+        error, slope = profile_error(*elastic_profile(result, rows))
+        end = read_dump(result.path("end.dump"))[-1]
+        first = read_dump(result.path("elastic.dump"))[-1]
+        small = end["mass"] < 0.9 * first["mass"].max()
+        frames[row] = end
+        h = result.columns("history.dat")
+        table[row] = {"profile_error": error, "profile_slope": slope, "particles_start": len(first["x"]), "particles_end":
+                      len(end["x"]), "refined_stretched": int((small & (end["c_p[2]"] > 0)).sum()),
+                      "refined_compressed": int((small & (end["c_p[2]"] <= 0)).sum()), "tip": h[-1, 4],
+                      "largest_plastic_strain": h[-1, 5], "surface_gap": gap(end, rows),
+                      "processor": result.processor, "wall": result.wall}
+    draw(frames, study)
+    study.end({"rows": table})
+
+
+def draw(frames, study):
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    plt.rcParams.update({"font.size": 9})
+    figure, axes = plt.subplots(1, max(1, len(frames)), figsize=(3.6 * max(1, len(frames)), 3.6), squeeze=False)
+    for ax, (row, frame) in zip(axes[0], frames.items()):
+        dots = ax.scatter(1e3 * frame["x"], 1e3 * frame["y"], c=1e-6 * frame["c_p[2]"], s=1.2, cmap="coolwarm", vmin=-900,
+                          vmax=900, lw=0)
+        ax.set(aspect="equal", title=row.replace("_", " "), xlabel="x (mm)")
+    figure.colorbar(dots, ax=axes[0].tolist(), label="stress along x (MPa)", shrink=0.8)
+    figure.savefig(study.path("bending_beam.png"), dpi=150, bbox_inches="tight")
+
+
+if __name__ == "__main__":
+    main()
