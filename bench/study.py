@@ -47,7 +47,7 @@ class Study:
 
     def run(self, row, variables, repeats=1, may_stop=False):
         """Runs the example's script; times are medians over the repeats. may_stop: an error of lmp is a result too."""
-        folder, variables = self.path(row), dict(variables)
+        folder, variables = self.path(row), {k: v for k, v in variables.items() if v is not None}
         if not self.options.look:
             print("%s: %s" % (self.name, row), flush=True)
             shutil.rmtree(folder, ignore_errors=True)

@@ -11,8 +11,9 @@ from sphtm_scene import read_dump                                               
 
 L, W = 0.05, 12.5e-3
 # S13: edge of the square 0.5 of the spacing; the keyword takes smoothing lengths, 1.2 spacings
-REFINE = "refine square epsilon 0.41667 alpha %s when v_strain above 0.01 every 50"
-ROWS = {"unrefined": "none", "refined": REFINE % "0.5", "refined_wide": REFINE % "1.0"}
+REFINE = "refine square epsilon 0.41667 alpha 0.5 velocity linear when v_strain above 0.04 every 50"
+ELASTIC = {"options": "viscosity 0.5 0.5 correction yes artstress 0 4", "sag": 0}
+ROWS = {"elastic": ELASTIC, "unrefined": {"ramp": 100e-6}, "refined": {"ramp": 100e-6, "adapt": REFINE}}
 
 
 def elastic_profile(result, rows, at=0.5):
@@ -62,20 +63,23 @@ def main():
     sizes = {"small": {"rows": 10}, "default": {"rows": 25}, "large": {"rows": 50}}
     study = Study(__file__, sizes, __doc__)
     rows, table, frames = study.size["rows"], {}, {}
-    for row, adapt in ROWS.items():
+    for row, variables in ROWS.items():
         if not study.wants(row):
             continue
-        result = study.run(row, dict(study.size, adapt=adapt), may_stop=True)
+        result = study.run(row, dict(study.size, **variables), may_stop=True)
         if not os.path.exists(result.path("end.dump")):
             table[row] = {"stopped": result.errors()}
             continue
-        error, slope = profile_error(*elastic_profile(result, rows))
+        if row == "elastic":
+            error, slope = profile_error(*elastic_profile(result, rows))
+            table[row] = {"profile_error": error, "profile_slope": slope, "processor": result.processor}
+            continue
         end = read_dump(result.path("end.dump"))[-1]
         first = read_dump(result.path("elastic.dump"))[-1]
         small = end["mass"] < 0.9 * first["mass"].max()
         frames[row] = end
         h = result.columns("history.dat")
-        table[row] = {"profile_error": error, "profile_slope": slope, "particles_start": len(first["x"]), "particles_end":
+        table[row] = {"particles_start": len(first["x"]), "particles_end":
                       len(end["x"]), "refined_stretched": int((small & (end["c_p[2]"] > 0)).sum()),
                       "refined_compressed": int((small & (end["c_p[2]"] <= 0)).sum()), "tip": h[-1, 4],
                       "largest_plastic_strain": h[-1, 5], "surface_gap": gap(end, rows),

@@ -10,7 +10,7 @@ from study import Study                                                         
 
 KIENZLE = 2220.0 * 1.0 ** (1 - 0.14)      # N per mm of width at 1 mm: kc1.1 = 2220 N/mm2, mc = 0.14; see README.md
 # S13: edge of the square 0.5 of the spacing; the keyword takes smoothing lengths, 1.2 spacings
-ADAPT = "h asph refine square epsilon 0.41667 alpha 0.5 when region tip every 50"
+ADAPT = "asph psi refine square epsilon 0.41667 alpha 0.5 velocity linear when region tip every 50"
 
 
 def forces(result):

@@ -8,7 +8,7 @@ import numpy as np
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "bench"))
 from study import Study                                                                # noqa: E402
 
-ROWS = {"constant": "none", "density": "h density", "asph": "h asph"}
+ROWS = {"constant": None, "density": "asph density", "asph": "asph psi"}
 BROKEN = 0.5                      # fracture: the force has fallen below this part of its largest value
 
 

@@ -8,7 +8,7 @@ import numpy as np
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "bench"))
 from study import Study                                                                # noqa: E402
 
-ROWS = {"skin": "none", "every_step": "threshold 0", "1e-5": "threshold 1e-5", "once": "threshold inf"}
+ROWS = {"skin": None, "every_step": "threshold 0", "1e-5": "threshold 1e-5", "once": "threshold inf"}
 
 
 def measure(result):
