@@ -15,7 +15,8 @@ from sphtm_scene import SOURCE, Checks, run
 CARDS = os.path.join(SOURCE, "materials", "materials.sphtm")
 NAMES = {"density": ["density"], "elastic": ["young", "poisson"], "heat": ["conductivity", "capacity", "taylor_quinney"],
          "strength johnson/cook": ["jc_a", "jc_b", "jc_n", "jc_c", "jc_m", "t_ref", "t_melt", "jc_rate0"],
-         "strength elastic": [], "eos linear": [], "emissivity": ["emissivity"]}
+         "strength plastic": ["yield", "hardening"], "strength elastic": [], "eos linear": [],
+         "emissivity": ["emissivity"]}
 
 # flow stress (MPa) at plastic strain, rate and temperature above Tref: REFERENCE 2
 POINTS = ((0.1, 1.0, 0.0), (0.5, 1e3, 0.0), (0.5, 1e3, 300.0), (1.0, 1e5, 500.0))
@@ -31,7 +32,9 @@ VALUES = {
     "ti6al4v": {"density": 4430, "young": 110e9, "poisson": 0.35, "jc_a": 852.1e6, "jc_b": 338.9e6, "jc_n": 0.148,
                 "jc_c": 0.02754, "jc_m": 0.5961, "t_ref": 300, "t_melt": 1836, "conductivity": 6.8, "capacity": 526,
                 "taylor_quinney": 0.9},
-    "rubber": {"density": 1200, "young": 1e7, "poisson": 0.3975}}
+    "rubber": {"density": 1200, "young": 1e7, "poisson": 0.3975},
+    "steel-f14": {"density": 7850, "young": 210e9, "poisson": 0.3, "yield": 350e6, "hardening": 0},
+    "al6061-t6": {"density": 2700, "young": 68.9e9, "poisson": 0.33, "yield": 276e6}}
 
 # --- a run in which every constant matters ------------------------------------------------------------------
 
@@ -103,7 +106,7 @@ def arrive(checks, cards):
         base = scene("materials.sphtm " + name, *like)
         due.append((name + ": card is inline", base, scene(inline(card), *like), True))
         for c, v in constants.items():
-            changed = repr(float(v) * 1.01)
+            changed = repr(float(v) * 1.01 or 1e9)    # of a perfectly plastic card the hardening is 0
             this = scene("materials.sphtm %s set %s %s" % (name, c, changed), *like)
             due.append(("%s: set %s is inline" % (name, c), this, scene(inline(card, {c: changed}), *like), True))
             due.append(("%s: %s matters" % (name, c), this, base, False))
