@@ -11,6 +11,7 @@
 #include "fix_sph_tm_heat.h"
 #include "pair_sph_tm.h"
 #ifdef LMP_KOKKOS
+#include "compute_sph_tm_atom_kokkos.h"
 #include "fix_contact_tri_kokkos.h"
 #include "fix_sph_tm_kokkos.h"
 #include "on_loops_kokkos.h"
@@ -32,6 +33,7 @@ using ContactKokkos = FixContactTriKokkos;
 using AdaptKokkos = SPHTM_NS::OnLoopsKokkos<FixAdaptNeigh>;
 using HeatKokkos = SPHTM_NS::OnLoopsKokkos<FixSPHTMHeat>;
 using DriveKokkos = SPHTM_NS::OnLoopsKokkos<FixSPHTMDrive>;
+using AtomComputeKokkos = ComputeSPHTMAtomKokkos;
 #else
 using PairKokkos = PairSPHTM;
 using FixKokkos = FixSPHTM;
@@ -39,6 +41,7 @@ using ContactKokkos = FixContactTri;
 using AdaptKokkos = FixAdaptNeigh;
 using HeatKokkos = FixSPHTMHeat;
 using DriveKokkos = FixSPHTMDrive;
+using AtomComputeKokkos = ComputeSPHTMAtom;
 #endif
 
 extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *ptr, void *handle,
@@ -58,7 +61,7 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *p
   registry.state_fix<FixSPHTM, FixKokkos>("sph/tm", "state and time integration of pair sph/tm");
   registry.fix<FixSPHTMHeat, HeatKokkos>("sph/tm/heat", "temperature, flux, source, convection, radiation on a group");
   registry.fix<FixSPHTMDrive, DriveKokkos>("sph/tm/drive", "prescribed velocity of a group of sph/tm particles");
-  registry.compute<ComputeSPHTMAtom>("sph/tm/atom", "per-particle values of sph/tm");
+  registry.compute<ComputeSPHTMAtom, AtomComputeKokkos>("sph/tm/atom", "per-particle values of sph/tm");
   registry.fix<FixContactTri, ContactKokkos>("contact/tri", "contact, friction and heat with a tool of triangles");
   registry.state_fix<FixAdaptNeigh, AdaptKokkos>("adapt/neigh", "what follows the deformation: lists, smoothing length, refinement");
   registry.compute<ComputeCuttingForce>("cutting/force", "forces of a tool in terms of cutting");

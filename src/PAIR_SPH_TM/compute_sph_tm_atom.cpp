@@ -10,7 +10,7 @@
 #include "modify.h"
 #include "update.h"
 
-#include <cmath>
+#include <algorithm>
 #include <cstring>
 #include <string>
 
@@ -18,86 +18,21 @@ using namespace LAMMPS_NS;
 
 namespace {
 
-struct Particle {
-  FixSPHTM *fix;
-  PairSPHTM *pair;
-  const tm_material *m;
-  int i;
-  const tm_real *main, *surface, *neighbors;    // of all particles, or nullptr
-  double state(int id, int column, double otherwise) const
-  {
-    const double *d = fix->field(id);
-    return d ? d[(size_t) i * tm_field_table[id].columns + column] : otherwise;
-  }
-  double rho() const { return state(TM_F_RHO, 0, 0.0); }
-  bool failed() const { return state(TM_F_DAMAGE, 1, 0.0) > 0.5; }
-  double pressure() const
-  {
-    if (m->body != TM_BODY_SOLID) return 0.0;
-    if (fix->has(TM_FX_PLANE_STRESS)) return state(TM_F_STRESS, 2, 0.0);
-    return tm_damage_pressure(tm_eos_pressure(m, rho(), state(TM_F_ENERGY, 0, 0.0)), failed());
-  }
-  tm_sym3 deviator() const { return tm_sym_load(fix->field(TM_F_STRESS) + 6 * (size_t) i); }
-  double stress() const { return 1.0 / pair->units().stress; }    // to the pressure unit
-};
-
-double sigma(const Particle &p, int k)
-{
-  const double *s = p.fix->field(TM_F_STRESS) + 6 * (size_t) p.i;
-  return p.stress() * (s[k] - (k < 3 ? p.pressure() : 0.0));
-}
-
-struct Attribute {
-  const char *name;
-  double (*value)(const Particle &);
-};
-
-const Attribute ATTRIBUTES[] = {
-    {"density", [](const Particle &p) { return p.rho() / p.pair->units().density; }},
-    {"temperature", [](const Particle &p) { return p.fix->temperature(p.i); }},
-    {"pstrain", [](const Particle &p) { return p.state(TM_F_PSTRAIN, 0, 0.0); }},
-    {"pstrain/rate", [](const Particle &p) { return p.state(TM_F_PSTRAIN, 1, 0.0); }},
-    {"flowstress", [](const Particle &p) { return p.stress() * p.state(TM_F_PSTRAIN, 2, 0.0); }},
-    {"vonmises", [](const Particle &p) { return p.stress() * tm_sym_mises(p.deviator()); }},
-    {"pressure", [](const Particle &p) { return p.stress() * p.pressure(); }},
-    {"stress/xx", [](const Particle &p) { return sigma(p, 0); }},
-    {"stress/yy", [](const Particle &p) { return sigma(p, 1); }},
-    {"stress/zz", [](const Particle &p) { return sigma(p, 2); }},
-    {"stress/xy", [](const Particle &p) { return sigma(p, 3); }},
-    {"stress/xz", [](const Particle &p) { return sigma(p, 4); }},
-    {"stress/yz", [](const Particle &p) { return sigma(p, 5); }},
-    {"damage", [](const Particle &p) { return p.state(TM_F_DAMAGE, 0, 0.0); }},
-    {"failed", [](const Particle &p) { return p.failed() ? 1.0 : 0.0; }},
-    {"energy", [](const Particle &p) { return p.state(TM_F_ENERGY, 0, 0.0) / p.pair->units().energy; }},
-    {"thickness", [](const Particle &p) { return p.state(TM_F_THICKNESS, 0, 1.0); }},
-    {"soundspeed",
-     [](const Particle &p) {
-       return p.m->body == TM_BODY_SOLID
-           ? tm_eos_sound_speed(p.m, p.rho(), p.state(TM_F_ENERGY, 0, 0.0)) : 0.0;
-     }},
-    {"h", [](const Particle &p) { return p.state(TM_F_SIZE, TM_S_H, p.pair->settings_in_use().h); }},
-    {"neighbors", [](const Particle &p) { return p.neighbors ? p.neighbors[p.i] : 0.0; }},
-    {"surface/area",
-     [](const Particle &p) {
-       if (!p.surface) return 0.0;
-       const double *g = p.surface + 3 * (size_t) p.i;
-       const double *r = p.main + (size_t) p.i * TM_REC;
-       return tm_surface_area(&p.pair->surface_measure(), tm_vec(g[0], g[1], g[2]), r[TM_REC_M] / r[TM_REC_RHO]);
-     }},
-};
-constexpr int N_ATTRIBUTES = sizeof(ATTRIBUTES) / sizeof(ATTRIBUTES[0]);
+#define TM_OUTPUT_NAME(id, name) name,
+const char *const ATTRIBUTES[] = {TM_OUTPUT_TABLE(TM_OUTPUT_NAME)};
+#undef TM_OUTPUT_NAME
 
 }    // namespace
 
 ComputeSPHTMAtom::ComputeSPHTMAtom(LAMMPS *lmp, int narg, char **arg) : Compute(lmp, narg, arg)
 {
   std::string known;
-  for (const auto &a : ATTRIBUTES) known += std::string(" ") + a.name;
+  for (const char *name : ATTRIBUTES) known += std::string(" ") + name;
   if (narg < 4) error->all(FLERR, "Compute sph/tm/atom needs at least one attribute:{}", known);
   for (int iarg = 3; iarg < narg; iarg++) {
     int found = -1;
-    for (int k = 0; k < N_ATTRIBUTES; k++)
-      if (strcmp(arg[iarg], ATTRIBUTES[k].name) == 0) found = k;
+    for (int k = 0; k < TM_OUT_COUNT; k++)
+      if (strcmp(arg[iarg], ATTRIBUTES[k]) == 0) found = k;
     if (found < 0) error->all(FLERR, "Unknown compute sph/tm/atom attribute {}: known are{}", arg[iarg], known);
     wanted.push_back(found);
   }
@@ -114,9 +49,7 @@ ComputeSPHTMAtom::~ComputeSPHTMAtom()
 void ComputeSPHTMAtom::init()
 {
   find_fix();
-  for (int k : wanted)
-    if (strcmp(ATTRIBUTES[k].name, "surface/area") == 0)
-      fix->need(TM_FX_SURFACE, fmt::format("compute {} shows surface/area", id));
+  if (wants(TM_OUT_AREA)) fix->need(TM_FX_SURFACE, fmt::format("compute {} shows surface/area", id));
 }
 
 void ComputeSPHTMAtom::find_fix()
@@ -126,37 +59,57 @@ void ComputeSPHTMAtom::find_fix()
   fix = dynamic_cast<FixSPHTM *>(fixes[0]);
 }
 
+bool ComputeSPHTMAtom::wants(int attribute) const
+{
+  return std::find(wanted.begin(), wanted.end(), attribute) != wanted.end();
+}
+
+// where the loops run
+tm_output_args ComputeSPHTMAtom::output_args()
+{
+  PairSPHTM *pair = fix->pair();
+  tm_output_args a = {};
+  a.neighbors = wants(TM_OUT_NEIGHBORS) ? pair->loop_neighbors() : nullptr;
+  a.state = fix->state();
+  a.effects = fix->effects();
+  a.group = groupbit;
+  if (wants(TM_OUT_AREA) && pair->has_surface(atom->nlocal)) {
+    a.main = pair->rate_args().rec.main;
+    a.surface = pair->rate_args().surface;
+  }
+  a.measure = pair->surface_measure();
+  a.temperature = fix->start_temperature();
+  a.h = pair->settings_in_use().h;
+  a.stress = pair->units().stress;
+  a.density = pair->units().density;
+  a.energy = pair->units().energy;
+  a.columns = (int) wanted.size();
+  return a;
+}
+
+void ComputeSPHTMAtom::run_output(double *value)
+{
+  tm_output_args a = output_args();
+  a.wanted = wanted.data();
+  a.value = value;
+  fix->loops().blocks(atom->nlocal, [&](int begin, int end) {
+    for (int i = begin; i < end; i++) tm_output(i, &a);
+  });
+}
+
 void ComputeSPHTMAtom::compute_peratom()
 {
   invoked_peratom = update->ntimestep;
   find_fix();    // it may have gone since the last run
   if (!fix->pair()) error->all(FLERR, "Compute sph/tm/atom {}: fix sph/tm has no state before a run; use 'run 0'", id);
-  const int columns = (int) wanted.size();
   if (atom->nmax > nmax) {
     nmax = atom->nmax;
     memory->destroy(vector_atom);
     memory->destroy(array_atom);
     if (size_peratom_cols == 0) memory->create(vector_atom, nmax, "sph/tm/atom:vector");
-    else memory->create(array_atom, nmax, columns, "sph/tm/atom:array");
+    else memory->create(array_atom, nmax, size_peratom_cols, "sph/tm/atom:array");
   }
-  Particle p = {fix, fix->pair(), nullptr, 0, nullptr, nullptr, nullptr};
-  for (int k : wanted) {
-    const std::string name = ATTRIBUTES[k].name;
-    if (name == "neighbors") p.neighbors = p.pair->host_neighbors();
-    if (name != "surface/area" || !p.pair->has_surface(atom->nlocal)) continue;
-    p.main = p.pair->host_records().main;
-    p.surface = p.pair->host_surface();
-  }
-  for (int i = 0; i < atom->nlocal; i++) {
-    p.i = i;
-    p.m = p.pair->materials() + atom->type[i];
-    const bool in = atom->mask[i] & groupbit;
-    for (int k = 0; k < columns; k++) {
-      const double value = in ? ATTRIBUTES[wanted[k]].value(p) : 0.0;
-      if (size_peratom_cols == 0) vector_atom[i] = value;
-      else array_atom[i][k] = value;
-    }
-  }
+  if (atom->nlocal) run_output(size_peratom_cols == 0 ? vector_atom : array_atom[0]);
 }
 
 double ComputeSPHTMAtom::memory_usage() { return (double) nmax * wanted.size() * sizeof(double); }

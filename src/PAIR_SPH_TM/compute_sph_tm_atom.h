@@ -5,6 +5,7 @@
 #define LMP_COMPUTE_SPH_TM_ATOM_H
 
 #include "compute.h"
+#include "tm_output.h"
 
 #include <vector>
 
@@ -18,12 +19,18 @@ class ComputeSPHTMAtom : public Compute {
   void compute_peratom() override;
   double memory_usage() override;
 
- private:
+ protected:
   class FixSPHTM *fix = nullptr;
-  std::vector<int> wanted;    // index into the table of attributes
+  std::vector<int> wanted;    // enum tm_output_id
+
+  tm_output_args output_args();
+  virtual void run_output(double *value);    // the rows of all particles
+
+ private:
   int nmax = 0;
 
   void find_fix();
+  bool wants(int attribute) const;
 };
 
 }    // namespace LAMMPS_NS

@@ -412,10 +412,10 @@ double PairSPHTM::neighbors(bool of_each)
   return backend.near_count(rows ? atom->nlocal : 0, near_args(of_each));
 }
 
-const tm_real *PairSPHTM::host_neighbors()
+const tm_real *PairSPHTM::loop_neighbors()
 {
   neighbors(true);
-  return near_count.host_read();
+  return near_count.loop_read();
 }
 
 tm_nearest PairSPHTM::nearest() { return backend.nearest(atom->nlocal, near_args(false)); }

@@ -75,10 +75,9 @@ class PairSPHTM : public Pair {
   tm_records host_records();
   tm_rows host_rows();
   bool has_surface(int n) const { return surface.size() > 3 * (size_t) n; }    // of n particles
-  const tm_real *host_surface() { return surface.host_read(); }
   // of the particles of this rank: neighbors within reach, the closest mechanical neighbors
   double neighbors(bool of_each = false);
-  const tm_real *host_neighbors();    // number of neighbors of each
+  const tm_real *loop_neighbors();    // number of neighbors of each
   tm_nearest nearest();
   bool has_contact_pairs() const;
   double largest_conductivity() const;      // of all types at all temperatures
