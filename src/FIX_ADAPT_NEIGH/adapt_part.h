@@ -29,6 +29,7 @@ class AdaptPart {
   virtual void init() {}
   virtual void setup_pre_exchange() {}
   virtual void setup_pre_force() {}
+  virtual void setup() {}
   virtual void pre_exchange() {}      // before particles migrate; only in steps that renew the lists
   virtual void post_neighbor() {}     // after they have
   virtual void pre_force() {}

@@ -1,6 +1,7 @@
 /* SPH-TM: fix adapt/neigh. See doc/fix_adapt_neigh.rst. */
 #include "fix_adapt_neigh.h"
 
+#include "adapt_smoothing.h"
 #include "fix_sph_tm.h"
 #include "pair_sph_tm.h"
 
@@ -9,6 +10,7 @@
 #include "error.h"
 #include "force.h"
 #include "modify.h"
+#include "update.h"
 
 #include <algorithm>
 #include <cstring>
@@ -26,6 +28,9 @@ FixAdaptNeigh::FixAdaptNeigh(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
   global_freq = 1;
   extvector = 0;
   nevery = 1;
+  force_reneighbor = 1;
+  next_reneighbor = -1;
+  parts.push_back(std::make_unique<AdaptSmoothing>(*this));
   read_keywords(3, narg, arg);
   for (const auto &p : parts)
     if (p->in_use()) used.push_back(p.get());
@@ -80,6 +85,10 @@ void FixAdaptNeigh::setup_pre_force(int)
 {
   for (AdaptPart *p : used) p->setup_pre_force();
 }
+void FixAdaptNeigh::setup(int)
+{
+  for (AdaptPart *p : used) p->setup();
+}
 void FixAdaptNeigh::pre_exchange()
 {
   const auto timed = sph->run_clock.timed(this);
@@ -100,6 +109,8 @@ void FixAdaptNeigh::end_of_step()
   const auto timed = sph->run_clock.timed(this);
   for (AdaptPart *p : used) p->end_of_step();
 }
+
+void FixAdaptNeigh::renew_lists() { next_reneighbor = update->ntimestep + 1; }
 
 double FixAdaptNeigh::compute_vector(int n)
 {

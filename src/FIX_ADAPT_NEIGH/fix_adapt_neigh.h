@@ -26,6 +26,7 @@ class FixAdaptNeigh : public Fix {
   void init() override;
   void setup_pre_exchange() override;
   void setup_pre_force(int) override;
+  void setup(int) override;
   void pre_exchange() override;
   void post_neighbor() override;
   void pre_force(int) override;
@@ -49,6 +50,7 @@ class FixAdaptNeigh : public Fix {
   FixSPHTM &body() { return *sph; }
   PairSPHTM &pair() { return *pair_sph; }
   LAMMPS *host() { return lmp; }
+  void renew_lists();           // in the next step
   void update_packed_size();    // when the most a particle packs has changed
 
  private:

@@ -6,7 +6,8 @@
    particle's own first neighbourhood and s = target/n_h, kept within [1/4, 4]:
      a = 0.4 (1 + s^2) below 1, 0.4 (1 + s^-3) above;  h_new = h (1 - a + a s)          S13 (2), (3)
    The particle itself is left out of the sum: it would add the same at any distance of the others.
-   The alternative, h from density, is dh/dt = -(h/(d rho)) drho/dt                      S13 (5). */
+   The alternative, h from density, is dh/dt = -(h/(d rho)) drho/dt                      S13 (5),
+   whose solution is h proportional to rho^(-1/d)                                        S13 (4). */
 #ifndef TM_ASPH_H
 #define TM_ASPH_H
 
@@ -75,10 +76,10 @@ TM_FN tm_real tm_asph_next(tm_real h, tm_real target, tm_real n_h)
   return h * (1.0 - a + a * s);
 }
 
-/* h after a step dt with the trace of the velocity gradient, S13 (5): drho/dt = -rho div v. */
-TM_FN tm_real tm_density_h(tm_real h, int dim, tm_real divergence, tm_real dt)
+/* h at density rho of what had h0 at rho0, S13 (4). */
+TM_FN tm_real tm_density_h(tm_real h0, int dim, tm_real rho0, tm_real rho)
 {
-  return h * exp(divergence * dt / dim);
+  return h0 * (dim == 3 ? cbrt(rho0 / rho) : sqrt(rho0 / rho));
 }
 
 #endif

@@ -155,6 +155,12 @@ tm_tally_result Backend::tally(int n, const tm_tally_args &a, unsigned effects)
       *this, n, tm_tally_result{}, [&](int i) { return tm_tally(i, &a, effects); }, tm_tally_sum);
 }
 
+tm_size_range Backend::smoothing(int n, const tm_smoothing_args &a, unsigned effects)
+{
+  return sum_particles(
+      *this, n, tm_size_nothing(), [&](int i) { return tm_smoothing(i, &a, effects); }, tm_size_sum);
+}
+
 tm_size_range Backend::size_range(int n, const tm_state &s)
 {
   return sum_particles(*this, n, tm_size_nothing(), [&](int i) { return tm_size_of(i, &s); }, tm_size_sum);

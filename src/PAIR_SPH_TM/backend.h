@@ -18,6 +18,7 @@
 #include "tm_predict.h"
 #include "tm_rates.h"
 #include "tm_size.h"
+#include "tm_smoothing.h"
 #include "tm_tally.h"
 #include "tm_update.h"
 
@@ -64,6 +65,7 @@ class Backend {
   virtual tm_update_result initial_limits(int n, const tm_update_args &, unsigned effects, bool seed);
   virtual double kinetic_energy(int n, const tm_state &);
   virtual tm_tally_result tally(int n, const tm_tally_args &, unsigned effects);
+  virtual tm_size_range smoothing(int n, const tm_smoothing_args &, unsigned effects);
   virtual tm_size_range size_range(int n, const tm_state &);
   virtual double near_count(int n, const tm_near_args &);
   virtual tm_nearest nearest(int n, const tm_near_args &);

@@ -223,6 +223,11 @@ struct SizeOf {
   tm_state s;
   KOKKOS_FUNCTION tm_size_range operator()(int i) const { return tm_size_of(i, &s); }
 };
+struct Smoothing {
+  tm_smoothing_args a;
+  unsigned fx;
+  KOKKOS_FUNCTION tm_size_range operator()(int i) const { return tm_smoothing(i, &a, fx); }
+};
 struct SumSizes {
   KOKKOS_FUNCTION void operator()(tm_size_range *sum, const tm_size_range *r) const { tm_size_sum(sum, r); }
 };
@@ -337,6 +342,10 @@ class DeviceBackend : public Backend {
   tm_tally_result tally(int n, const tm_tally_args &a, unsigned fx) override
   {
     return kokkos_sum("sph/tm tally", n, tm_tally_result{}, Tally{a, fx}, SumTally());
+  }
+  tm_size_range smoothing(int n, const tm_smoothing_args &a, unsigned fx) override
+  {
+    return kokkos_sum("sph/tm smoothing length", n, tm_size_nothing(), Smoothing{a, fx}, SumSizes());
   }
   tm_size_range size_range(int n, const tm_state &s) override
   {

@@ -2,6 +2,7 @@
 #include "pair_sph_tm.h"
 
 #include "domain.h"
+#include "force.h"
 
 #include <algorithm>
 
@@ -22,6 +23,10 @@ void PairSPHTM::cover_sizes(double h, double dp)
   }
   cutforce = tm_kernel_support(set.kernel) * h;
   for (int i = 1; i <= atom_types; i++)
-    for (int j = 1; j <= atom_types; j++) cutsq[i][j] = cutforce * cutforce;
+    for (int j = 1; j <= atom_types; j++) {
+      cutsq[i][j] = cutforce * cutforce;
+      if (force->pair != this) force->pair->cutsq[i][j] = std::max(force->pair->cutsq[i][j], cutsq[i][j]);
+    }
+  if (force->pair != this) force->pair->cutforce = std::max(force->pair->cutforce, cutforce);
   check_list_size();
 }

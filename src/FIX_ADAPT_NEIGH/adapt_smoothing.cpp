@@ -1,0 +1,118 @@
+/* SPH-TM: fix adapt/neigh, smoothing length. See doc/fix_adapt_neigh.rst. */
+#include "adapt_smoothing.h"
+
+#include "argument.h"
+#include "fix_adapt_neigh.h"
+#include "fix_sph_tm.h"
+#include "neighbor_cutoff.h"
+#include "pair_sph_tm.h"
+
+#include "atom.h"
+#include "domain.h"
+#include "error.h"
+#include "modify.h"
+#include "update.h"
+
+#include <cstring>
+
+using namespace LAMMPS_NS;
+
+namespace SPHTM_NS {
+
+// lists reach this much further than the largest h needs, so that they are not widened at every turn
+static constexpr double MARGIN = 1.05;
+
+int AdaptSmoothing::keyword(int narg, char **arg)
+{
+  if (strcmp(arg[0], "asph") != 0) return 0;
+  LAMMPS *lmp = fix.host();
+  const std::string what = "Fix adapt/neigh asph";
+  if (narg < 2 || (strcmp(arg[1], "psi") != 0 && strcmp(arg[1], "density") != 0))
+    lmp->error->all(FLERR, "{} must be psi or density{}", what, narg < 2 ? "" : std::string(", got ") + arg[1]);
+  if (mode != NONE) lmp->error->all(FLERR, "{} is given twice", what);
+  mode = strcmp(arg[1], "psi") == 0 ? PSI : DENSITY;
+  int n = 2;
+  for (;;) {
+    auto value = [&](int values) {
+      if (n + values >= narg)
+        lmp->error->all(FLERR, "{} {} needs {} value{}", what, arg[n], values, values == 1 ? "" : "s");
+    };
+    if (n < narg && strcmp(arg[n], "every") == 0) {
+      value(1);
+      every = integer_within(lmp, what + " every", arg[n + 1], 1, 1000000);
+      n += 2;
+    } else if (n < narg && strcmp(arg[n], "limits") == 0) {
+      value(2);
+      least = number_within(lmp, what + " limits lo", arg[n + 1], 0.0, 1.0);
+      most = positive(lmp, what + " limits hi", arg[n + 2]);
+      if (most < 1.0) lmp->error->all(FLERR, "{} limits hi must be at least 1, got {}", what, arg[n + 2]);
+      n += 3;
+    } else
+      break;
+  }
+  // before init, so that no check takes particles of different mass for a mistake
+  const auto bodies = lmp->modify->get_fix_by_style("^sph/tm$");
+  if (bodies.size() == 1)
+    dynamic_cast<FixSPHTM *>(bodies[0])->need(TM_FX_SMOOTHING, "fix adapt/neigh has asph");
+  return n;
+}
+
+void AdaptSmoothing::init()
+{
+  PairSPHTM &pair = fix.pair();
+  fix.body().need(TM_FX_SMOOTHING, "fix adapt/neigh has asph");
+  if (!fix.body().has(TM_FX_SMOOTHING))
+    fix.host()->error->all(FLERR, "Fix adapt/neigh asph needs the effect smoothing, which is forced off in fix sph/tm");
+  const tm_size_range r = fix.body().sizes();
+  smallest_h = r.smallest_h;
+  largest_h = r.largest_h;
+  pair.cover_sizes(MARGIN * largest_h, r.smallest_dp);
+  if (mode != PSI || !table.empty()) return;
+  tm_asph_table t;
+  tm_asph_make(pair.settings_in_use().kernel, fix.host()->domain->dimension, &t);
+  table.live_in(fix.body().loops());
+  table.assign(&t, 1);
+}
+
+void AdaptSmoothing::setup() { follow(true); }
+
+void AdaptSmoothing::end_of_step()
+{
+  if (fix.host()->update->ntimestep % every) return;
+  follow(false);
+  if (largest_h > fix.pair().covered_h()) fix.renew_lists();
+}
+
+void AdaptSmoothing::follow(bool first)
+{
+  FixSPHTM &body = fix.body();
+  const tm_rates_args &rates = fix.pair().rate_args();
+  tm_smoothing_args a;
+  a.state = body.state();
+  a.rec = rates.rec;
+  a.rows = rates.rows;
+  a.table = mode == PSI ? table.loop_read() : nullptr;
+  a.first = first;
+  a.least = least;
+  a.most = most;
+  const tm_size_range mine = body.loops().smoothing(fix.host()->atom->nlocal, a, body.effects());
+  const double low[2] = {-mine.largest_h, mine.smallest_h};
+  double all[2];
+  MPI_Allreduce(low, all, 2, MPI_DOUBLE, MPI_MIN, fix.host()->world);
+  largest_h = -all[0];
+  smallest_h = all[1];
+}
+
+// lists that are about to be renewed reach as far as the largest h needs
+void AdaptSmoothing::pre_exchange()
+{
+  PairSPHTM &pair = fix.pair();
+  if (largest_h <= pair.covered_h()) return;
+  pair.cover_sizes(MARGIN * largest_h, pair.smallest_spacing());
+  widen_neighbor_lists(fix.host());
+  widened++;
+}
+
+double AdaptSmoothing::output(int n) { return n == 0 ? smallest_h : n == 1 ? largest_h : widened; }
+
+}    // namespace SPHTM_NS

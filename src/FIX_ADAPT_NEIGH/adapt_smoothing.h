@@ -1,0 +1,37 @@
+/* SPH-TM: part of fix adapt/neigh: the smoothing length of each particle follows its neighbourhood (ASPH), S13
+   section 3. The values live in the state of fix sph/tm. */
+#ifndef SPHTM_ADAPT_SMOOTHING_H
+#define SPHTM_ADAPT_SMOOTHING_H
+
+#include "adapt_part.h"
+
+#include "loop_array.h"
+
+namespace SPHTM_NS {
+
+class AdaptSmoothing : public AdaptPart {
+ public:
+  explicit AdaptSmoothing(LAMMPS_NS::FixAdaptNeigh &owner) : AdaptPart(owner) {}
+  int keyword(int narg, char **arg) override;
+  std::vector<std::string> keywords() const override { return {"asph"}; }
+  bool in_use() const override { return mode != NONE; }
+  void init() override;
+  void setup() override;
+  void pre_exchange() override;
+  void end_of_step() override;
+  std::vector<std::string> outputs() const override { return {"smallest h", "largest h", "lists widened"}; }
+  double output(int) override;
+
+ private:
+  enum { NONE, PSI, DENSITY } mode = NONE;
+  int every = 10;
+  double least = 0.5, most = 2.0;
+  double smallest_h = 0.0, largest_h = 0.0, widened = 0.0;
+  LoopArray<tm_asph_table> table;
+
+  void follow(bool first);
+};
+
+}    // namespace SPHTM_NS
+
+#endif
