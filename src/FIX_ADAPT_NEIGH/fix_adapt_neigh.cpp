@@ -24,7 +24,7 @@ FixAdaptNeigh::FixAdaptNeigh(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
   create_attribute = 1;
   restart_global = 1;
   restart_peratom = 1;
-  vector_flag = 1;
+  size_vector = 0;
   global_freq = 1;
   extvector = 0;
   nevery = 1;

@@ -399,7 +399,7 @@ tm_near_args PairSPHTM::near_args(bool of_each)
   near_count.make_room(of_each, (size_t) atom->nlocal + 1);
   tm_near_args a;
   a.rows = args.rows;
-  a.x = fix->state().x;
+  a.main = rec.main;
   a.reach2 = rec.size ? args.support2 : args.reach2;
   a.size = rec.size;
   a.count = near_count.loop_write();

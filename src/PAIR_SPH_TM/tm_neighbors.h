@@ -121,11 +121,11 @@ TM_FN void tm_row_put(int i, int k, int n, const tm_row_entry *entry, const tm_r
   }
 }
 
-/* ---- what rows tell; x: positions of owned and ghost particles */
+/* ---- what rows tell, at the positions of the records: those of owned and ghost particles are of one time */
 
 typedef struct {
   tm_rows rows;
-  const double *x;
+  const tm_real *main;    /* records */
   tm_real reach2;         /* (support h)^2, with size support^2 */
   const tm_real *size;    /* records of size, or NULL */
   tm_real *count;         /* mechanical neighbors within reach of each particle, or NULL */
@@ -135,7 +135,7 @@ typedef struct {
 TM_FN tm_real tm_near_dist2(int i, int k, const tm_near_args *a, int *j)
 {
   *j = a->rows.index[a->rows.first[i] + k * a->rows.stride];
-  const double *p = a->x + 3 * (ptrdiff_t) i, *q = a->x + 3 * (ptrdiff_t) *j;
+  const tm_real *p = a->main + TM_REC * (ptrdiff_t) i, *q = a->main + TM_REC * (ptrdiff_t) *j;
   const tm_real dx = p[0] - q[0], dy = p[1] - q[1], dz = p[2] - q[2];
   return dx * dx + dy * dy + dz * dz;
 }
