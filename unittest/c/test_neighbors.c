@@ -129,12 +129,14 @@ static void strided(void)
 /* distances, against all pairs */
 static void near(void)
 {
-  double each[N];
+  double each[N], main[ALL * TM_REC], size[ALL * TM_REC_SIZE];
   tm_near_args a;
   memset(&a, 0, sizeof a);
   a.rows.index = index_; a.rows.first = first; a.rows.stride = TM_ROW_SLICE;
   a.rows.mechanical = count[0]; a.rows.thermal = count[1]; a.rows.contact = count[2];
-  a.x = x;
+  for (int i = 0; i < ALL; i++)
+    for (int d = 0; d < 3; d++) main[TM_REC * i + d] = x[3 * i + d];
+  a.main = main;
   a.reach2 = 2.25;
   a.count = each;
   tm_nearest all = tm_nearest_nothing();
@@ -171,6 +173,19 @@ static void near(void)
   UT_TRUE(all.i == who && all.j == whom && all.count == have && have < N);
   a.count = NULL;
   UT_TRUE(tm_near_count(0, &a) == each[0]);
+  /* with an h of each particle's own: below 1.5 sqrt(h_i h_j) */
+  for (int i = 0; i < ALL; i++) size[TM_REC_SIZE * i + TM_SIZE_INV_H] = 1.0 / (0.5 + 0.01 * i);
+  a.size = size;
+  for (int i = 0; i < N; i++) {
+    int within = 0;
+    for (int k = 0; k < count[0][i]; k++) {
+      const int j = entry(i, k);
+      double r2 = 0.0;
+      for (int d = 0; d < 3; d++) r2 += (x[3 * i + d] - x[3 * j + d]) * (x[3 * i + d] - x[3 * j + d]);
+      within += r2 < 2.25 * (0.5 + 0.01 * i) * (0.5 + 0.01 * j);
+    }
+    UT_TRUE(tm_near_count(i, &a) == within);
+  }
 
   tm_nearest one = tm_nearest_nothing(), two = one;   /* of equal distances the lower number */
   one.distance = two.distance = 1.0;

@@ -297,7 +297,7 @@ STAGE(near)
   const tm_rates_args r = cloud_rates(w);
   tm_near_args a;
   a.rows = r.rows;
-  a.x = w->x;
+  a.main = r.rec.main;
   a.size = r.rec.size;
   a.reach2 = a.size ? r.support2 : r.reach2;
   a.count = w->near;
