@@ -60,7 +60,7 @@ def gap(frame, rows, height=0.25):
 
 
 def main():
-    sizes = {"small": {"rows": 10}, "default": {"rows": 25}, "large": {"rows": 50}}
+    sizes = {"small": {"rows": 13}, "default": {"rows": 25}, "large": {"rows": 50}}
     study = Study(__file__, sizes, __doc__)
     rows, table, frames = study.size["rows"], {}, {}
     for row, variables in ROWS.items():

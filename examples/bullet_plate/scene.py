@@ -20,7 +20,6 @@ def measure(result):
     last = v[v[:, 1] > 0.9 * v[-1, 1]]
     m = {"residual": last[:, 2].mean(), "residual_tail": last[:, 3].mean()}
     t = result.thermo[-1]
-    m["momentum_drift"] = None
     m["energy_drift"] = np.abs(t["f_body[9]"] / t["f_body[9]"][0] - 1).max()
     m["particles"] = int(t["Atoms"][0])
     return m
@@ -48,7 +47,31 @@ def main():
                 if "processor" in row:
                     row["speed_up_over_" + reference.replace(" ", "_")] = table[reference][clock] / row[clock]
                     row["residual_off_" + reference.replace(" ", "_")] = row["residual"] / table[reference]["residual"] - 1
+    draw({row: all_of_it[-1] for row, all_of_it in results.items() if all_of_it[-1].thermo}, study)
     study.end({"rows": table})
+
+
+def draw(results, study):
+    """Velocity of the bullet in all rows, and cuts through the middle at four times of the first."""
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    from sphtm_scene import read_dump
+    plt.rcParams.update({"font.size": 9})
+    figure, axes = plt.subplots(1, 4, figsize=(10, 3.2), gridspec_kw={"width_ratios": [1.5, 1, 1, 1]})
+    for row, result in results.items():
+        v = result.columns("velocity.dat")
+        axes[0].plot(1e6 * v[:, 1], v[:, 2], lw=1, label=row)
+    axes[0].set(xlabel="time (us)", ylabel="velocity of the bullet (m/s)", ylim=(0, None))
+    axes[0].legend(frameon=False, fontsize=7)
+    frames = read_dump(list(results.values())[0].path("bullet.dump"))
+    for ax, frame in zip(axes[1:], frames[1:4]):
+        thin = np.abs(frame["y"]) < 2e-3
+        ax.scatter(1e3 * frame["x"][thin], 1e3 * frame["z"][thin], c=frame["c_p[1]"][thin], s=2, cmap="inferno", vmin=0, vmax=1,
+                   lw=0)
+        ax.set(aspect="equal", xlim=(-45, 45), ylim=(-40, 80), xlabel="x (mm)")
+    figure.tight_layout()
+    figure.savefig(study.path("bullet_plate.png"), dpi=150)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,29 @@
+"""The bullet through the plate (F14; examples/bullet_plate), with 3 particles over the plate: it goes through,
+LAMMPS's skin list gives the velocity of a list made anew in every step. Counter-case: at
+150 m/s the plate stops it."""
+import os
+
+import numpy as np
+
+from sphtm_scene import SOURCE, Checks, run
+
+SCRIPT = os.path.join(SOURCE, "examples", "bullet_plate", "in.bullet_plate")
+SMALL = {"n": 3, "thick": 9e-3, "end": 1.5e-4, "width": 72e-3}
+checks = Checks()
+
+
+def residual(**more):
+    result = run(SCRIPT, dict(SMALL, **more))
+    return result.columns("velocity.dat")[-1, 2], result
+
+
+skin, result = residual()
+every, _ = residual(search="every")
+checks.near("residual velocity: skin list against every step, m/s", skin, every, relative=0.01)
+checks.above("it goes through at, m/s", skin, 60.0)
+checks.below("and has lost speed", skin, 300.0)
+t = result.thermo[-1]
+checks.below("energy sum, drift over the energy of the bullet", np.abs(t["f_body[9]"] / t["f_body[9]"][0] - 1).max(), 0.01)
+slow, _ = residual(speed=150)
+checks.below("counter-case, a bullet at 150 m/s: velocity, m/s", slow, 30.0)
+checks.end()
