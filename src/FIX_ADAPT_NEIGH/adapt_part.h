@@ -50,6 +50,7 @@ class AdaptPart {
   virtual std::vector<std::string> outputs() const { return {}; }
   virtual double output(int) { return 0.0; }
   virtual double bytes() const { return 0.0; }
+  virtual void *extract(const char *) { return nullptr; }    // what other styles ask for by name
 
  protected:
   LAMMPS_NS::FixAdaptNeigh &fix;

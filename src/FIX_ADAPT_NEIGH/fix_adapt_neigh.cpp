@@ -2,6 +2,7 @@
 #include "fix_adapt_neigh.h"
 
 #include "adapt_smoothing.h"
+#include "adapt_lists.h"
 #include "fix_sph_tm.h"
 #include "pair_sph_tm.h"
 
@@ -31,6 +32,7 @@ FixAdaptNeigh::FixAdaptNeigh(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
   force_reneighbor = 1;
   next_reneighbor = -1;
   parts.push_back(std::make_unique<AdaptSmoothing>(*this));
+  parts.push_back(std::make_unique<AdaptLists>(*this));
   read_keywords(3, narg, arg);
   for (const auto &p : parts)
     if (p->in_use()) used.push_back(p.get());
@@ -120,6 +122,14 @@ double FixAdaptNeigh::compute_vector(int n)
     n -= of_part;
   }
   return 0.0;
+}
+
+void *FixAdaptNeigh::extract(const char *what, int &dim)
+{
+  dim = 0;
+  for (AdaptPart *p : used)
+    if (void *found = p->extract(what)) return found;
+  return nullptr;
 }
 
 /* ---------------------------------------------------------------------- values of particles */

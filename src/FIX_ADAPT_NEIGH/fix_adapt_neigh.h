@@ -32,6 +32,7 @@ class FixAdaptNeigh : public Fix {
   void pre_force(int) override;
   void end_of_step() override;
   double compute_vector(int) override;
+  void *extract(const char *, int &) override;
 
   void grow_arrays(int) override;
   void copy_arrays(int, int, int) override;

@@ -55,6 +55,36 @@ static RESULT sum_particles(Backend &b, int n, const RESULT &nothing, ONE one, J
 
 static void add_to(double *sum, const double *value) { *sum += *value; }
 
+/* ---------------------------------------------------------------------- search */
+
+tm_bounds Backend::bounds(int n, const double *x)
+{
+  return sum_particles(
+      *this, n, tm_bounds_nothing(), [&](int i) { return tm_bounds_of(x + 3 * (size_t) i); }, tm_bounds_sum);
+}
+
+void Backend::bin(const tm_cells &c)
+{
+  const int cells = tm_cells_number(&c);
+  std::fill_n(c.begin, cells + 1, 0);
+  blocks(c.n, [&](int begin, int end) {
+    for (int i = begin; i < end; i++) c.cell[i] = tm_cells_of(&c, c.x + 3 * (size_t) i);
+  });
+  // begin[k + 1] walks from the start of cell k to its end
+  for (int i = 0; i < c.n; i++)
+    if (c.cell[i] + 2 <= cells) c.begin[c.cell[i] + 2]++;
+  for (int k = 2; k <= cells; k++) c.begin[k] += c.begin[k - 1];
+  for (int i = 0; i < c.n; i++) tm_cells_put(&c, i, c.begin[c.cell[i] + 1]++);
+}
+
+int Backend::search(int n, const tm_search_args &a)
+{
+  const search_loop_t loop = search_loop();
+  return sum_blocks(
+      n, 0, [&](int begin, int end) { return loop(begin, end, &a); },
+      [](int *longest, const int *m) { *longest = std::max(*longest, *m); });
+}
+
 /* ---------------------------------------------------------------------- one step */
 
 int Backend::drift(int n, const tm_drift_args &a, unsigned effects)

@@ -17,6 +17,7 @@
 #include "tm_neighbors.h"
 #include "tm_predict.h"
 #include "tm_rates.h"
+#include "tm_search.h"
 #include "tm_size.h"
 #include "tm_smoothing.h"
 #include "tm_tally.h"
@@ -46,6 +47,11 @@ class Backend {
   virtual void zero(void *, size_t bytes);
   virtual void add(double *to, const double *from, size_t n);
   virtual void wait() {}    // until all loops are done
+
+  // search of neighbors: the box of n particles at x, their order by cells, rows of n (the longest)
+  virtual tm_bounds bounds(int n, const double *x);
+  virtual void bin(const tm_cells &);
+  virtual int search(int n, const tm_search_args &);
 
   // one step of particles 0..n-1
   virtual int drift(int n, const tm_drift_args &, unsigned effects);    // first one lost, or n

@@ -106,6 +106,46 @@ struct Add {
   KOKKOS_FUNCTION void operator()(int k) const { to[k] += from[k]; }
 };
 
+struct Bounds {
+  const double *x;
+  KOKKOS_FUNCTION tm_bounds operator()(int i) const { return tm_bounds_of(x + 3 * (ptrdiff_t) i); }
+};
+struct SumBounds {
+  KOKKOS_FUNCTION void operator()(tm_bounds *sum, const tm_bounds *b) const { tm_bounds_sum(sum, b); }
+};
+// begin[k + 1] walks from the start of cell k to its end
+struct CountCell {
+  tm_cells c;
+  int last;
+  KOKKOS_FUNCTION void operator()(int i) const
+  {
+    const int cell = tm_cells_of(&c, c.x + 3 * (ptrdiff_t) i);
+    c.cell[i] = cell;
+    if (cell + 2 <= last) Kokkos::atomic_inc(c.begin + cell + 2);
+  }
+};
+struct PlaceCells {
+  tm_cells c;
+  KOKKOS_FUNCTION void operator()(int k, int &sum, bool last) const
+  {
+    sum += c.begin[k];
+    if (last) c.begin[k] = sum;
+  }
+};
+struct PutInCell {
+  tm_cells c;
+  KOKKOS_FUNCTION void operator()(int i) const
+  {
+    tm_cells_put(&c, i, Kokkos::atomic_fetch_add(c.begin + c.cell[i] + 1, 1));
+  }
+};
+struct Search {
+  tm_search_args a;
+  KOKKOS_FUNCTION int operator()(int k) const { return tm_search(a.which ? a.which[k] : k, &a); }
+};
+struct Most {
+  KOKKOS_FUNCTION void operator()(int *most, const int *n) const { *most = *n > *most ? *n : *most; }
+};
 struct Drift {
   tm_drift_args a;
   unsigned fx;
@@ -274,6 +314,23 @@ class DeviceBackend : public Backend {
     kokkos_each("sph/tm add", (int) n, Add{to, from});
   }
   void wait() override { Kokkos::fence("sph/tm wait"); }
+
+  tm_bounds bounds(int n, const double *x) override
+  {
+    return kokkos_sum("sph/tm bounds", n, tm_bounds_nothing(), Bounds{x}, SumBounds());
+  }
+  void bin(const tm_cells &c) override
+  {
+    const int cells = tm_cells_number(&c);
+    zero(c.begin, (cells + 1) * sizeof(int));
+    kokkos_each("sph/tm count in cells", c.n, CountCell{c, cells});
+    Kokkos::parallel_scan("sph/tm place cells", Kokkos::RangePolicy<LMPDeviceType>(0, cells + 1), PlaceCells{c});
+    kokkos_each("sph/tm put in cells", c.n, PutInCell{c});
+  }
+  int search(int n, const tm_search_args &a) override
+  {
+    return kokkos_sum("sph/tm search", n, 0, Search{a}, Most());
+  }
 
   int drift(int n, const tm_drift_args &a, unsigned fx) override
   {

@@ -95,7 +95,17 @@ void PairSPHTM::init_style()
     }
   check_list_size();
   make_tables();
-  neighbor->add_request(this, NeighConst::REQ_FULL);
+  find_row_source();
+  if (!row_source) neighbor->add_request(this, NeighConst::REQ_FULL);
+}
+
+// fix adapt/neigh with lists of its own
+void PairSPHTM::find_row_source()
+{
+  row_source = nullptr;
+  int dim;
+  for (Fix *f : modify->get_fix_by_style("^adapt/neigh"))
+    if (auto *source = (RowSource *) f->extract(RowSource::NAME, dim)) row_source = source;
 }
 
 void PairSPHTM::init_list(int, NeighList *ptr) { list = ptr; }
@@ -176,14 +186,16 @@ tm_records PairSPHTM::host_records()
 
 tm_rows PairSPHTM::host_rows()
 {
+  if (row_source) return row_source->host_others();
   return {row_index.host_read(),   row_first.host_read(),   row_mechanical.host_read(),
           row_thermal.host_read(), row_contact.host_read(), row_stride};
 }
 
 void PairSPHTM::fill_args(const tm_state &s)
 {
-  args.rows = {row_index.loop_read(),   row_first.loop_read(),   row_mechanical.loop_read(),
-               row_thermal.loop_read(), row_contact.loop_read(), row_stride};
+  if (!row_source)
+    args.rows = {row_index.loop_read(),   row_first.loop_read(),   row_mechanical.loop_read(),
+                 row_thermal.loop_read(), row_contact.loop_read(), row_stride};
   args.rec = rec;
   args.effects = fix->effects();
   args.h = set.h;
@@ -316,7 +328,7 @@ void PairSPHTM::compute(int eflag, int vflag)
   const int nlocal = atom->nlocal;
   const unsigned fx = fix->effects();
   RunClock &clock = fix->run_clock;
-  if (neighbor->ago == 0 || (int) row_first.size() < nlocal) {
+  if (!row_source && (neighbor->ago == 0 || (int) row_first.size() < nlocal)) {
     const auto timed = clock.timed(RunClock::ROWS);
     build_rows();
   }
@@ -329,6 +341,11 @@ void PairSPHTM::compute(int eflag, int vflag)
   rec.heat = rec_heat.loop_write();
   rec.size = rec_size.loop_write();
   fill_args(s);
+  if (row_source) {
+    const auto timed = clock.timed(RunClock::ROWS);
+    row_source->renew(neighbor->ago == 0);
+    args.rows = row_source->mechanical();
+  }
   if (fx & TM_FX_CORRECTION) correct_gradients();
   backend.zero(args.artificial, args.artificial ? nlocal * sizeof(double) : 0);
   double *internal = force_internal.loop_write();
@@ -342,15 +359,17 @@ void PairSPHTM::compute(int eflag, int vflag)
   }
   args.force = s.force;
   if (internal) backend.add(s.force, internal, 3 * (size_t) nlocal);
+  tm_rates_args others = args;
+  if (row_source) others.rows = row_source->others();
   if (fx & TM_FX_CONDUCTION) {
     const auto timed = clock.timed(RunClock::THERMAL);
-    backend.thermal(nlocal, args, fx);
+    backend.thermal(nlocal, others, fx);
   }
-  if (fx & TM_FX_BODIES) body_contact();
+  if (fx & TM_FX_BODIES) body_contact(others);
   if (eflag || vflag) tally_virial_energy();
 }
 
-void PairSPHTM::body_contact()
+void PairSPHTM::body_contact(const tm_rates_args &others)
 {
   const auto timed = fix->run_clock.timed(RunClock::BODIES);
   tm_body_contact_args b;
@@ -361,7 +380,7 @@ void PairSPHTM::body_contact()
   b.spacing = set.spacing;
   b.dt = fix->step_dt();
   b.source = fix->heat_source();
-  const tm_body_contact_result r = backend.body_contact(atom->nlocal, args, b, fix->effects());
+  const tm_body_contact_result r = backend.body_contact(atom->nlocal, others, b, fix->effects());
   fix->contact_spring += r.spring;
   fix->ledger.contact_damping += b.dt * r.damping_power;
   fix->ledger.friction += b.dt * (r.friction_power - r.heat_power);
@@ -394,6 +413,8 @@ void PairSPHTM::tally_virial_energy()
 
 /* ---------------------------------------------------------------------- */
 
+const int *PairSPHTM::loop_tags() { return (const int *) atom->tag; }
+
 tm_near_args PairSPHTM::near_args(bool of_each)
 {
   near_count.make_room(of_each, (size_t) atom->nlocal + 1);
@@ -408,7 +429,7 @@ tm_near_args PairSPHTM::near_args(bool of_each)
 
 double PairSPHTM::neighbors(bool of_each)
 {
-  const bool rows = args.reach2 && (int) row_first.size() > atom->nlocal;
+  const bool rows = args.reach2 && args.rows.first;
   return backend.near_count(rows ? atom->nlocal : 0, near_args(of_each));
 }
 

@@ -30,8 +30,16 @@ void PairSPHTMKokkos::init_style()
 {
   PairSPHTM::init_style();
   auto *request = neighbor->find_request(this);
+  if (!request) return;    // rows come from fix adapt/neigh
   request->set_kokkos_device(true);
   request->set_kokkos_host(false);
+}
+
+const int *PairSPHTMKokkos::loop_tags()
+{
+  static_assert(sizeof(tagint) == sizeof(int), "neighbor rows sort by tags of 32 bits (SMALLBIG)");
+  atomKK->sync(execution_space, TAG_MASK);
+  return atomKK->k_tag.view<LMPDeviceType>().data();
 }
 
 /* ---------------------------------------------------------------------- rows */
@@ -95,7 +103,6 @@ struct FillRowByWarp {
 
 void PairSPHTMKokkos::build_rows()
 {
-  static_assert(sizeof(tagint) == sizeof(int), "neighbor rows sort by tags of 32 bits (SMALLBIG)");
   const int n = atom->nlocal;
   const std::vector<unsigned char> segments = segments_of_types();
   meets.assign(segments.data(), segments.size());

@@ -33,6 +33,16 @@ tm_update_result update(int begin, int end, const tm_update_args *args, unsigned
   return sum;
 }
 
+int search(int begin, int end, const tm_search_args *args)
+{
+  int longest = 0;
+  for (int k = begin; k < end; k++) {
+    const int n = tm_search(args->which ? args->which[k] : k, args);
+    longest = n > longest ? n : longest;
+  }
+  return longest;
+}
+
 }    // namespace
 
 namespace SPHTM_NS {
@@ -52,7 +62,7 @@ const ParticleLoops loops = {
     {TM_LOOPS_18(0), TM_LOOPS_18(18), TM_LOOPS_18(36), TM_LOOPS_18(54), TM_LOOPS_18(72)},
     {TM_MOMENTS(HYPERBOLIC), TM_MOMENTS(CUBIC), TM_MOMENTS(QUINTIC), TM_MOMENTS(WENDLAND_C2),
      TM_MOMENTS(WENDLAND_C4)},
-    predict, update};
+    predict, update, search};
 
 }    // namespace SPHTM_ISA
 }    // namespace SPHTM_NS
