@@ -21,63 +21,23 @@ using namespace LAMMPS_NS;
 
 namespace SPHTM_NS {
 
-/* ---------------------------------------------------------------------- rows */
-
-void RowTable::live_in(Backend &b)
-{
-  index.live_in(b);
-  first.live_in(b);
-  for (auto &c : count) c.live_in(b);
-  capacity = particles = 0;
-  stride = b.shared() ? 1 : TM_ROW_SLICE_GPU;
-}
-
-void RowTable::make_room(int n, int room)
-{
-  if (n <= particles && room == capacity) return;
-  particles = n + n / 8 + 1;
-  capacity = room;
-  const ptrdiff_t slices = (particles + stride - 1) / stride;
-  index.make_room(true, slices * stride * capacity + TM_COLUMN_MOST);
-  std::vector<ptrdiff_t> begin(particles);
-  for (ptrdiff_t i = 0; i < particles; i++) begin[i] = i / stride * stride * capacity + i % stride;
-  first.assign(begin.data(), begin.size());
-  for (auto &c : count) {
-    c.clear();
-    c.resize(particles);
-  }
-}
-
-tm_rows RowTable::loop_rows()
-{
-  return {index.loop_read(),    first.loop_read(),    count[0].loop_read(),
-          count[1].loop_read(), count[2].loop_read(), stride};
-}
-
-tm_rows RowTable::host_rows()
-{
-  return {index.host_read(),    first.host_read(),    count[0].host_read(),
-          count[1].host_read(), count[2].host_read(), stride};
-}
-
-double RowTable::bytes() const
-{
-  double sum = index.bytes() + first.bytes();
-  for (const auto &c : count) sum += c.bytes();
-  return sum;
-}
-
 /* ---------------------------------------------------------------------- input */
 
 int AdaptLists::keyword(int narg, char **arg)
 {
   LAMMPS *lmp = fix.host();
   const std::string key = arg[0], what = "Fix adapt/neigh " + key;
-  if (key != "threshold" && key != "rows") return 0;
+  const auto known = keywords();
+  if (std::find(known.begin(), known.end(), key) == known.end()) return 0;
   if (narg < 2) lmp->error->all(FLERR, "{} needs 1 value", what);
+  const bool never = strcmp(arg[1], "inf") == 0;
   if (key == "threshold")
-    threshold = number_within(lmp, what, arg[1], -1e-300, 0.0);
-  else if (key == "rows")
+    threshold = never ? INFINITY : not_negative(lmp, what, arg[1]);
+  else if (key == "stretch")
+    strain = never ? INFINITY : positive(lmp, what, arg[1]);
+  else if (key == "approach")
+    approach = never ? INFINITY : number_within(lmp, what, arg[1], 0.0, 0.5);
+  else
     rows = integer_within(lmp, what, arg[1], 1, TM_SEARCH_MOST);
   return 2;
 }
@@ -90,32 +50,59 @@ void AdaptLists::init()
   PairSPHTM &pair = fix.pair();
   const PairSPHTM::Settings &set = pair.settings_in_use();
   const int dim = lmp->domain->dimension;
-  if (backend != &fix.body().loops()) {
-    backend = &fix.body().loops();
-    mechanicals.live_in(*backend);
-    other.live_in(*backend);
-    for (auto *a : {&cells.cell, &cells.begin, &cells.index}) a->live_in(*backend);
-    for (auto &a : cells.column) a.live_in(*backend);
-    meets.live_in(*backend);
-  }
-  // a little more than the rates take: which pairs are within reach they decide
-  reach = tm_kernel_support(set.kernel) * set.h * (1.0 + 1e-9);
+  backend = &fix.body().loops();
+  table.move_to(*backend);
+  other.move_to(*backend);
+  for (auto *a : {&cells.cell, &cells.begin, &cells.index, &cells.marked, &kept, &whole, &which}) a->move_to(*backend);
+  for (auto &a : cells.column) a.move_to(*backend);
+  for (auto *a : {&memory, &shown, &told, &stretch}) a->move_to(*backend);
+  fresh_first.move_to(*backend);
+  weight.move_to(*backend);
+  meets.move_to(*backend);
+  marks.move_to(*backend);
+  if (strain < 0.0) strain = std::isinf(threshold) ? INFINITY : 0.2;
+  if (approach < 0.0) approach = std::isinf(threshold) ? INFINITY : 0.05;
+  cover_reach();
   const double cut = reach / set.spacing;
   const double lattice = dim == 3 ? 4.0 / 3.0 * TM_PI * cut * cut * cut : TM_PI * cut * cut;
   room = rows ? rows : std::min((int) TM_SEARCH_MOST, 8 * (int) ceil(2.0 * lattice / 8.0 + 1.0));
+  if (keeps()) make_room(lmp->atom->nmax);
+  fix.update_packed_size();
 }
 
-void *AdaptLists::extract(const char *what)
+// a little more than the rates take: which pairs are within reach they decide
+void AdaptLists::cover_reach()
 {
-  return strcmp(what, RowSource::NAME) == 0 ? static_cast<RowSource *>(this) : nullptr;
+  const PairSPHTM::Settings &set = fix.pair().settings_in_use();
+  reach = tm_kernel_support(set.kernel) * std::max(set.h, fix.pair().covered_h()) * (1.0 + 1e-9);
+}
+
+// what rows that are kept know nothing of
+void AdaptLists::check_effects()
+{
+  Error *error = fix.host()->error;
+  const FixSPHTM &body = fix.body();
+  const struct { unsigned effect; const char *what; } without[] = {
+      {TM_FX_FORM_F14, "pair_style form f14; use form f15"},
+      {TM_FX_XSPH, "pair_style xsph; use xsph 0"},
+      {TM_FX_BALSARA, "pair_style balsara yes; use balsara no"},
+      {TM_FX_SURFACE, "the surface of particles (fix sph/tm/heat, surface/area)"},
+      {TM_FX_SMOOTHING, "particles with a smoothing length of their own"}};
+  for (const auto &w : without)
+    if (body.has(w.effect))
+      error->all(FLERR, "Fix adapt/neigh threshold {}: rows that are kept do not support {}; or use threshold 0",
+                 threshold, w.what);
+  if (body.has(TM_FX_CORRECTION) && std::isfinite(threshold))
+    error->all(FLERR, "Fix adapt/neigh threshold {}: pair_style correction yes needs threshold inf or 0: corrected "
+                      "gradients take whole rows", threshold);
 }
 
 /* ---------------------------------------------------------------------- search */
 
 void AdaptLists::renew(bool renumbered)
 {
-  Atom *atom = fix.host()->atom;
-  if (renumbered || mechanicals.particles < atom->nlocal) {
+  if (renumbered || table.particles < own()) {
+    Atom *atom = fix.host()->atom;
     const std::vector<unsigned char> with = fix.pair().segments_of_types();
     meets.assign(with.data(), with.size());
     const int n1 = atom->ntypes + 1;
@@ -127,13 +114,19 @@ void AdaptLists::renew(bool renumbered)
         all_mechanical = all_mechanical && s == TM_MEETS_MECHANICAL;
         others = others || (s & ~TM_MEETS_MECHANICAL);
       }
-    mechanicals.make_room(atom->nlocal, room);
-    other.make_room(atom->nlocal, others ? room : 0);
+    cover_reach();
+    if (!keeps()) table.make_room(own(), room);
+    other.make_room(own(), others ? room : 0);
     if (others) search_others();
     make_grid(reach);
+    renumbered = true;
+  }
+  if (keeps()) {
+    search_again(renumbered);
+    return;
   }
   sort_into_cells();
-  search(mechanicals, TM_MEETS_MECHANICAL, reach);
+  search(table, TM_MEETS_MECHANICAL, reach);
 }
 
 // those that may come within reach before the particles are renumbered
@@ -157,6 +150,7 @@ void AdaptLists::make_grid(double width)
   cells.cell.make_room(true, n + 1);
   cells.begin.make_room(true, tm_cells_number(&g) + 1);
   cells.index.make_room(true, n + TM_COLUMN_MOST);
+  cells.marked.make_room(keeps(), n + 1);
   for (int d = 0; d < 3; d++) cells.column[d].make_room(true, n + TM_COLUMN_MOST);
 }
 
@@ -167,13 +161,13 @@ void AdaptLists::sort_into_cells()
   g.cell = cells.cell.loop_write();
   g.begin = cells.begin.loop_write();
   g.index = cells.index.loop_write();
+  g.marked = cells.marked.loop_write();
   for (int d = 0; d < 4; d++) g.column[d] = cells.column[d].loop_write();
   backend->bin(g);
 }
 
-void AdaptLists::search(RowTable &table, int segments, double within)
+tm_search_args AdaptLists::search_args(int segments, double within)
 {
-  Atom *atom = fix.host()->atom;
   tm_search_args a = {};
   a.cells = cells.grid;
   a.reach = within;
@@ -181,28 +175,41 @@ void AdaptLists::search(RowTable &table, int segments, double within)
   a.segments = segments;
   a.type = fix.body().state().type;
   a.tag = fix.pair().loop_tags();
-  a.ntypes = atom->ntypes;
-  a.capacity = table.capacity;
-  a.stride = table.stride;
-  a.index = table.index.loop_write();
-  a.first = table.first.loop_read();
-  for (int s = 0; s < TM_SEGMENTS; s++) a.count[s] = table.count[s].loop_write();
-  const int longest = backend->search(atom->nlocal, a);
-  if (longest > table.capacity) stop_on_long_row(table, longest);
+  a.ntypes = fix.host()->atom->ntypes;
+  return a;
 }
 
-void AdaptLists::stop_on_long_row(const RowTable &table, int longest)
+void AdaptLists::search(RowTable &t, int segments, double within)
+{
+  tm_search_args a = search_args(segments, within);
+  a.capacity = t.capacity;
+  a.stride = t.stride;
+  a.index = t.index.loop_write();
+  a.first = t.first.loop_read();
+  for (int s = 0; s < TM_SEGMENTS; s++) a.count[s] = t.count[s].loop_write();
+  if (keeps() && segments == TM_MEETS_MECHANICAL) {
+    a.searched = marks.loop_read();
+    a.used = kept.loop_read();
+  }
+  const int longest = backend->search(own(), a);
+  if (longest > t.capacity) stop_on_long_row(t, longest);
+}
+
+void AdaptLists::stop_on_long_row(const RowTable &t, int longest)
 {
   fix.host()->error->one(FLERR, "Fix adapt/neigh: at step {} a particle has {}{} neighbors, its row has room for {}; "
                                 "write 'rows {}'", fix.host()->update->ntimestep,
-                         longest > TM_SEARCH_MOST ? "at least " : "", longest, table.capacity,
+                         longest > TM_SEARCH_MOST ? "at least " : "", longest, t.capacity,
                          8 * (int) ceil(1.5 * longest / 8.0));
 }
 
 double AdaptLists::bytes() const
 {
-  double sum = mechanicals.bytes() + other.bytes() + cells.cell.bytes() + cells.begin.bytes() + cells.index.bytes();
+  double sum = table.bytes() + other.bytes() + kept.bytes() + whole.bytes() + which.bytes() + fresh_first.bytes() +
+      weight.bytes() + marks.bytes();
+  for (const auto *a : {&cells.cell, &cells.begin, &cells.index, &cells.marked}) sum += a->bytes();
   for (const auto &c : cells.column) sum += c.bytes();
+  for (const auto *a : {&memory, &shown, &told, &stretch}) sum += a->bytes();
   return sum;
 }
 

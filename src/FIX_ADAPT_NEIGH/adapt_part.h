@@ -34,6 +34,7 @@ class AdaptPart {
   virtual void post_neighbor() {}     // after they have
   virtual void pre_force() {}
   virtual void end_of_step() {}
+  virtual void post_run() {}
 
   // values of particles
   virtual void grow(int /*nmax*/) {}

@@ -113,6 +113,10 @@ void FixAdaptNeigh::end_of_step()
 }
 
 void FixAdaptNeigh::renew_lists() { next_reneighbor = update->ntimestep + 1; }
+void FixAdaptNeigh::post_run()
+{
+  for (AdaptPart *p : used) p->post_run();
+}
 
 double FixAdaptNeigh::compute_vector(int n)
 {

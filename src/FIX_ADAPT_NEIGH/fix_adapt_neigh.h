@@ -31,6 +31,7 @@ class FixAdaptNeigh : public Fix {
   void post_neighbor() override;
   void pre_force(int) override;
   void end_of_step() override;
+  void post_run() override;
   double compute_vector(int) override;
   void *extract(const char *, int &) override;
 

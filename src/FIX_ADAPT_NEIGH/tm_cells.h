@@ -18,6 +18,7 @@ typedef struct {
   int *cell;                /* of each particle */
   int *begin;               /* of each cell, and the end of the last */
   int *index;               /* particles in order of cells, TM_COLUMN more entries than n */
+  int *marked;              /* how many before each entry of the order are marked; or NULL */
   tm_real *column[4];       /* x y z of these, and their reach where each has its own; as long */
 } tm_cells;
 

@@ -1,5 +1,6 @@
 #include "backend.h"
 
+#include "list_loops.h"
 #include "rate_loops.h"
 #include "tm_thermal.h"
 
@@ -79,10 +80,70 @@ void Backend::bin(const tm_cells &c)
 
 int Backend::search(int n, const tm_search_args &a)
 {
-  const search_loop_t loop = search_loop();
+  const auto loop = list_loops().search;
   return sum_blocks(
       n, 0, [&](int begin, int end) { return loop(begin, end, &a); },
       [](int *longest, const int *m) { *longest = std::max(*longest, *m); });
+}
+
+int Backend::mark(const tm_cells &c, const unsigned char *marks)
+{
+  int sum = 0;
+  for (int k = 0; k < c.n; k++) {
+    c.marked[k] = sum;
+    sum += marks[c.index[k]];
+  }
+  return c.marked[c.n] = sum;
+}
+
+int Backend::flag(int n, const tm_real *told, unsigned char *searched)
+{
+  int sum = 0;
+  for (int i = 0; i < n; i++) sum += searched[i] = told[(size_t) i * TM_TOLD + TM_TOLD_SEARCHED] > 0.5;
+  return sum;
+}
+
+int Backend::active(int n, const tm_kept_rows &r, int *whole, int *which)
+{
+  int m = 0;
+  for (int i = 0; i < n; i++) {
+    whole[i] = r.kept[i] + r.fresh[i];
+    if (tm_kept_active(i, &r)) which[m++] = i;
+  }
+  return m;
+}
+
+void Backend::kept_show(int n, const tm_kept_args &a, tm_real *shown)
+{
+  blocks(n, [&](int begin, int end) {
+    for (int i = begin; i < end; i++) tm_kept_show(i, &a, shown);
+  });
+}
+
+void Backend::kept_rates(int n, const tm_kept_args &a, unsigned effects)
+{
+  const auto loop = list_loops().kept[kept_loop_index(effects)];
+  blocks(n, [&](int begin, int end) { loop(begin, end, &a); });
+}
+
+int Backend::settle_tell(int n, const tm_settle_args &a, unsigned effects)
+{
+  return sum_particles(
+      *this, n, 0, [&](int i) { return tm_settle_tell(i, &a, effects); },
+      [](int *sum, const int *k) { *sum += *k; });
+}
+
+void Backend::settle(int n, const tm_settle_args &a, unsigned effects)
+{
+  const auto loop = list_loops().settle;
+  blocks(n, [&](int begin, int end) { loop(begin, end, &a, effects); });
+}
+
+void Backend::watch(int n, const tm_watch_args &a)
+{
+  blocks(n, [&](int begin, int end) {
+    for (int i = begin; i < end; i++) tm_watch(i, &a);
+  });
 }
 
 /* ---------------------------------------------------------------------- one step */

@@ -264,14 +264,20 @@ void PairSPHTM::take_ghost_positions()
 }
 
 // needs the positions of all neighbours; what it makes of the stress, the ghosts need
-void PairSPHTM::correct_gradients()
+void PairSPHTM::correct_gradients(int n, tm_rates_args &search)
 {
   const auto timed = fix->run_clock.timed(RunClock::MOMENTS);
-  backend.moments(atom->nlocal, args, fix->effects());
-  forward_correction = true;
-  comm->forward_comm(this, TM_REC_CORRECTION);
-  forward_correction = false;
-  args.rec.correction = rec.correction = rec_correction.loop_write();
+  backend.moments(n, search, fix->effects());
+  forward(rec_correction, TM_REC_CORRECTION);
+  search.rec.correction = args.rec.correction = rec.correction = rec_correction.loop_write();
+}
+
+void PairSPHTM::forward(LoopArray<tm_real> &values, int columns)
+{
+  forwarded = &values;
+  forwarded_columns = columns;
+  comm->forward_comm(this, columns);
+  forwarded = nullptr;
 }
 
 // only what travels is brought to the host and back
@@ -281,9 +287,9 @@ int PairSPHTM::pack_forward_comm(int n, int *sendlist, double *buf, int, int *)
   auto put = [&](const tm_real *from, size_t j, int columns) {
     if (from) buf = std::copy_n(from + j * columns, columns, buf);
   };
-  if (forward_correction) {
-    const tm_real *from = rec_correction.host_read();
-    for (int k = 0; k < n; k++) put(from, sendlist[k], TM_REC_CORRECTION);
+  if (forwarded) {
+    const tm_real *from = forwarded->host_read();
+    for (int k = 0; k < n; k++) put(from, sendlist[k], forwarded_columns);
     return (int) (buf - start);
   }
   const tm_real *main = rec_main.host_read(), *stress = rec_stress.host_read(), *heat = rec_heat.host_read();
@@ -304,9 +310,9 @@ void PairSPHTM::unpack_forward_comm(int n, int first, double *buf)
     std::copy_n(buf, columns, to + j * columns);
     buf += columns;
   };
-  if (forward_correction) {
-    tm_real *to = rec_correction.host_write();
-    for (int j = first; j < first + n; j++) get(to, j, TM_REC_CORRECTION);
+  if (forwarded) {
+    tm_real *to = forwarded->host_write();
+    for (int j = first; j < first + n; j++) get(to, j, forwarded_columns);
     return;
   }
   tm_real *main = rec_main.host_write(), *stress = rec_stress.host_write(), *heat = rec_heat.host_write();
@@ -335,6 +341,7 @@ void PairSPHTM::compute(int eflag, int vflag)
   resize_arrays();
   const tm_state s = fix->state();
   predict(s);
+  if (row_source) row_source->show(rec);
   forward_records();
   rec.main = rec_main.loop_write();    // the host may have filled those of ghosts
   rec.stress = rec_stress.loop_write();
@@ -346,16 +353,19 @@ void PairSPHTM::compute(int eflag, int vflag)
     row_source->renew(neighbor->ago == 0);
     args.rows = row_source->mechanical();
   }
-  if (fx & TM_FX_CORRECTION) correct_gradients();
+  tm_rates_args search = args;
+  const int searched = row_source ? row_source->searched(search) : nlocal;
+  if (fx & TM_FX_CORRECTION) correct_gradients(searched, search);
   backend.zero(args.artificial, args.artificial ? nlocal * sizeof(double) : 0);
   double *internal = force_internal.loop_write();
   if (internal) {
     backend.zero(internal, 3 * nlocal * sizeof(double));
-    args.force = internal;
+    search.force = args.force = internal;
   }
   {
     const auto timed = clock.timed(RunClock::RATES);
-    backend.rates(nlocal, args, fx);
+    backend.rates(searched, search, fx);
+    if (row_source) row_source->kept_rates(args, fx);
   }
   args.force = s.force;
   if (internal) backend.add(s.force, internal, 3 * (size_t) nlocal);

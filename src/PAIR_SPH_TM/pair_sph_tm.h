@@ -72,6 +72,7 @@ class PairSPHTM : public Pair {
   const tm_rates_args &rate_args() const { return args; }
   tm_predict_args predict_args(const tm_state &);
   virtual const int *loop_tags();
+  void forward(SPHTM_NS::LoopArray<tm_real> &, int columns);    // brings values of particles to their ghosts
   const double *internal_force() { return force_internal.loop_read(); }
   // the same on the host
   tm_records host_records();
@@ -133,7 +134,9 @@ class PairSPHTM : public Pair {
   SPHTM_NS::LoopArray<double> force_internal;
   tm_records rec = {};
   tm_rates_args args = {};
-  bool forward_correction = false;    // what forward_comm carries: P K, or the other records
+  // what forward_comm carries: columns of this array, or the records
+  SPHTM_NS::LoopArray<tm_real> *forwarded = nullptr;
+  int forwarded_columns = 0;
 
   void allocate();
   void find_row_source();
@@ -150,7 +153,7 @@ class PairSPHTM : public Pair {
   int forward_columns() const;        // of one ghost: the records in use but for the position
   virtual void take_ghost_positions();    // into their records
   tm_near_args near_args(bool of_each);
-  void correct_gradients();
+  void correct_gradients(int, tm_rates_args &);
   void body_contact(const tm_rates_args &);
   void tally_virial_energy();
   void parse_meeting(int, char **);

@@ -56,6 +56,5 @@ rate_loop_t moment_loop(unsigned effects)
 }
 predict_loop_t predict_loop() { return loops().predict; }
 update_loop_t update_loop() { return loops().update; }
-search_loop_t search_loop() { return loops().search; }
 
 }    // namespace SPHTM_NS

@@ -10,7 +10,6 @@
 #include "tm_moment.h"
 #include "tm_predict.h"
 #include "tm_rates.h"
-#include "tm_search.h"
 #include "tm_update.h"
 
 namespace SPHTM_NS {
@@ -20,13 +19,11 @@ typedef void (*rate_loop_t)(int begin, int end, const tm_rates_args *args);
 typedef void (*predict_loop_t)(int begin, int end, const tm_predict_args *args, unsigned effects);
 typedef tm_update_result (*update_loop_t)(int begin, int end, const tm_update_args *args,
                                           unsigned effects);
-typedef int (*search_loop_t)(int begin, int end, const tm_search_args *args);    // the longest row
 
 rate_loop_t rate_loop(unsigned effects);
 rate_loop_t moment_loop(unsigned effects);    // the correction, before the rate pass
 predict_loop_t predict_loop();
 update_loop_t update_loop();
-search_loop_t search_loop();
 const char *rate_loop_isa();    // name of the instruction set in use
 
 // kernel (5) x dimension (2) x {viscosity, artificial stress, conduction} (8) + extended (1)
@@ -64,7 +61,6 @@ struct ParticleLoops {
   rate_loop_t moments[2 * TM_KERNEL_COUNT];
   predict_loop_t predict;
   update_loop_t update;
-  search_loop_t search;
 };
 namespace isa_default { extern const ParticleLoops loops; }
 namespace isa_avx2 { extern const ParticleLoops loops; }

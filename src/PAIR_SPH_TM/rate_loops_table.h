@@ -5,12 +5,12 @@ namespace {
 
 template <unsigned EFFECTS> void loop(int begin, int end, const tm_rates_args *args)
 {
-  for (int i = begin; i < end; i++) tm_rates(i, args, EFFECTS);
+  for (int i = begin; i < end; i++) tm_rates(args->which ? args->which[i] : i, args, EFFECTS);
 }
 
 template <unsigned EFFECTS> void moments(int begin, int end, const tm_rates_args *args)
 {
-  for (int i = begin; i < end; i++) tm_moment(i, args, EFFECTS);
+  for (int i = begin; i < end; i++) tm_moment(args->which ? args->which[i] : i, args, EFFECTS);
 }
 
 // in chunks, so that the records are still in the cache for the artificial stress
@@ -33,16 +33,6 @@ tm_update_result update(int begin, int end, const tm_update_args *args, unsigned
   return sum;
 }
 
-int search(int begin, int end, const tm_search_args *args)
-{
-  int longest = 0;
-  for (int k = begin; k < end; k++) {
-    const int n = tm_search(args->which ? args->which[k] : k, args);
-    longest = n > longest ? n : longest;
-  }
-  return longest;
-}
-
 }    // namespace
 
 namespace SPHTM_NS {
@@ -62,7 +52,7 @@ const ParticleLoops loops = {
     {TM_LOOPS_18(0), TM_LOOPS_18(18), TM_LOOPS_18(36), TM_LOOPS_18(54), TM_LOOPS_18(72)},
     {TM_MOMENTS(HYPERBOLIC), TM_MOMENTS(CUBIC), TM_MOMENTS(QUINTIC), TM_MOMENTS(WENDLAND_C2),
      TM_MOMENTS(WENDLAND_C4)},
-    predict, update, search};
+    predict, update};
 
 }    // namespace SPHTM_ISA
 }    // namespace SPHTM_NS
