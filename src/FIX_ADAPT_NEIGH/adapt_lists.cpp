@@ -118,7 +118,7 @@ void AdaptLists::renew(bool renumbered)
     if (!keeps()) table.make_room(own(), room);
     other.make_room(own(), others ? room : 0);
     if (others) search_others();
-    make_grid(reach);
+    if (!keeps()) make_grid(reach);
     renumbered = true;
   }
   if (keeps()) {

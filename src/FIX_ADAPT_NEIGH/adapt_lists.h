@@ -19,6 +19,8 @@ class AdaptLists : public AdaptPart, public RowSource {
   void init() override;
   void setup_pre_exchange() override { to_tags(); }
   void pre_exchange() override { to_tags(); }
+  void setup_pre_force() override { stepping = false; }
+  void pre_force() override { stepping = true; }
   void end_of_step() override;
   void post_run() override { to_tags(); }
 
@@ -57,7 +59,8 @@ class AdaptLists : public AdaptPart, public RowSource {
   bool first_search = true;   // pairs of the first search of all have no artificial stress
   bool by_tag = false;        // entries of kept rows stand in tags, not in index
   double sum_searched = 0.0, last_searched = 0.0;    // of this rank
-  double steps = 0.0;
+  double time_now = 0.0, time_watched = 0.0, next_watch = 0.0;    // of steps taken; of the last and next watch
+  bool stepping = false;      // not the set-up of a run
 
   RowTable table, other;      // mechanical neighbors; those for heat and in contact
   bool all_mechanical = true; // all types share one continuum
@@ -94,6 +97,7 @@ class AdaptLists : public AdaptPart, public RowSource {
   void search(RowTable &, int segments, double within);
   void search_others();
   void search_again(bool renumbered);
+  void watch();
   void stop_on_long_row(const RowTable &, int longest);
 };
 

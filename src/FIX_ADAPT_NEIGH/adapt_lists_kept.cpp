@@ -94,26 +94,46 @@ void AdaptLists::search_again(bool renumbered)
     which.make_room(true, own() + 1);
     marks.make_room(true, all() + 1);
   }
-  const bool watches = renumbered && std::isfinite(approach);
   const int searched = backend->flag(all(), told.loop_read(), marks.loop_write());
   backend->zero(table.count[0].loop_write(), own() * sizeof(int));
-  if (searched || watches) sort_into_cells();
+  if (stepping && std::isfinite(approach) && time_now >= next_watch) {
+    watch();
+    renumbered = true;
+  }
+  if (renumbered) make_grid(reach);
   if (searched) {
+    sort_into_cells();
     backend->mark(cells.grid, marks.loop_read());
     search(table, TM_MEETS_MECHANICAL, reach);
   }
   active = backend->active(own(), kept_rows(), whole.loop_write(), which.loop_write());
-  if (!watches) return;
+}
+
+// Looked at when a pair may have moved by a tenth of the reach, at the latest after 50 steps: by the time of
+// steps alone, so that it does not depend on ranks, skin and restarts
+void AdaptLists::watch()
+{
+  LAMMPS *lmp = fix.host();
+  make_grid(1.1 * reach);
+  sort_into_cells();
   tm_watch_args w = {};
   w.search = search_args(TM_MEETS_MECHANICAL, reach);
   w.rows = kept_rows();
+  w.rec = fix.pair().rate_args().rec;
   w.memory = memory.loop_write();
   w.searched = marks.loop_read();
   w.h = fix.pair().settings_in_use().h;
   const double support = tm_kernel_support(fix.pair().settings_in_use().kernel);
   w.near = support * (1.0 - approach);
   w.change = support * approach;
+  w.time = time_now - time_watched;
   backend->watch(own(), w);
+  const double mine = backend->fastest(own(), fix.body().state());
+  double fastest;
+  MPI_Allreduce(&mine, &fastest, 1, MPI_DOUBLE, MPI_MAX, lmp->world);
+  const double longest = 50.0 * fix.body().step_dt();
+  next_watch = time_now + (fastest > 0.0 ? std::min(0.05 * reach / fastest, longest) : longest);
+  time_watched = time_now;
 }
 
 tm_rows AdaptLists::mechanical()
@@ -173,9 +193,10 @@ void AdaptLists::end_of_step()
   pair.forward(told, TM_TOLD);
   a.told = told.loop_write();
   backend->settle(own(), a, fx);
+  sum_searched += first_search ? own() : 0;
   first_search = false;
   sum_searched += last_searched = next;
-  steps += 1.0;
+  time_now += a.dt;
 }
 
 double AdaptLists::output(int k)
@@ -247,7 +268,7 @@ void AdaptLists::to_indices()
                                atom->tag[i]);
       // deleted, or far away: not a neighbor any more
       drop(i, k--);
-      remembered[(size_t) i * TM_K + TM_K_NEAR] = 1.0;
+      remembered[(size_t) i * TM_K + TM_K_NEAR] = 2.0;
     }
     behind[i] = first[i] + n[i] * table.stride;
   }
@@ -322,17 +343,19 @@ std::vector<double> AdaptLists::state()
 {
   double sum = 0.0;
   MPI_Allreduce(&sum_searched, &sum, 1, MPI_DOUBLE, MPI_SUM, fix.host()->world);
-  return {(double) table.capacity, first_search ? 1.0 : 0.0, sum, steps};
+  return {(double) table.capacity, first_search ? 1.0 : 0.0, sum, time_now, time_watched, next_watch};
 }
 
 // rows of a file have the room of that run
 void AdaptLists::restore(const double *value, size_t n)
 {
   LAMMPS *lmp = fix.host();
-  if (n != 4) lmp->error->all(FLERR, "Fix adapt/neigh: the restart file was written with other keywords");
+  if (n != 6) lmp->error->all(FLERR, "Fix adapt/neigh: the restart file was written with other keywords");
   first_search = value[1] > 0.5;
   sum_searched = lmp->comm->me == 0 ? value[2] : 0.0;
-  steps = value[3];
+  time_now = value[3];
+  time_watched = value[4];
+  next_watch = value[5];
   if (!keeps()) return;
   room = (int) value[0];
   if (room > 0) make_room(lmp->atom->nmax);

@@ -182,7 +182,12 @@ void FixAdaptNeigh::unpack_restart(int i, int nth)
   if (unpack_exchange(i, extra + m + 1) + 1 != static_cast<int>(extra[m]))
     error->one(FLERR, "Fix adapt/neigh: the restart file was written with other keywords; write the same ones");
 }
-int FixAdaptNeigh::size_restart(int) { return maxsize_restart(); }
+// LAMMPS writes as many values as this says
+int FixAdaptNeigh::size_restart(int i)
+{
+  std::vector<double> values(maxexchange + 1);
+  return 1 + pack_exchange(i, values.data());
+}
 int FixAdaptNeigh::maxsize_restart() { return 1 + maxexchange; }
 
 // per part: number of values, values

@@ -67,7 +67,7 @@ enum {
   TM_K_SEARCHED = 19,  /* to be searched in the coming step: 1 */
   TM_K_MARK = 20,      /* was searched in the last step: 1 */
   TM_K_SEARCHES = 21,  /* how often */
-  TM_K_NEAR = 22,      /* something came near or went away: 1 */
+  TM_K_NEAR = 22,      /* something comes near, slides or goes: 1; a neighbour was lost: 2 */
   TM_K = 23
 };
 

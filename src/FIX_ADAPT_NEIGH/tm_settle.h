@@ -161,7 +161,6 @@ TM_FN void tm_settle(int i, const tm_settle_args *a, unsigned effects)
   if (k[TM_K_SEARCHED] > 0.5) {
     r->kept[i] = r->fresh[i] = 0;
     r->fresh_first[i] = r->first[i];
-    k[TM_K_NEAR] = 0.0;
     k[TM_K_PSTRAIN] = (effects & TM_FX_PLASTICITY) ? tm_field_row(&a->state, TM_F_PSTRAIN, i)[0] : 0.0;
     return;
   }
@@ -206,44 +205,70 @@ TM_FN void tm_settle(int i, const tm_settle_args *a, unsigned effects)
   tm_mat_store(k + TM_K_B, B);
 }
 
-/* ---- when particles are renumbered: has something come near, or gone? */
+TM_FN tm_real tm_speed(int i, const tm_state *s)
+{
+  const double *v = s->v + 3 * (ptrdiff_t) i;
+  return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/* ---- from time to time: is something near that is no neighbour, or has a neighbour moved? */
 
 typedef struct {
-  tm_search_args search;       /* cells and types */
+  tm_search_args search;       /* cells and types; cells wide enough for what comes near until the next time */
   tm_kept_rows rows;
+  tm_records rec;
   tm_real *memory;
   const unsigned char *searched;
-  tm_real h, near, change;     /* in units of h: closer than near who is no neighbour; change of distance */
+  tm_real h, near, change;     /* the last two in units of h: see below */
+  tm_real time;                /* since the last time, taken for that to the next one */
 } tm_watch_args;
 
+/* Distance of j from i in units of h, and what it will have become the next time if it goes on. */
+TM_FN tm_real tm_watch_distance(int i, int j, const tm_watch_args *a, tm_real *then)
+{
+  const tm_real *ri = a->rec.main + (ptrdiff_t) i * TM_REC, *rj = a->rec.main + (ptrdiff_t) j * TM_REC;
+  const tm_vec3 d = tm_vec(ri[0] - rj[0], ri[1] - rj[1], ri[2] - rj[2]);
+  const tm_vec3 v = tm_vec(ri[4] - rj[4], ri[5] - rj[5], ri[6] - rj[6]);
+  const tm_real r = tm_vec_norm(d);
+  *then = (r + a->time * tm_vec_dot(v, d) / r) / a->h;
+  return r / a->h;
+}
+
+/* Sets memory TM_K_NEAR: the particle is searched in every step until the next time. So where bodies
+   meet, slide and part the rates are those of the search in every step. */
 TM_FN void tm_watch(int i, const tm_watch_args *a)
 {
-  tm_real *k = a->memory + (ptrdiff_t) i * TM_K;
-  if (tm_is_searched(k) || k[TM_K_NEAR] > 0.5) return;
-  const double *x = a->search.cells.x + 3 * (ptrdiff_t) i;
+  tm_real *k = a->memory + (ptrdiff_t) i * TM_K, then;
+  const int was_near = k[TM_K_NEAR] > 0.5;
+  if (k[TM_K_NEAR] > 1.5) {    /* a neighbour was lost: to be searched in any case */
+    k[TM_K_NEAR] = 1.0;
+    return;
+  }
+  if (!was_near && tm_is_searched(k)) return;
   const tm_kept_rows *r = &a->rows;
   const int *row = r->index + r->first[i];
   const float *w = tm_weight(r, i) + TM_W_DISTANCE * r->capacity * r->stride;
-  int known = 0, all = 0;
-  for (int e = 0; e < r->kept[i]; e++) {
-    const double *y = a->search.cells.x + 3 * (ptrdiff_t) row[e * r->stride];
-    const tm_vec3 d = tm_vec(x[0] - y[0], x[1] - y[1], x[2] - y[2]);
-    const tm_real q = tm_vec_norm(d) / a->h;
-    known += q < a->near;
-    if (fabs(q - (tm_real) w[e * r->stride]) > a->change) k[TM_K_NEAR] = 1.0;
+  int known = 0, all = 0, moves = 0;
+  for (int e = 0; e < r->kept[i] && !was_near; e++) {
+    const tm_real q = tm_watch_distance(i, row[e * r->stride], a, &then);
+    known += q < a->near || then < a->near;
+    moves += fabs(q - (tm_real) w[e * r->stride]) > a->change;
   }
+  const double *x = a->search.cells.x + 3 * (ptrdiff_t) i;
   for (int c = 0; c < 9; c++) {
     int begin, end;
     tm_search_cells(&a->search.cells, x, c, &begin, &end);
     for (int e = begin; e < end; e++) {
       const int j = a->search.cells.index[e];
-      const tm_vec3 d = tm_vec(x[0] - a->search.cells.column[0][e], x[1] - a->search.cells.column[1][e],
-                               x[2] - a->search.cells.column[2][e]);
-      if (tm_vec_norm(d) / a->h >= a->near || a->searched[j]) continue;
-      all += tm_search_meets(i, j, &a->search) & TM_MEETS_MECHANICAL;
+      if (!(tm_search_meets(i, j, &a->search) & TM_MEETS_MECHANICAL)) continue;
+      const tm_real q = tm_watch_distance(i, j, a, &then);
+      if (q < a->near || then < a->near) {
+        all += !a->searched[j];
+        moves += was_near && fabs(q - then) > a->change;
+      }
     }
   }
-  if (all > known) k[TM_K_NEAR] = 1.0;
+  k[TM_K_NEAR] = moves || (!was_near && all > known);
 }
 
 #endif

@@ -146,6 +146,13 @@ void Backend::watch(int n, const tm_watch_args &a)
   });
 }
 
+double Backend::fastest(int n, const tm_state &s)
+{
+  return sum_particles(
+      *this, n, 0.0, [&](int i) { return tm_speed(i, &s); },
+      [](double *most, const double *v) { *most = std::max(*most, *v); });
+}
+
 /* ---------------------------------------------------------------------- one step */
 
 int Backend::drift(int n, const tm_drift_args &a, unsigned effects)

@@ -61,6 +61,7 @@ class Backend {
   virtual int settle_tell(int n, const tm_settle_args &, unsigned effects);
   virtual void settle(int n, const tm_settle_args &, unsigned effects);
   virtual void watch(int n, const tm_watch_args &);
+  virtual double fastest(int n, const tm_state &);    // the largest speed
 
   // one step of particles 0..n-1
   virtual int drift(int n, const tm_drift_args &, unsigned effects);    // first one lost, or n

@@ -214,6 +214,13 @@ struct Watch {
   tm_watch_args a;
   KOKKOS_FUNCTION void operator()(int i) const { tm_watch(i, &a); }
 };
+struct Speed {
+  tm_state s;
+  KOKKOS_FUNCTION double operator()(int i) const { return tm_speed(i, &s); }
+};
+struct MostReal {
+  KOKKOS_FUNCTION void operator()(double *most, const double *v) const { *most = *v > *most ? *v : *most; }
+};
 struct Most {
   KOKKOS_FUNCTION void operator()(int *most, const int *n) const { *most = *n > *most ? *n : *most; }
 };
@@ -435,6 +442,10 @@ class DeviceBackend : public Backend {
     kokkos_each("sph/tm settle", n, Settle{a, fx});
   }
   void watch(int n, const tm_watch_args &a) override { kokkos_each("sph/tm watch", n, Watch{a}); }
+  double fastest(int n, const tm_state &s) override
+  {
+    return kokkos_sum("sph/tm fastest", n, 0.0, Speed{s}, MostReal());
+  }
 
   int drift(int n, const tm_drift_args &a, unsigned fx) override
   {
