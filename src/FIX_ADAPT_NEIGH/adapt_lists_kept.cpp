@@ -268,7 +268,7 @@ void AdaptLists::to_indices()
                                atom->tag[i]);
       // deleted, or far away: not a neighbor any more
       drop(i, k--);
-      remembered[(size_t) i * TM_K + TM_K_NEAR] = 2.0;
+      remembered[(size_t) i * TM_K + TM_K_NEAR] = TM_NEAR_HOLD;
     }
     behind[i] = first[i] + n[i] * table.stride;
   }

@@ -59,6 +59,8 @@ TM_FN int tm_kept_active(int i, const tm_kept_rows *r) { return r->fresh[i] > 0 
 /* What a particle shows of itself to kept pairs: A row major and the sound speed. */
 enum { TM_KEPT_C = 9, TM_KEPT = 10 };
 
+enum { TM_NEAR_HOLD = 10 };
+
 /* Memory of a particle. */
 enum {
   TM_K_B = 0,          /* B at the next force point */
@@ -67,7 +69,7 @@ enum {
   TM_K_SEARCHED = 19,  /* to be searched in the coming step: 1 */
   TM_K_MARK = 20,      /* was searched in the last step: 1 */
   TM_K_SEARCHES = 21,  /* how often */
-  TM_K_NEAR = 22,      /* something comes near, slides or goes: 1; a neighbour was lost: 2 */
+  TM_K_NEAR = 22,      /* above 0: something came near, slid or went; for how long to go on searching */
   TM_K = 23
 };
 

@@ -234,16 +234,13 @@ TM_FN tm_real tm_watch_distance(int i, int j, const tm_watch_args *a, tm_real *t
   return r / a->h;
 }
 
-/* Sets memory TM_K_NEAR: the particle is searched in every step until the next time. So where bodies
-   meet, slide and part the rates are those of the search in every step. */
+/* Sets memory TM_K_NEAR: the particle is searched in every step until nothing has moved for
+   TM_NEAR_HOLD times. So where bodies meet, slide and part the rates are those of the search in every
+   step; kept pairs would hold bodies together that part. */
 TM_FN void tm_watch(int i, const tm_watch_args *a)
 {
   tm_real *k = a->memory + (ptrdiff_t) i * TM_K, then;
   const int was_near = k[TM_K_NEAR] > 0.5;
-  if (k[TM_K_NEAR] > 1.5) {    /* a neighbour was lost: to be searched in any case */
-    k[TM_K_NEAR] = 1.0;
-    return;
-  }
   if (!was_near && tm_is_searched(k)) return;
   const tm_kept_rows *r = &a->rows;
   const int *row = r->index + r->first[i];
@@ -268,7 +265,8 @@ TM_FN void tm_watch(int i, const tm_watch_args *a)
       }
     }
   }
-  k[TM_K_NEAR] = moves || (!was_near && all > known);
+  if (moves || (!was_near && all > known)) k[TM_K_NEAR] = TM_NEAR_HOLD;
+  else if (was_near) k[TM_K_NEAR] -= 1.0;
 }
 
 #endif
