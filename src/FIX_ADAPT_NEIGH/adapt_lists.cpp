@@ -61,7 +61,7 @@ void AdaptLists::init()
   meets.move_to(*backend);
   marks.move_to(*backend);
   if (strain < 0.0) strain = std::isinf(threshold) ? INFINITY : 0.2;
-  if (approach < 0.0) approach = std::isinf(threshold) ? INFINITY : 0.05;
+  if (approach < 0.0) approach = std::isinf(threshold) ? INFINITY : 0.01;
   cover_reach();
   const double cut = reach / set.spacing;
   const double lattice = dim == 3 ? 4.0 / 3.0 * TM_PI * cut * cut * cut : TM_PI * cut * cut;

@@ -264,7 +264,7 @@ void AdaptLists::to_indices()
       if (least < 1e300) continue;
       if (std::isinf(approach))
         fix.host()->error->one(FLERR, "Fix adapt/neigh threshold {}: the neighbor {} that particle {} keeps is gone or "
-                                      "beyond the ghosts; a larger neighbor skin, or 'approach 0.05'", threshold, tag,
+                                      "beyond the ghosts; a larger neighbor skin, or 'approach 0.01'", threshold, tag,
                                atom->tag[i]);
       // deleted, or far away: not a neighbor any more
       drop(i, k--);
