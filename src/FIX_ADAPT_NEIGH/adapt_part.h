@@ -34,6 +34,7 @@ class AdaptPart {
   virtual void post_neighbor() {}     // after they have
   virtual void pre_force() {}
   virtual void end_of_step() {}
+  virtual void post_run() {}
 
   // values of particles
   virtual void grow(int /*nmax*/) {}
@@ -50,6 +51,7 @@ class AdaptPart {
   virtual std::vector<std::string> outputs() const { return {}; }
   virtual double output(int) { return 0.0; }
   virtual double bytes() const { return 0.0; }
+  virtual void *extract(const char *) { return nullptr; }    // what other styles ask for by name
 
  protected:
   LAMMPS_NS::FixAdaptNeigh &fix;

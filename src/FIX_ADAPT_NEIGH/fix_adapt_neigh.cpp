@@ -2,6 +2,7 @@
 #include "fix_adapt_neigh.h"
 
 #include "adapt_smoothing.h"
+#include "adapt_lists.h"
 #include "fix_sph_tm.h"
 #include "pair_sph_tm.h"
 
@@ -31,6 +32,7 @@ FixAdaptNeigh::FixAdaptNeigh(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
   force_reneighbor = 1;
   next_reneighbor = -1;
   parts.push_back(std::make_unique<AdaptSmoothing>(*this));
+  parts.push_back(std::make_unique<AdaptLists>(*this));
   read_keywords(3, narg, arg);
   for (const auto &p : parts)
     if (p->in_use()) used.push_back(p.get());
@@ -111,6 +113,10 @@ void FixAdaptNeigh::end_of_step()
 }
 
 void FixAdaptNeigh::renew_lists() { next_reneighbor = update->ntimestep + 1; }
+void FixAdaptNeigh::post_run()
+{
+  for (AdaptPart *p : used) p->post_run();
+}
 
 double FixAdaptNeigh::compute_vector(int n)
 {
@@ -120,6 +126,14 @@ double FixAdaptNeigh::compute_vector(int n)
     n -= of_part;
   }
   return 0.0;
+}
+
+void *FixAdaptNeigh::extract(const char *what, int &dim)
+{
+  dim = 0;
+  for (AdaptPart *p : used)
+    if (void *found = p->extract(what)) return found;
+  return nullptr;
 }
 
 /* ---------------------------------------------------------------------- values of particles */
@@ -168,7 +182,12 @@ void FixAdaptNeigh::unpack_restart(int i, int nth)
   if (unpack_exchange(i, extra + m + 1) + 1 != static_cast<int>(extra[m]))
     error->one(FLERR, "Fix adapt/neigh: the restart file was written with other keywords; write the same ones");
 }
-int FixAdaptNeigh::size_restart(int) { return maxsize_restart(); }
+// LAMMPS writes as many values as this says
+int FixAdaptNeigh::size_restart(int i)
+{
+  std::vector<double> values(maxexchange + 1);
+  return 1 + pack_exchange(i, values.data());
+}
 int FixAdaptNeigh::maxsize_restart() { return 1 + maxexchange; }
 
 // per part: number of values, values

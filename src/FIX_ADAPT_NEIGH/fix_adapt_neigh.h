@@ -31,7 +31,9 @@ class FixAdaptNeigh : public Fix {
   void post_neighbor() override;
   void pre_force(int) override;
   void end_of_step() override;
+  void post_run() override;
   double compute_vector(int) override;
+  void *extract(const char *, int &) override;
 
   void grow_arrays(int) override;
   void copy_arrays(int, int, int) override;

@@ -1,5 +1,6 @@
 #include "backend.h"
 
+#include "list_loops.h"
 #include "rate_loops.h"
 #include "tm_thermal.h"
 
@@ -54,6 +55,103 @@ static RESULT sum_particles(Backend &b, int n, const RESULT &nothing, ONE one, J
 }
 
 static void add_to(double *sum, const double *value) { *sum += *value; }
+
+/* ---------------------------------------------------------------------- search */
+
+tm_bounds Backend::bounds(int n, const double *x)
+{
+  return sum_particles(
+      *this, n, tm_bounds_nothing(), [&](int i) { return tm_bounds_of(x + 3 * (size_t) i); }, tm_bounds_sum);
+}
+
+void Backend::bin(const tm_cells &c)
+{
+  const int cells = tm_cells_number(&c);
+  std::fill_n(c.begin, cells + 1, 0);
+  blocks(c.n, [&](int begin, int end) {
+    for (int i = begin; i < end; i++) c.cell[i] = tm_cells_of(&c, c.x + 3 * (size_t) i);
+  });
+  // begin[k + 1] walks from the start of cell k to its end
+  for (int i = 0; i < c.n; i++)
+    if (c.cell[i] + 2 <= cells) c.begin[c.cell[i] + 2]++;
+  for (int k = 2; k <= cells; k++) c.begin[k] += c.begin[k - 1];
+  for (int i = 0; i < c.n; i++) tm_cells_put(&c, i, c.begin[c.cell[i] + 1]++);
+}
+
+int Backend::search(int n, const tm_search_args &a)
+{
+  const auto loop = list_loops().search;
+  return sum_blocks(
+      n, 0, [&](int begin, int end) { return loop(begin, end, &a); },
+      [](int *longest, const int *m) { *longest = std::max(*longest, *m); });
+}
+
+int Backend::mark(const tm_cells &c, const unsigned char *marks)
+{
+  int sum = 0;
+  for (int k = 0; k < c.n; k++) {
+    c.marked[k] = sum;
+    sum += marks[c.index[k]];
+  }
+  return c.marked[c.n] = sum;
+}
+
+int Backend::flag(int n, const tm_real *told, unsigned char *searched)
+{
+  int sum = 0;
+  for (int i = 0; i < n; i++) sum += searched[i] = told[(size_t) i * TM_TOLD + TM_TOLD_SEARCHED] > 0.5;
+  return sum;
+}
+
+int Backend::active(int n, const tm_kept_rows &r, int *whole, int *which)
+{
+  int m = 0;
+  for (int i = 0; i < n; i++) {
+    whole[i] = r.kept[i] + r.fresh[i];
+    if (tm_kept_active(i, &r)) which[m++] = i;
+  }
+  return m;
+}
+
+void Backend::kept_show(int n, const tm_kept_args &a, tm_real *shown)
+{
+  blocks(n, [&](int begin, int end) {
+    for (int i = begin; i < end; i++) tm_kept_show(i, &a, shown);
+  });
+}
+
+void Backend::kept_rates(int n, const tm_kept_args &a, unsigned effects)
+{
+  const auto loop = list_loops().kept[kept_loop_index(effects)];
+  blocks(n, [&](int begin, int end) { loop(begin, end, &a); });
+}
+
+int Backend::settle_tell(int n, const tm_settle_args &a, unsigned effects)
+{
+  return sum_particles(
+      *this, n, 0, [&](int i) { return tm_settle_tell(i, &a, effects); },
+      [](int *sum, const int *k) { *sum += *k; });
+}
+
+void Backend::settle(int n, const tm_settle_args &a, unsigned effects)
+{
+  const auto loop = list_loops().settle;
+  blocks(n, [&](int begin, int end) { loop(begin, end, &a, effects); });
+}
+
+void Backend::watch(int n, const tm_watch_args &a)
+{
+  blocks(n, [&](int begin, int end) {
+    for (int i = begin; i < end; i++) tm_watch(i, &a);
+  });
+}
+
+double Backend::fastest(int n, const tm_state &s)
+{
+  return sum_particles(
+      *this, n, 0.0, [&](int i) { return tm_speed(i, &s); },
+      [](double *most, const double *v) { *most = std::max(*most, *v); });
+}
 
 /* ---------------------------------------------------------------------- one step */
 

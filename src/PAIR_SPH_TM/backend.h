@@ -17,6 +17,7 @@
 #include "tm_neighbors.h"
 #include "tm_predict.h"
 #include "tm_rates.h"
+#include "tm_settle.h"
 #include "tm_size.h"
 #include "tm_smoothing.h"
 #include "tm_tally.h"
@@ -46,6 +47,21 @@ class Backend {
   virtual void zero(void *, size_t bytes);
   virtual void add(double *to, const double *from, size_t n);
   virtual void wait() {}    // until all loops are done
+
+  // search of neighbors: the box of n particles at x, their order by cells, rows of n (the longest)
+  virtual tm_bounds bounds(int n, const double *x);
+  virtual void bin(const tm_cells &);
+  virtual int search(int n, const tm_search_args &);
+  virtual int mark(const tm_cells &, const unsigned char *marks);    // counts those marked in order of cells
+  // rows that are kept; active: rows that the ordinary rates are for, how many
+  virtual int flag(int n, const tm_real *told, unsigned char *searched);
+  virtual int active(int n, const tm_kept_rows &, int *whole, int *which);
+  virtual void kept_show(int n, const tm_kept_args &, tm_real *shown);
+  virtual void kept_rates(int n, const tm_kept_args &, unsigned effects);
+  virtual int settle_tell(int n, const tm_settle_args &, unsigned effects);
+  virtual void settle(int n, const tm_settle_args &, unsigned effects);
+  virtual void watch(int n, const tm_watch_args &);
+  virtual double fastest(int n, const tm_state &);    // the largest speed
 
   // one step of particles 0..n-1
   virtual int drift(int n, const tm_drift_args &, unsigned effects);    // first one lost, or n

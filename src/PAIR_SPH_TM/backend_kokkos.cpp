@@ -1,6 +1,7 @@
 #ifdef LMP_KOKKOS
 #include "backend_kokkos.h"
 
+#include "list_loops.h"
 #include "rate_loops.h"
 #include "tm_thermal.h"
 
@@ -43,11 +44,11 @@ int device_rate_index(unsigned fx)
 
 template <unsigned EFFECTS> struct Rates {
   tm_rates_args a;
-  KOKKOS_FUNCTION void operator()(int i) const { tm_rates(i, &a, EFFECTS); }
+  KOKKOS_FUNCTION void operator()(int i) const { tm_rates(a.which ? a.which[i] : i, &a, EFFECTS); }
 };
 template <unsigned EFFECTS> struct Moments {
   tm_rates_args a;
-  KOKKOS_FUNCTION void operator()(int i) const { tm_moment(i, &a, EFFECTS); }
+  KOKKOS_FUNCTION void operator()(int i) const { tm_moment(a.which ? a.which[i] : i, &a, EFFECTS); }
 };
 
 template <unsigned EFFECTS> void run_rates(int n, const tm_rates_args &a)
@@ -106,6 +107,123 @@ struct Add {
   KOKKOS_FUNCTION void operator()(int k) const { to[k] += from[k]; }
 };
 
+struct Bounds {
+  const double *x;
+  KOKKOS_FUNCTION tm_bounds operator()(int i) const { return tm_bounds_of(x + 3 * (ptrdiff_t) i); }
+};
+struct SumBounds {
+  KOKKOS_FUNCTION void operator()(tm_bounds *sum, const tm_bounds *b) const { tm_bounds_sum(sum, b); }
+};
+// begin[k + 1] walks from the start of cell k to its end
+struct CountCell {
+  tm_cells c;
+  int last;
+  KOKKOS_FUNCTION void operator()(int i) const
+  {
+    const int cell = tm_cells_of(&c, c.x + 3 * (ptrdiff_t) i);
+    c.cell[i] = cell;
+    if (cell + 2 <= last) Kokkos::atomic_inc(c.begin + cell + 2);
+  }
+};
+struct PlaceCells {
+  tm_cells c;
+  KOKKOS_FUNCTION void operator()(int k, int &sum, bool last) const
+  {
+    sum += c.begin[k];
+    if (last) c.begin[k] = sum;
+  }
+};
+struct PutInCell {
+  tm_cells c;
+  KOKKOS_FUNCTION void operator()(int i) const
+  {
+    tm_cells_put(&c, i, Kokkos::atomic_fetch_add(c.begin + c.cell[i] + 1, 1));
+  }
+};
+struct Search {
+  tm_search_args a;
+  KOKKOS_FUNCTION int operator()(int k) const { return tm_search(a.which ? a.which[k] : k, &a); }
+};
+struct Mark {
+  tm_cells c;
+  const unsigned char *marks;
+  KOKKOS_FUNCTION void operator()(int k, int &sum, bool last) const
+  {
+    if (last) c.marked[k] = sum;
+    if (k < c.n) sum += marks[c.index[k]];
+  }
+};
+struct Flag {
+  const tm_real *told;
+  unsigned char *searched;
+  KOKKOS_FUNCTION int operator()(int i) const
+  {
+    return searched[i] = told[(ptrdiff_t) i * TM_TOLD + TM_TOLD_SEARCHED] > 0.5;
+  }
+};
+struct SumInt {
+  KOKKOS_FUNCTION void operator()(int *sum, const int *k) const { *sum += *k; }
+};
+struct Active {
+  tm_kept_rows r;
+  int *whole, *which;
+  KOKKOS_FUNCTION void operator()(int i, int &m, bool last) const
+  {
+    const int active = tm_kept_active(i, &r);
+    if (last) {
+      whole[i] = r.kept[i] + r.fresh[i];
+      if (active) which[m] = i;
+    }
+    m += active;
+  }
+};
+struct KeptShow {
+  tm_kept_args a;
+  tm_real *shown;
+  KOKKOS_FUNCTION void operator()(int i) const { tm_kept_show(i, &a, shown); }
+};
+template <unsigned EFFECTS> struct KeptRates {
+  tm_kept_args a;
+  KOKKOS_FUNCTION void operator()(int i) const
+  {
+    if (a.rows.kept[i]) tm_kept_rates(i, &a, EFFECTS);
+  }
+};
+typedef void (*device_kept_loop_t)(int, const tm_kept_args &);
+template <unsigned EFFECTS> void run_kept(int n, const tm_kept_args &a)
+{
+  kokkos_each("sph/tm kept rates", n, KeptRates<EFFECTS>{a});
+}
+template <int... INDEX>
+device_kept_loop_t find_kept(int index, std::integer_sequence<int, INDEX...>)
+{
+  static const device_kept_loop_t table[] = {run_kept<kept_loop_effects(INDEX)>...};
+  return table[index];
+}
+struct SettleTell {
+  tm_settle_args a;
+  unsigned fx;
+  KOKKOS_FUNCTION int operator()(int i) const { return tm_settle_tell(i, &a, fx); }
+};
+struct Settle {
+  tm_settle_args a;
+  unsigned fx;
+  KOKKOS_FUNCTION void operator()(int i) const { tm_settle(i, &a, fx); }
+};
+struct Watch {
+  tm_watch_args a;
+  KOKKOS_FUNCTION void operator()(int i) const { tm_watch(i, &a); }
+};
+struct Speed {
+  tm_state s;
+  KOKKOS_FUNCTION double operator()(int i) const { return tm_speed(i, &s); }
+};
+struct MostReal {
+  KOKKOS_FUNCTION void operator()(double *most, const double *v) const { *most = *v > *most ? *v : *most; }
+};
+struct Most {
+  KOKKOS_FUNCTION void operator()(int *most, const int *n) const { *most = *n > *most ? *n : *most; }
+};
 struct Drift {
   tm_drift_args a;
   unsigned fx;
@@ -274,6 +392,60 @@ class DeviceBackend : public Backend {
     kokkos_each("sph/tm add", (int) n, Add{to, from});
   }
   void wait() override { Kokkos::fence("sph/tm wait"); }
+
+  tm_bounds bounds(int n, const double *x) override
+  {
+    return kokkos_sum("sph/tm bounds", n, tm_bounds_nothing(), Bounds{x}, SumBounds());
+  }
+  void bin(const tm_cells &c) override
+  {
+    const int cells = tm_cells_number(&c);
+    zero(c.begin, (cells + 1) * sizeof(int));
+    kokkos_each("sph/tm count in cells", c.n, CountCell{c, cells});
+    Kokkos::parallel_scan("sph/tm place cells", Kokkos::RangePolicy<LMPDeviceType>(0, cells + 1), PlaceCells{c});
+    kokkos_each("sph/tm put in cells", c.n, PutInCell{c});
+  }
+  int search(int n, const tm_search_args &a) override
+  {
+    return kokkos_sum("sph/tm search", n, 0, Search{a}, Most());
+  }
+  int mark(const tm_cells &c, const unsigned char *marks) override
+  {
+    int sum = 0;
+    Kokkos::parallel_scan("sph/tm mark", Kokkos::RangePolicy<LMPDeviceType>(0, c.n + 1), Mark{c, marks}, sum);
+    return sum;
+  }
+  int flag(int n, const tm_real *told, unsigned char *searched) override
+  {
+    return kokkos_sum("sph/tm flag", n, 0, Flag{told, searched}, SumInt());
+  }
+  int active(int n, const tm_kept_rows &r, int *whole, int *which) override
+  {
+    int m = 0;
+    Kokkos::parallel_scan("sph/tm active", Kokkos::RangePolicy<LMPDeviceType>(0, n), Active{r, whole, which}, m);
+    return m;
+  }
+  void kept_show(int n, const tm_kept_args &a, tm_real *shown) override
+  {
+    kokkos_each("sph/tm kept show", n, KeptShow{a, shown});
+  }
+  void kept_rates(int n, const tm_kept_args &a, unsigned fx) override
+  {
+    find_kept(kept_loop_index(fx), std::make_integer_sequence<int, KEPT_LOOPS>())(n, a);
+  }
+  int settle_tell(int n, const tm_settle_args &a, unsigned fx) override
+  {
+    return kokkos_sum("sph/tm settle tell", n, 0, SettleTell{a, fx}, SumInt());
+  }
+  void settle(int n, const tm_settle_args &a, unsigned fx) override
+  {
+    kokkos_each("sph/tm settle", n, Settle{a, fx});
+  }
+  void watch(int n, const tm_watch_args &a) override { kokkos_each("sph/tm watch", n, Watch{a}); }
+  double fastest(int n, const tm_state &s) override
+  {
+    return kokkos_sum("sph/tm fastest", n, 0.0, Speed{s}, MostReal());
+  }
 
   int drift(int n, const tm_drift_args &a, unsigned fx) override
   {

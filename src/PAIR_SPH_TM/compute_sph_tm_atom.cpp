@@ -77,6 +77,13 @@ tm_output_args ComputeSPHTMAtom::output_args()
     a.main = pair->rate_args().rec.main;
     a.surface = pair->rate_args().surface;
   }
+  if (wants(TM_OUT_ADAPTNODE) || wants(TM_OUT_SEARCHES)) {
+    int dim;
+    const auto lists = modify->get_fix_by_style("^adapt/neigh");
+    if (lists.empty() || !lists[0]->extract("sph/tm rows", dim))
+      error->all(FLERR, "Compute sph/tm/atom adaptnode, searches: needs fix adapt/neigh with threshold");
+    a.lists = (const tm_real *) lists[0]->extract("memory of lists", dim);
+  }
   a.measure = pair->surface_measure();
   a.temperature = fix->start_temperature();
   a.h = pair->settings_in_use().h;

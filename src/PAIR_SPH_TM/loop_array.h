@@ -23,6 +23,15 @@ template <class T> class LoopArray {
     clear();
     backend = &b;
   }
+  // the same values, elsewhere
+  void move_to(Backend &b)
+  {
+    if (&b == backend) return;
+    const T *from = host_read();
+    const std::vector<T> values(from, from + count);
+    live_in(b);
+    if (!values.empty()) assign(values.data(), values.size());
+  }
   size_t size() const { return count; }
   bool empty() const { return count == 0; }
   size_t bytes() const { return count * sizeof(T); }

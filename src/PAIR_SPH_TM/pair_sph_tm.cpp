@@ -95,7 +95,17 @@ void PairSPHTM::init_style()
     }
   check_list_size();
   make_tables();
-  neighbor->add_request(this, NeighConst::REQ_FULL);
+  find_row_source();
+  if (!row_source) neighbor->add_request(this, NeighConst::REQ_FULL);
+}
+
+// fix adapt/neigh with lists of its own
+void PairSPHTM::find_row_source()
+{
+  row_source = nullptr;
+  int dim;
+  for (Fix *f : modify->get_fix_by_style("^adapt/neigh"))
+    if (auto *source = (RowSource *) f->extract(RowSource::NAME, dim)) row_source = source;
 }
 
 void PairSPHTM::init_list(int, NeighList *ptr) { list = ptr; }
@@ -176,14 +186,16 @@ tm_records PairSPHTM::host_records()
 
 tm_rows PairSPHTM::host_rows()
 {
+  if (row_source) return row_source->host_others();
   return {row_index.host_read(),   row_first.host_read(),   row_mechanical.host_read(),
           row_thermal.host_read(), row_contact.host_read(), row_stride};
 }
 
 void PairSPHTM::fill_args(const tm_state &s)
 {
-  args.rows = {row_index.loop_read(),   row_first.loop_read(),   row_mechanical.loop_read(),
-               row_thermal.loop_read(), row_contact.loop_read(), row_stride};
+  if (!row_source)
+    args.rows = {row_index.loop_read(),   row_first.loop_read(),   row_mechanical.loop_read(),
+                 row_thermal.loop_read(), row_contact.loop_read(), row_stride};
   args.rec = rec;
   args.effects = fix->effects();
   args.h = set.h;
@@ -252,14 +264,20 @@ void PairSPHTM::take_ghost_positions()
 }
 
 // needs the positions of all neighbours; what it makes of the stress, the ghosts need
-void PairSPHTM::correct_gradients()
+void PairSPHTM::correct_gradients(int n, tm_rates_args &search)
 {
   const auto timed = fix->run_clock.timed(RunClock::MOMENTS);
-  backend.moments(atom->nlocal, args, fix->effects());
-  forward_correction = true;
-  comm->forward_comm(this, TM_REC_CORRECTION);
-  forward_correction = false;
-  args.rec.correction = rec.correction = rec_correction.loop_write();
+  backend.moments(n, search, fix->effects());
+  forward(rec_correction, TM_REC_CORRECTION);
+  search.rec.correction = args.rec.correction = rec.correction = rec_correction.loop_write();
+}
+
+void PairSPHTM::forward(LoopArray<tm_real> &values, int columns)
+{
+  forwarded = &values;
+  forwarded_columns = columns;
+  comm->forward_comm(this, columns);
+  forwarded = nullptr;
 }
 
 // only what travels is brought to the host and back
@@ -269,9 +287,9 @@ int PairSPHTM::pack_forward_comm(int n, int *sendlist, double *buf, int, int *)
   auto put = [&](const tm_real *from, size_t j, int columns) {
     if (from) buf = std::copy_n(from + j * columns, columns, buf);
   };
-  if (forward_correction) {
-    const tm_real *from = rec_correction.host_read();
-    for (int k = 0; k < n; k++) put(from, sendlist[k], TM_REC_CORRECTION);
+  if (forwarded) {
+    const tm_real *from = forwarded->host_read();
+    for (int k = 0; k < n; k++) put(from, sendlist[k], forwarded_columns);
     return (int) (buf - start);
   }
   const tm_real *main = rec_main.host_read(), *stress = rec_stress.host_read(), *heat = rec_heat.host_read();
@@ -292,9 +310,9 @@ void PairSPHTM::unpack_forward_comm(int n, int first, double *buf)
     std::copy_n(buf, columns, to + j * columns);
     buf += columns;
   };
-  if (forward_correction) {
-    tm_real *to = rec_correction.host_write();
-    for (int j = first; j < first + n; j++) get(to, j, TM_REC_CORRECTION);
+  if (forwarded) {
+    tm_real *to = forwarded->host_write();
+    for (int j = first; j < first + n; j++) get(to, j, forwarded_columns);
     return;
   }
   tm_real *main = rec_main.host_write(), *stress = rec_stress.host_write(), *heat = rec_heat.host_write();
@@ -316,41 +334,52 @@ void PairSPHTM::compute(int eflag, int vflag)
   const int nlocal = atom->nlocal;
   const unsigned fx = fix->effects();
   RunClock &clock = fix->run_clock;
-  if (neighbor->ago == 0 || (int) row_first.size() < nlocal) {
+  if (!row_source && (neighbor->ago == 0 || (int) row_first.size() < nlocal)) {
     const auto timed = clock.timed(RunClock::ROWS);
     build_rows();
   }
   resize_arrays();
   const tm_state s = fix->state();
   predict(s);
+  if (row_source) row_source->show(rec);
   forward_records();
   rec.main = rec_main.loop_write();    // the host may have filled those of ghosts
   rec.stress = rec_stress.loop_write();
   rec.heat = rec_heat.loop_write();
   rec.size = rec_size.loop_write();
   fill_args(s);
-  if (fx & TM_FX_CORRECTION) correct_gradients();
+  if (row_source) {
+    const auto timed = clock.timed(RunClock::ROWS);
+    row_source->renew(neighbor->ago == 0);
+    args.rows = row_source->mechanical();
+  }
+  tm_rates_args search = args;
+  const int searched = row_source ? row_source->searched(search) : nlocal;
+  if (fx & TM_FX_CORRECTION) correct_gradients(searched, search);
   backend.zero(args.artificial, args.artificial ? nlocal * sizeof(double) : 0);
   double *internal = force_internal.loop_write();
   if (internal) {
     backend.zero(internal, 3 * nlocal * sizeof(double));
-    args.force = internal;
+    search.force = args.force = internal;
   }
   {
     const auto timed = clock.timed(RunClock::RATES);
-    backend.rates(nlocal, args, fx);
+    backend.rates(searched, search, fx);
+    if (row_source) row_source->kept_rates(args, fx);
   }
   args.force = s.force;
   if (internal) backend.add(s.force, internal, 3 * (size_t) nlocal);
+  tm_rates_args others = args;
+  if (row_source) others.rows = row_source->others();
   if (fx & TM_FX_CONDUCTION) {
     const auto timed = clock.timed(RunClock::THERMAL);
-    backend.thermal(nlocal, args, fx);
+    backend.thermal(nlocal, others, fx);
   }
-  if (fx & TM_FX_BODIES) body_contact();
+  if (fx & TM_FX_BODIES) body_contact(others);
   if (eflag || vflag) tally_virial_energy();
 }
 
-void PairSPHTM::body_contact()
+void PairSPHTM::body_contact(const tm_rates_args &others)
 {
   const auto timed = fix->run_clock.timed(RunClock::BODIES);
   tm_body_contact_args b;
@@ -361,7 +390,7 @@ void PairSPHTM::body_contact()
   b.spacing = set.spacing;
   b.dt = fix->step_dt();
   b.source = fix->heat_source();
-  const tm_body_contact_result r = backend.body_contact(atom->nlocal, args, b, fix->effects());
+  const tm_body_contact_result r = backend.body_contact(atom->nlocal, others, b, fix->effects());
   fix->contact_spring += r.spring;
   fix->ledger.contact_damping += b.dt * r.damping_power;
   fix->ledger.friction += b.dt * (r.friction_power - r.heat_power);
@@ -394,6 +423,8 @@ void PairSPHTM::tally_virial_energy()
 
 /* ---------------------------------------------------------------------- */
 
+const int *PairSPHTM::loop_tags() { return (const int *) atom->tag; }
+
 tm_near_args PairSPHTM::near_args(bool of_each)
 {
   near_count.make_room(of_each, (size_t) atom->nlocal + 1);
@@ -408,7 +439,7 @@ tm_near_args PairSPHTM::near_args(bool of_each)
 
 double PairSPHTM::neighbors(bool of_each)
 {
-  const bool rows = args.reach2 && (int) row_first.size() > atom->nlocal;
+  const bool rows = args.reach2 && args.rows.first;
   return backend.near_count(rows ? atom->nlocal : 0, near_args(of_each));
 }
 

@@ -7,6 +7,7 @@
 
 #include "pair.h"
 #include "loop_array.h"
+#include "row_source.h"
 #include "tm_material.h"
 #include "tm_surface.h"
 #include "unit_scale.h"
@@ -70,6 +71,8 @@ class PairSPHTM : public Pair {
   const tm_material *loop_materials() { return tables.material.loop_read(); }
   const tm_rates_args &rate_args() const { return args; }
   tm_predict_args predict_args(const tm_state &);
+  virtual const int *loop_tags();
+  void forward(SPHTM_NS::LoopArray<tm_real> &, int columns);    // brings values of particles to their ghosts
   const double *internal_force() { return force_internal.loop_read(); }
   // the same on the host
   tm_records host_records();
@@ -82,6 +85,7 @@ class PairSPHTM : public Pair {
   bool has_contact_pairs() const;
   double largest_conductivity() const;      // of all types at all temperatures
   double contact_stiffness_limit(int type) const;
+  std::vector<unsigned char> segments_of_types() const;    // per type pair: where in a row they meet
   const SPHTM_NS::UnitScale &units() const { return unit; }
   // particles of different size (effect smoothing): smoothing lengths up to h are in the rows, the
   // smallest particle has the edge dp. Collective; from init() on, before LAMMPS makes its lists
@@ -117,6 +121,7 @@ class PairSPHTM : public Pair {
   FixSPHTM *fix = nullptr;
   std::string restart_fix;              // the fix whose state the restart file holds
 
+  SPHTM_NS::RowSource *row_source = nullptr;    // or the rows below
   // rows of the owned particles, rebuilt with the host's list
   SPHTM_NS::LoopArray<int> row_index, row_mechanical, row_thermal, row_contact;
   SPHTM_NS::LoopArray<ptrdiff_t> row_first;
@@ -129,10 +134,12 @@ class PairSPHTM : public Pair {
   SPHTM_NS::LoopArray<double> force_internal;
   tm_records rec = {};
   tm_rates_args args = {};
-  bool forward_correction = false;    // what forward_comm carries: P K, or the other records
+  // what forward_comm carries: columns of this array, or the records
+  SPHTM_NS::LoopArray<tm_real> *forwarded = nullptr;
+  int forwarded_columns = 0;
 
   void allocate();
-  std::vector<unsigned char> segments_of_types() const;
+  void find_row_source();
   virtual void build_rows();
   void make_room_for_rows();
   void check_volume();
@@ -146,8 +153,8 @@ class PairSPHTM : public Pair {
   int forward_columns() const;        // of one ghost: the records in use but for the position
   virtual void take_ghost_positions();    // into their records
   tm_near_args near_args(bool of_each);
-  void correct_gradients();
-  void body_contact();
+  void correct_gradients(int, tm_rates_args &);
+  void body_contact(const tm_rates_args &);
   void tally_virial_energy();
   void parse_meeting(int, char **);
   double particle_mass(int) const;

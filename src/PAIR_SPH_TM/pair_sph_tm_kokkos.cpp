@@ -30,8 +30,16 @@ void PairSPHTMKokkos::init_style()
 {
   PairSPHTM::init_style();
   auto *request = neighbor->find_request(this);
+  if (!request) return;    // rows come from fix adapt/neigh
   request->set_kokkos_device(true);
   request->set_kokkos_host(false);
+}
+
+const int *PairSPHTMKokkos::loop_tags()
+{
+  static_assert(sizeof(tagint) == sizeof(int), "neighbor rows sort by tags of 32 bits (SMALLBIG)");
+  atomKK->sync(execution_space, TAG_MASK);
+  return atomKK->k_tag.view<LMPDeviceType>().data();
 }
 
 /* ---------------------------------------------------------------------- rows */
@@ -95,7 +103,6 @@ struct FillRowByWarp {
 
 void PairSPHTMKokkos::build_rows()
 {
-  static_assert(sizeof(tagint) == sizeof(int), "neighbor rows sort by tags of 32 bits (SMALLBIG)");
   const int n = atom->nlocal;
   const std::vector<unsigned char> segments = segments_of_types();
   meets.assign(segments.data(), segments.size());
@@ -136,10 +143,11 @@ void PairSPHTMKokkos::build_rows()
 
 namespace {
 
-// what ghosts get: P K, or their records but for the positions
+// what ghosts get: columns of an array, or their records but for the positions
 struct Ghost {
   tm_records rec;
-  int columns, correction;
+  int columns;
+  double *values;    // these, or the records
   KOKKOS_FUNCTION static double *copy(double *to, const double *from, int n)
   {
     for (int c = 0; c < n; c++) to[c] = from[c];
@@ -147,8 +155,8 @@ struct Ghost {
   }
   KOKKOS_FUNCTION void pack(ptrdiff_t j, double *buf) const
   {
-    if (correction) {
-      copy(buf, rec.correction + j * TM_REC_CORRECTION, TM_REC_CORRECTION);
+    if (values) {
+      copy(buf, values + j * columns, columns);
       return;
     }
     buf = copy(buf, rec.main + j * TM_REC + 3, TM_REC - 3);
@@ -158,8 +166,8 @@ struct Ghost {
   }
   KOKKOS_FUNCTION void unpack(ptrdiff_t j, const double *buf) const
   {
-    if (correction) {
-      copy(rec.correction + j * TM_REC_CORRECTION, buf, TM_REC_CORRECTION);
+    if (values) {
+      copy(values + j * columns, buf, columns);
       return;
     }
     copy(rec.main + j * TM_REC + 3, buf, TM_REC - 3);
@@ -174,7 +182,7 @@ struct Ghost {
     }
     if (rec.size) copy(rec.size + j * TM_REC_SIZE, buf, TM_REC_SIZE);
   }
-  KOKKOS_FUNCTION int width() const { return correction ? TM_REC_CORRECTION : columns; }
+  KOKKOS_FUNCTION int width() const { return columns; }
 };
 struct PackGhosts {
   Ghost ghost;
@@ -207,7 +215,7 @@ struct TakePositions {
 int PairSPHTMKokkos::pack_forward_comm_kokkos(int n, DAT::tdual_int_1d k_sendlist,
                                               DAT::tdual_xfloat_1d &buf, int, int *)
 {
-  const Ghost ghost{rec, forward_columns(), forward_correction};
+  const Ghost ghost{rec, forwarded ? forwarded_columns : forward_columns(), forwarded ? forwarded->loop_write() : nullptr};
   kokkos_each("sph/tm send to ghosts", n,
               PackGhosts{ghost, k_sendlist.view<LMPDeviceType>().data(), buf.view<LMPDeviceType>().data()});
   return n * ghost.width();
@@ -216,7 +224,7 @@ int PairSPHTMKokkos::pack_forward_comm_kokkos(int n, DAT::tdual_int_1d k_sendlis
 void PairSPHTMKokkos::unpack_forward_comm_kokkos(int n, int first, DAT::tdual_xfloat_1d &buf)
 {
   kokkos_each("sph/tm receive ghosts", n,
-              UnpackGhosts{{rec, forward_columns(), forward_correction}, first, buf.view<LMPDeviceType>().data()});
+              UnpackGhosts{{rec, forwarded ? forwarded_columns : forward_columns(), forwarded ? forwarded->loop_write() : nullptr}, first, buf.view<LMPDeviceType>().data()});
 }
 
 void PairSPHTMKokkos::take_ghost_positions()

@@ -5,12 +5,12 @@ namespace {
 
 template <unsigned EFFECTS> void loop(int begin, int end, const tm_rates_args *args)
 {
-  for (int i = begin; i < end; i++) tm_rates(i, args, EFFECTS);
+  for (int i = begin; i < end; i++) tm_rates(args->which ? args->which[i] : i, args, EFFECTS);
 }
 
 template <unsigned EFFECTS> void moments(int begin, int end, const tm_rates_args *args)
 {
-  for (int i = begin; i < end; i++) tm_moment(i, args, EFFECTS);
+  for (int i = begin; i < end; i++) tm_moment(args->which ? args->which[i] : i, args, EFFECTS);
 }
 
 // in chunks, so that the records are still in the cache for the artificial stress

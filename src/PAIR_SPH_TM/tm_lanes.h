@@ -33,6 +33,7 @@
 #define TM_LANES (TM_VECTOR ? TM_VECTOR / (TM_SINGLE ? 4 : 8) : 1)
 
 /* Neighbours looked at together; multiples of 8 keep columns aligned. On a GPU one. */
+#define TM_COLUMN_MOST 112    /* of all kinds of files */
 #if defined(__CUDACC__)
 #define TM_CHUNK 1
 #define TM_COLUMN 1
@@ -54,9 +55,10 @@ typedef double tm_v2_mem __attribute__((vector_size(16), aligned(8), may_alias))
 typedef double tm_v4_mem __attribute__((vector_size(32), aligned(8), may_alias));
 typedef tm_pair tm_lanes __attribute__((vector_size(TM_VECTOR)));
 typedef tm_pair tm_lanes_mem __attribute__((vector_size(TM_VECTOR), may_alias));
+typedef tm_pair tm_lanes_any __attribute__((vector_size(TM_VECTOR), aligned(4), may_alias));
 #else
 #define TM_ALIGNED
-typedef tm_pair tm_lanes, tm_lanes_mem;
+typedef tm_pair tm_lanes, tm_lanes_mem, tm_lanes_any;
 #endif
 
 /* A sum over the neighbours of a row. Where it is not spread over lanes it is kept in double, so that
@@ -97,6 +99,7 @@ TM_FN void tm_fetch(const tm_pair *p, int n, tm_pair *out)
 }
 
 TM_FN tm_lanes tm_lanes_load(const tm_pair *p) { return *(const tm_lanes_mem *) p; }
+TM_FN tm_lanes tm_lanes_load_any(const tm_pair *p) { return *(const tm_lanes_any *) p; } /* not aligned */
 TM_FN void tm_lanes_store(tm_pair *p, tm_lanes v) { *(tm_lanes_mem *) p = v; }
 TM_FN tm_sum tm_lanes_zero(void)
 {

@@ -11,8 +11,9 @@
 
 #include "tm_rates.h"
 
+#define TM_ROW_SLICE_GPU 32
 #if defined(__CUDACC__)
-#define TM_ROW_SLICE 32
+#define TM_ROW_SLICE TM_ROW_SLICE_GPU
 #else
 #define TM_ROW_SLICE 1
 #endif

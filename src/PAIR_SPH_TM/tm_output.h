@@ -4,6 +4,7 @@
 
 #include "tm_damage.h"
 #include "tm_eos.h"
+#include "tm_kept.h"
 #include "tm_state.h"
 #include "tm_surface.h"
 
@@ -29,6 +30,8 @@
   VALUE(TM_OUT_SOUND, "soundspeed")         \
   VALUE(TM_OUT_H, "h")                      \
   VALUE(TM_OUT_NEIGHBORS, "neighbors")      \
+  VALUE(TM_OUT_ADAPTNODE, "adaptnode")      \
+  VALUE(TM_OUT_SEARCHES, "searches")        \
   VALUE(TM_OUT_AREA, "surface/area")
 
 #define TM_OUTPUT_ID(id, name) id,
@@ -42,6 +45,7 @@ typedef struct {
   const tm_real *main;        /* records, with surface */
   const tm_real *surface;     /* 3 per particle, or NULL */
   const tm_real *neighbors;   /* number of neighbors of each, or NULL */
+  const tm_real *lists;       /* memory of adaptive lists (tm_kept.h), or NULL: searched in every step */
   tm_surface measure;
   tm_real temperature, h;     /* of all, where they are no state */
   tm_real stress, density, energy;   /* unit of the run -> mass, length, time */
@@ -97,6 +101,8 @@ TM_FN tm_real tm_output_value(int which, int i, const tm_output_args *a)
                                                            tm_output_state(i, a, TM_F_ENERGY, 0, 0.0)) : 0.0;
     case TM_OUT_H: return tm_output_state(i, a, TM_F_SIZE, TM_S_H, a->h);
     case TM_OUT_NEIGHBORS: return a->neighbors ? a->neighbors[i] : 0.0;
+    case TM_OUT_ADAPTNODE: return a->lists ? a->lists[(ptrdiff_t) i * TM_K + TM_K_MARK] : 1.0;
+    case TM_OUT_SEARCHES: return a->lists ? a->lists[(ptrdiff_t) i * TM_K + TM_K_SEARCHES] : 0.0;
     case TM_OUT_AREA: return tm_output_area(i, a);
     default: return 0.0;
   }

@@ -64,6 +64,7 @@ typedef struct {
   tm_real xsph;            /* XSPH epsilon, 0..1 */
   tm_real force_unit;      /* mass times acceleration -> force of the unit style */
   const tm_real *conductance;  /* interface conductance per type pair (0: bonded), or NULL */
+  const int *which;        /* the particles, or NULL: all */
   const int *type;         /* LAMMPS types, owned and ghost; only with conductance */
   int ntypes;
 

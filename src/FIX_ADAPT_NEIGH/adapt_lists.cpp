@@ -1,0 +1,216 @@
+#include "adapt_lists.h"
+
+#include "argument.h"
+#include "fix_adapt_neigh.h"
+#include "fix_sph_tm.h"
+#include "pair_sph_tm.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "lammps.h"
+#include "neighbor.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+
+namespace SPHTM_NS {
+
+/* ---------------------------------------------------------------------- input */
+
+int AdaptLists::keyword(int narg, char **arg)
+{
+  LAMMPS *lmp = fix.host();
+  const std::string key = arg[0], what = "Fix adapt/neigh " + key;
+  const auto known = keywords();
+  if (std::find(known.begin(), known.end(), key) == known.end()) return 0;
+  if (narg < 2) lmp->error->all(FLERR, "{} needs 1 value", what);
+  const bool never = strcmp(arg[1], "inf") == 0;
+  if (key == "threshold")
+    threshold = never ? INFINITY : not_negative(lmp, what, arg[1]);
+  else if (key == "stretch")
+    strain = never ? INFINITY : positive(lmp, what, arg[1]);
+  else if (key == "approach")
+    approach = never ? INFINITY : number_within(lmp, what, arg[1], 0.0, 0.5);
+  else
+    rows = integer_within(lmp, what, arg[1], 1, TM_SEARCH_MOST);
+  return 2;
+}
+
+void AdaptLists::init()
+{
+  LAMMPS *lmp = fix.host();
+  if (sizeof(tagint) != sizeof(int))
+    lmp->error->all(FLERR, "Fix adapt/neigh threshold: rows sort by tags of 32 bits; build LAMMPS with SMALLBIG");
+  PairSPHTM &pair = fix.pair();
+  const PairSPHTM::Settings &set = pair.settings_in_use();
+  const int dim = lmp->domain->dimension;
+  backend = &fix.body().loops();
+  table.move_to(*backend);
+  other.move_to(*backend);
+  for (auto *a : {&cells.cell, &cells.begin, &cells.index, &cells.marked, &kept, &whole, &which}) a->move_to(*backend);
+  for (auto &a : cells.column) a.move_to(*backend);
+  for (auto *a : {&memory, &shown, &told, &stretch}) a->move_to(*backend);
+  fresh_first.move_to(*backend);
+  weight.move_to(*backend);
+  meets.move_to(*backend);
+  marks.move_to(*backend);
+  if (strain < 0.0) strain = std::isinf(threshold) ? INFINITY : 0.2;
+  if (approach < 0.0) approach = std::isinf(threshold) ? INFINITY : 0.01;
+  cover_reach();
+  const double cut = reach / set.spacing;
+  const double lattice = dim == 3 ? 4.0 / 3.0 * TM_PI * cut * cut * cut : TM_PI * cut * cut;
+  room = rows ? rows : std::min((int) TM_SEARCH_MOST, 8 * (int) ceil(2.0 * lattice / 8.0 + 1.0));
+  if (keeps()) make_room(lmp->atom->nmax);
+  fix.update_packed_size();
+}
+
+// a little more than the rates take: which pairs are within reach they decide
+void AdaptLists::cover_reach()
+{
+  const PairSPHTM::Settings &set = fix.pair().settings_in_use();
+  reach = tm_kernel_support(set.kernel) * std::max(set.h, fix.pair().covered_h()) * (1.0 + 1e-9);
+}
+
+// what rows that are kept know nothing of
+void AdaptLists::check_effects()
+{
+  Error *error = fix.host()->error;
+  const FixSPHTM &body = fix.body();
+  const struct { unsigned effect; const char *what; } without[] = {
+      {TM_FX_FORM_F14, "pair_style form f14; use form f15"},
+      {TM_FX_XSPH, "pair_style xsph; use xsph 0"},
+      {TM_FX_BALSARA, "pair_style balsara yes; use balsara no"},
+      {TM_FX_SURFACE, "the surface of particles (fix sph/tm/heat, surface/area)"},
+      {TM_FX_SMOOTHING, "particles with a smoothing length of their own"}};
+  for (const auto &w : without)
+    if (body.has(w.effect))
+      error->all(FLERR, "Fix adapt/neigh threshold {}: rows that are kept do not support {}; or use threshold 0",
+                 threshold, w.what);
+  if (body.has(TM_FX_CORRECTION) && std::isfinite(threshold))
+    error->all(FLERR, "Fix adapt/neigh threshold {}: pair_style correction yes needs threshold inf or 0: corrected "
+                      "gradients take whole rows", threshold);
+}
+
+/* ---------------------------------------------------------------------- search */
+
+void AdaptLists::renew(bool renumbered)
+{
+  if (renumbered || table.particles < own()) {
+    Atom *atom = fix.host()->atom;
+    const std::vector<unsigned char> with = fix.pair().segments_of_types();
+    meets.assign(with.data(), with.size());
+    const int n1 = atom->ntypes + 1;
+    all_mechanical = true;
+    bool others = false;
+    for (int t = 1; t < n1; t++)
+      for (int u = 1; u < n1; u++) {
+        const int s = with[t * n1 + u];
+        all_mechanical = all_mechanical && s == TM_MEETS_MECHANICAL;
+        others = others || (s & ~TM_MEETS_MECHANICAL);
+      }
+    cover_reach();
+    if (!keeps()) table.make_room(own(), room);
+    other.make_room(own(), others ? room : 0);
+    if (others) search_others();
+    if (!keeps()) make_grid(reach);
+    renumbered = true;
+  }
+  if (keeps()) {
+    search_again(renumbered);
+    return;
+  }
+  sort_into_cells();
+  search(table, TM_MEETS_MECHANICAL, reach);
+}
+
+// those that may come within reach before the particles are renumbered
+void AdaptLists::search_others()
+{
+  const double within = reach + fix.host()->neighbor->skin;
+  make_grid(within);
+  sort_into_cells();
+  search(other, TM_MEETS_THERMAL | TM_MEETS_CONTACT, within);
+}
+
+void AdaptLists::make_grid(double width)
+{
+  LAMMPS *lmp = fix.host();
+  const int n = lmp->atom->nlocal + lmp->atom->nghost;
+  tm_cells &g = cells.grid;
+  g.n = n;
+  g.x = fix.body().state().x;
+  g.reach = nullptr;
+  tm_cells_make(&g, backend->bounds(n, g.x), width, lmp->domain->dimension == 3, 4 * n + 4096);
+  cells.cell.make_room(true, n + 1);
+  cells.begin.make_room(true, tm_cells_number(&g) + 1);
+  cells.index.make_room(true, n + TM_COLUMN_MOST);
+  cells.marked.make_room(keeps(), n + 1);
+  for (int d = 0; d < 3; d++) cells.column[d].make_room(true, n + TM_COLUMN_MOST);
+}
+
+void AdaptLists::sort_into_cells()
+{
+  tm_cells &g = cells.grid;
+  g.x = fix.body().state().x;
+  g.cell = cells.cell.loop_write();
+  g.begin = cells.begin.loop_write();
+  g.index = cells.index.loop_write();
+  g.marked = cells.marked.loop_write();
+  for (int d = 0; d < 4; d++) g.column[d] = cells.column[d].loop_write();
+  backend->bin(g);
+}
+
+tm_search_args AdaptLists::search_args(int segments, double within)
+{
+  tm_search_args a = {};
+  a.cells = cells.grid;
+  a.reach = within;
+  a.meets = all_mechanical ? nullptr : meets.loop_read();
+  a.segments = segments;
+  a.type = fix.body().state().type;
+  a.tag = fix.pair().loop_tags();
+  a.ntypes = fix.host()->atom->ntypes;
+  return a;
+}
+
+void AdaptLists::search(RowTable &t, int segments, double within)
+{
+  tm_search_args a = search_args(segments, within);
+  a.capacity = t.capacity;
+  a.stride = t.stride;
+  a.index = t.index.loop_write();
+  a.first = t.first.loop_read();
+  for (int s = 0; s < TM_SEGMENTS; s++) a.count[s] = t.count[s].loop_write();
+  if (keeps() && segments == TM_MEETS_MECHANICAL) {
+    a.searched = marks.loop_read();
+    a.used = kept.loop_read();
+  }
+  const int longest = backend->search(own(), a);
+  if (longest > t.capacity) stop_on_long_row(t, longest);
+}
+
+void AdaptLists::stop_on_long_row(const RowTable &t, int longest)
+{
+  fix.host()->error->one(FLERR, "Fix adapt/neigh: at step {} a particle has {}{} neighbors, its row has room for {}; "
+                                "write 'rows {}'", fix.host()->update->ntimestep,
+                         longest > TM_SEARCH_MOST ? "at least " : "", longest, t.capacity,
+                         8 * (int) ceil(1.5 * longest / 8.0));
+}
+
+double AdaptLists::bytes() const
+{
+  double sum = table.bytes() + other.bytes() + kept.bytes() + whole.bytes() + which.bytes() + fresh_first.bytes() +
+      weight.bytes() + marks.bytes();
+  for (const auto *a : {&cells.cell, &cells.begin, &cells.index, &cells.marked}) sum += a->bytes();
+  for (const auto &c : cells.column) sum += c.bytes();
+  for (const auto *a : {&memory, &shown, &told, &stretch}) sum += a->bytes();
+  return sum;
+}
+
+}    // namespace SPHTM_NS

@@ -1,0 +1,106 @@
+/* SPH-TM: adaptive neighbor lists, a part of fix adapt/neigh: rows of neighbors from a cell search of its
+   own, searched again where the deformation asks for it and kept elsewhere. F14; see tm_kept.h and
+   doc/fix_adapt_neigh.rst. */
+#ifndef SPHTM_ADAPT_LISTS_H
+#define SPHTM_ADAPT_LISTS_H
+
+#include "adapt_part.h"
+#include "row_source.h"
+#include "row_table.h"
+
+namespace SPHTM_NS {
+
+class AdaptLists : public AdaptPart, public RowSource {
+ public:
+  using AdaptPart::AdaptPart;
+  int keyword(int, char **) override;
+  std::vector<std::string> keywords() const override { return {"threshold", "rows", "stretch", "approach"}; }
+  bool in_use() const override { return threshold >= 0.0; }
+  void init() override;
+  void setup_pre_exchange() override { to_tags(); }
+  void pre_exchange() override { to_tags(); }
+  void setup_pre_force() override { stepping = false; }
+  void pre_force() override { stepping = true; }
+  void end_of_step() override;
+  void post_run() override { to_tags(); }
+
+  void grow(int) override;
+  void copy(int, int) override;
+  void set_new(int) override;
+  int most_packed() const override;
+  int pack(int, double *) override;
+  int unpack(int, const double *) override;
+  std::vector<double> state() override;
+  void restore(const double *, size_t) override;
+
+  std::vector<std::string> outputs() const override { return {"fraction", "searches"}; }
+  double output(int) override;
+  double bytes() const override;
+  void *extract(const char *) override;
+
+  // for pair sph/tm
+  void show(const tm_records &) override;
+  void renew(bool) override;
+  tm_rows mechanical() override;
+  tm_rows others() override { return other.loop_rows(); }
+  tm_rows host_others() override { return other.host_rows(); }
+  int searched(tm_rates_args &) override;
+  void kept_rates(const tm_rates_args &, unsigned) override;
+
+ private:
+  double threshold = -1.0;    // of plastic strain; 0: every step; negative: not in use
+  double strain = -1.0;       // since the last search; negative: by default
+  double approach = -1.0;     // of a distance, in reaches; negative: by default
+  int rows = 0;               // room in a row; 0: by the kernel
+  Backend *backend = nullptr;
+  double reach = 0.0;
+  int room = 0;
+  bool keeps() const { return threshold > 0.0; }
+  bool first_search = true;   // pairs of the first search of all have no artificial stress
+  bool by_tag = false;        // entries of kept rows stand in tags, not in index
+  double sum_searched = 0.0, last_searched = 0.0;    // of this rank
+  double time_now = 0.0, time_watched = 0.0, next_watch = 0.0;    // of steps taken; of the last and next watch
+  bool stepping = false;      // not the set-up of a run
+
+  RowTable table, other;      // mechanical neighbors; those for heat and in contact
+  bool all_mechanical = true; // all types share one continuum
+  struct Cells {
+    LoopArray<int> cell, begin, index, marked;
+    LoopArray<tm_real> column[4];
+    tm_cells grid = {};
+  } cells;
+  LoopArray<unsigned char> meets;
+
+  // with rows that are kept
+  LoopArray<int> kept, whole, which;
+  LoopArray<ptrdiff_t> fresh_first;
+  LoopArray<float> weight;
+  LoopArray<tm_real> memory, shown, told, stretch;
+  LoopArray<unsigned char> marks;
+  std::vector<int> tags;
+  int active = 0;
+
+  int own() const;
+  int all() const;
+  void check_effects();
+  void cover_reach();
+  void make_room(int);
+  tm_kept_rows kept_rows();
+  tm_kept_args kept_args(const tm_records &);
+  void to_tags();
+  void to_indices();
+  void drop(int i, int k);
+  void tell_searched();
+  void make_grid(double width);
+  void sort_into_cells();
+  tm_search_args search_args(int segments, double within);
+  void search(RowTable &, int segments, double within);
+  void search_others();
+  void search_again(bool renumbered);
+  void watch();
+  void stop_on_long_row(const RowTable &, int longest);
+};
+
+}    // namespace SPHTM_NS
+
+#endif

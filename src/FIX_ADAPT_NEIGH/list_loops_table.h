@@ -1,0 +1,40 @@
+/* SPH-TM: included once per instruction set with SPHTM_ISA set to the namespace. */
+#include "list_loops.h"
+
+namespace {
+
+int search(int begin, int end, const tm_search_args *args)
+{
+  int longest = 0;
+  for (int k = begin; k < end; k++) {
+    const int n = tm_search(args->which ? args->which[k] : k, args);
+    longest = n > longest ? n : longest;
+  }
+  return longest;
+}
+
+template <unsigned EFFECTS> void kept(int begin, int end, const tm_kept_args *args)
+{
+  for (int i = begin; i < end; i++)
+    if (args->rows.kept[i]) tm_kept_rates(i, args, EFFECTS);
+}
+
+void settle(int begin, int end, const tm_settle_args *args, unsigned effects)
+{
+  for (int i = begin; i < end; i++) tm_settle(i, args, effects);
+}
+
+}    // namespace
+
+namespace SPHTM_NS {
+namespace SPHTM_ISA {
+
+#define TM_KEPT_4(K) \
+  kept<kept_loop_effects(K)>, kept<kept_loop_effects(K + 1)>, kept<kept_loop_effects(K + 2)>, \
+      kept<kept_loop_effects(K + 3)>
+
+extern const ListLoops list_loops;
+const ListLoops list_loops = {search, {TM_KEPT_4(0), TM_KEPT_4(4), TM_KEPT_4(8), TM_KEPT_4(12)}, settle};
+
+}    // namespace SPHTM_ISA
+}    // namespace SPHTM_NS

@@ -1,0 +1,190 @@
+/* SPH-TM: the row of one particle from the cells, in order of tag.
+
+   Particles i and j are neighbours within the larger of their reaches, so that both are in each
+   other's row. A row has room for `capacity` entries; a longer one is reported, never cut silently. */
+#ifndef TM_SEARCH_H
+#define TM_SEARCH_H
+
+#include "tm_cells.h"
+#include "tm_neighbors.h"
+
+#include <limits.h>
+
+enum { TM_SEARCH_MOST = 2048 };   /* entries a row can have */
+
+typedef struct {
+  tm_cells cells;
+  tm_real reach;                 /* where particles have none of their own */
+  const unsigned char *meets;    /* per type pair: segments, or NULL: all are mechanical neighbours */
+  int segments;                  /* those wanted, bits of TM_MEETS_... */
+  const int *type, *tag;
+  int ntypes;
+  const unsigned char *searched; /* only pairs of which one end is, or NULL: all; then cells.marked counts them */
+  const int *which;              /* the particles to search for, or NULL: all */
+  int capacity;
+  const int *used;               /* entries of each row in use already, behind which it begins, or NULL */
+  ptrdiff_t stride;
+  int *index;
+  const ptrdiff_t *first;        /* where the row of each particle begins */
+  int *count[TM_SEGMENTS];       /* results: lengths of the segments wanted */
+} tm_search_args;
+
+/* Is entry j one of row i? The segments it stands in. */
+TM_FN int tm_search_meets(int i, int j, const tm_search_args *a)
+{
+  if (j == i || (a->searched && !a->searched[i] && !a->searched[j])) return 0;
+  if (!a->meets) return a->segments & TM_MEETS_MECHANICAL;
+  return a->segments & a->meets[(ptrdiff_t) a->type[i] * (a->ntypes + 1) + a->type[j]];
+}
+
+/* Entries k of the order, begin <= k < end, within reach of x: appended to found; returns the new n,
+   more than most as soon as they are too many. found has room for TM_COLUMN more than most. */
+TM_FN int tm_search_run(const tm_search_args *a, int begin, int end, const double *x, tm_real reach,
+                        int n, int most, int *found)
+{
+  const tm_cells *c = &a->cells;
+  const tm_real r2i = reach * reach;
+#if TM_VECTOR >= 32 && !TM_SINGLE
+  for (int k = begin; k < end && n <= most; k += TM_LANES) {
+    const int left = end - k;
+    const unsigned mask = left < TM_LANES ? (1u << left) - 1u : 255u;
+    const tm_lanes dx = x[0] - tm_lanes_load_any(c->column[0] + k), dy = x[1] - tm_lanes_load_any(c->column[1] + k);
+    const tm_lanes dz = x[2] - tm_lanes_load_any(c->column[2] + k);
+    const tm_lanes r2 = dx * dx + dy * dy + dz * dz;
+    unsigned inside = tm_lanes_below(r2, r2i, mask);
+    if (c->reach) {
+      const tm_lanes rj = tm_lanes_load_any(c->column[3] + k);
+      inside |= tm_lanes_below(r2 - rj * rj, 0.0, mask);
+    }
+    n += tm_compress(c->index + k, inside, found + n);
+  }
+#else
+  for (int k = begin; k < end && n <= most; k++) {
+    const tm_real dx = x[0] - c->column[0][k], dy = x[1] - c->column[1][k], dz = x[2] - c->column[2][k];
+    const tm_real rj = c->reach ? c->column[3][k] : reach, r2j = rj * rj;
+    found[n] = c->index[k];
+    n += dx * dx + dy * dy + dz * dz < (r2i > r2j ? r2i : r2j);
+  }
+#endif
+  return n;
+}
+
+/* The run of cells number k = 0..8 around a particle: its first and last entry of the order. */
+TM_FN void tm_search_cells(const tm_cells *c, const double *x, int k, int *begin, int *end)
+{
+  const int cx = tm_cells_of_axis(c, 0, x[0]);
+  const int cy = tm_cells_of_axis(c, 1, x[1]) + k % 3 - 1, cz = tm_cells_of_axis(c, 2, x[2]) + k / 3 - 1;
+  *begin = *end = 0;
+  if (cy < 0 || cy >= c->cells[1] || cz < 0 || cz >= c->cells[2]) return;
+  const int row = (cz * c->cells[1] + cy) * c->cells[0];
+  *begin = c->begin[row + (cx > 0 ? cx - 1 : 0)];
+  *end = c->begin[row + (cx + 1 < c->cells[0] ? cx + 1 : cx) + 1];
+}
+
+/* The same of a run that can hold entries of row i. */
+TM_FN void tm_search_part(int i, const tm_search_args *a, const double *x, int k, int *begin, int *end)
+{
+  tm_search_cells(&a->cells, x, k, begin, end);
+  if (a->searched && !a->searched[i] && a->cells.marked[*begin] == a->cells.marked[*end]) *end = *begin;
+}
+
+#if !defined(__CUDACC__)
+/* Places of the n entries in order of tag, then of memory, by counting those before each. */
+TM_FN void tm_search_order(const int *found, int n, const int *tag, int *place)
+{
+  enum { TURN = 16 };
+  int TM_ALIGNED key[TM_SEARCH_MOST + TM_COLUMN];
+  const int turns = (n + TURN - 1) / TURN * TURN;
+  int sum = 0;
+  for (int k = 0; k < n; k++) key[k] = tag[found[k]];
+  for (int k = n; k < turns; k++) key[k] = INT_MAX;
+#if TM_VECTOR
+  typedef int tm_ints __attribute__((vector_size(4 * TURN), may_alias));
+  typedef int tm_ints_mem __attribute__((vector_size(4 * TURN), aligned(4), may_alias));
+  for (int k = 0; k < turns; k += TURN) {
+    const tm_ints mine = *(const tm_ints *) (key + k);
+    tm_ints before = {0};
+    for (int l = 0; l < n; l++) before -= mine > key[l];
+    *(tm_ints_mem *) (place + k) = before;
+  }
+#else
+  for (int k = 0; k < n; k++) {
+    place[k] = 0;
+    for (int l = 0; l < n; l++) place[k] += key[l] < key[k];
+  }
+#endif
+  for (int k = 0; k < n; k++) sum += place[k];
+  if (sum == n * (n - 1) / 2) return;
+  for (int k = 0; k < n; k++)    /* images of one particle */
+    for (int l = 0; l < n; l++) place[k] += key[l] == key[k] && found[l] < found[k];
+}
+#endif
+
+/* Row i; returns the entries it has then, which may be more than its room: then nothing was stored beyond. */
+TM_FN int tm_search(int i, const tm_search_args *a)
+{
+  const double *x = a->cells.x + 3 * (ptrdiff_t) i;
+  const tm_real reach = a->cells.reach ? a->cells.reach[i] : a->reach;
+  const int used = a->used ? a->used[i] : 0, room = a->capacity - used;
+  int *row = a->index + a->first[i] + used * a->stride;
+  int begin, end, total = 0;
+#if defined(__CUDACC__)
+  /* sorted in one by one; a segment after the other */
+  for (int s = 0; s < TM_SEGMENTS; s++) {
+    if (!(a->segments >> s & 1)) continue;
+    int n = 0;
+    for (int r = 0; r < 9; r++) {
+      tm_search_part(i, a, x, r, &begin, &end);
+      for (int k = begin; k < end; k++) {
+        int j;
+        if (!tm_search_run(a, k, k + 1, x, reach, 0, 1, &j)) continue;
+        if (!(tm_search_meets(i, j, a) >> s & 1)) continue;
+        int at = n++;
+        if (total + n > room) continue;
+        for (; at > 0 && tm_row_before(j, row[(at - 1) * a->stride], a->tag); at--)
+          row[at * a->stride] = row[(at - 1) * a->stride];
+        row[at * a->stride] = j;
+      }
+    }
+    a->count[s][i] = n;
+    total += n;
+    row += n * a->stride;
+  }
+#else
+  int found[TM_SEARCH_MOST + TM_COLUMN], place[TM_SEARCH_MOST + TM_COLUMN], n = 0, kept = 0;
+  for (int r = 0; r < 9 && n <= TM_SEARCH_MOST; r++) {
+    tm_search_part(i, a, x, r, &begin, &end);
+    n = tm_search_run(a, begin, end, x, reach, n, TM_SEARCH_MOST, found);
+  }
+  if (n > TM_SEARCH_MOST) return n;
+  for (int k = 0; k < n; k++) {
+    found[kept] = found[k];
+    kept += tm_search_meets(i, found[k], a) != 0;
+  }
+  n = kept;
+  tm_search_order(found, n, a->tag, place);
+  for (int s = 0; s < TM_SEGMENTS; s++) {
+    if (!(a->segments >> s & 1)) continue;
+    int m = 0;
+    if (!a->meets || a->segments == 1 << s) {    /* all stand in it */
+      m = n;
+      if (total + m <= room)
+        for (int k = 0; k < n; k++) row[place[k] * a->stride] = found[k];
+    } else {
+      int sorted[TM_SEARCH_MOST];
+      for (int k = 0; k < n; k++) sorted[place[k]] = found[k];
+      for (int k = 0; k < n; k++) {
+        if (!(tm_search_meets(i, sorted[k], a) >> s & 1)) continue;
+        if (total + m < room) row[m * a->stride] = sorted[k];
+        m++;
+      }
+    }
+    a->count[s][i] = m;
+    total += m;
+    row += m * a->stride;
+  }
+#endif
+  return used + total;
+}
+
+#endif

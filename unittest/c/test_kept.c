@@ -1,0 +1,246 @@
+/* Rows that are kept: a block that turns and stretches. Exact gradients of linear velocities where corrected,
+   objective ones where not; forces without resultant, work conjugate to the strain rates; one end searched. */
+#include "tm_settle.h"
+#include "ut.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIDE = 6, MOST = SIDE * SIDE * SIDE, ROOM = 128 };
+#define DP 1e-3
+#define H (1.2 * DP)
+
+static int N, dim3;
+static double X[MOST][3], x[MOST][3], force[MOST][3];
+static tm_real main_rec[MOST * TM_REC], stress_rec[MOST * TM_REC_STRESS], heat_rec[MOST * TM_REC_HEAT];
+static tm_real shown[MOST * TM_KEPT], told[MOST * TM_TOLD], memory[MOST * TM_K];
+static tm_real gradient[MOST * 9], stretch[MOST * 9], heat[MOST], artificial[MOST];
+static int row[MOST * ROOM], kept[MOST], fresh[MOST];
+static ptrdiff_t first[MOST], fresh_first[MOST];
+static float *weight;
+
+static tm_kept_rows rows(void)
+{
+  tm_kept_rows r = {row, kept, fresh, first, fresh_first, 1, ROOM, weight};
+  return r;
+}
+
+/* x = A X, v = L x */
+static void place(tm_mat3 A, tm_mat3 L)
+{
+  for (int i = 0; i < N; i++) {
+    tm_real *r = main_rec + i * TM_REC;
+    const double *p = X[i];
+    x[i][0] = A.xx * p[0] + A.xy * p[1] + A.xz * p[2];
+    x[i][1] = A.yx * p[0] + A.yy * p[1] + A.yz * p[2];
+    x[i][2] = A.zx * p[0] + A.zy * p[1] + A.zz * p[2];
+    const double *q = x[i];
+    for (int d = 0; d < 3; d++) r[d] = q[d];
+    r[4] = L.xx * q[0] + L.xy * q[1] + L.xz * q[2];
+    r[5] = L.yx * q[0] + L.yy * q[1] + L.yz * q[2];
+    r[6] = L.zx * q[0] + L.zy * q[1] + L.zz * q[2];
+  }
+}
+
+static void search(int i, const int *which)
+{
+  for (int j = 0; j < N; j++) {
+    if (j == i || (which && !which[i] && !which[j])) continue;
+    const double a = x[i][0] - x[j][0], b = x[i][1] - x[j][1], c = x[i][2] - x[j][2];
+    if (a * a + b * b + c * c < 4.0 * H * H) row[first[i] + kept[i] + fresh[i]++] = j;
+  }
+}
+
+static tm_settle_args settle_args(int corrected)
+{
+  tm_settle_args a;
+  memset(&a, 0, sizeof a);
+  a.rows = rows();
+  a.rec.main = main_rec;
+  a.gradient = gradient;
+  a.stretch = stretch;
+  a.memory = memory;
+  a.told = told;
+  a.corrected = corrected;
+  a.threshold = a.strain = INFINITY;
+  a.h = H;
+  a.slope_norm = tm_kernel_norm(TM_KERNEL_HYPERBOLIC, dim3 ? 3 : 2, H) / H;
+  a.art_inv_w = 1.0;
+  a.art_n = 4;
+  a.first = 1;
+  return a;
+}
+
+static void settle(const tm_settle_args *a, unsigned fx)
+{
+  for (int i = 0; i < N; i++) tm_settle_tell(i, a, fx);
+  for (int i = 0; i < N; i++) tm_settle(i, a, fx);
+}
+
+static void rates(unsigned fx)
+{
+  tm_kept_args a;
+  memset(&a, 0, sizeof a);
+  a.rows = rows();
+  a.rec.main = main_rec;
+  a.rec.stress = stress_rec;
+  a.rec.heat = heat_rec;
+  a.shown = shown;
+  a.memory = memory;
+  a.h = H;
+  a.slope_norm = settle_args(0).slope_norm;
+  a.visc_alpha = a.visc_beta = 1.0;
+  a.force_unit = 1.0;
+  a.force = force[0];
+  a.gradient = gradient;
+  a.heat = heat;
+  a.artificial = artificial;
+  a.stretch = stretch;
+  memset(force, 0, sizeof force);
+  for (int i = 0; i < N; i++) tm_kept_show(i, &a, shown);
+  for (int i = 0; i < N; i++) tm_kept_rates(i, &a, fx);
+}
+
+static void check_conservation(unsigned fx, double scale)
+{
+  double f[3] = {0, 0, 0}, power = 0.0, strain = 0.0, abs = 0.0;
+  for (int i = 0; i < N; i++) {
+    const tm_real *r = main_rec + i * TM_REC;
+    for (int d = 0; d < 3; d++) {
+      f[d] += force[i][d];
+      abs += fabs(force[i][d]);
+      power += force[i][d] * r[4 + d];
+    }
+    const tm_sym3 sigma = tm_sym_scale(r[TM_REC_RHO] * r[TM_REC_RHO], tm_sym_load(r + TM_REC_P));
+    const tm_sym3 D = tm_mat_symmetric(tm_mat_load(gradient + i * 9));
+    strain += r[TM_REC_M] / r[TM_REC_RHO] * tm_sym_ddot(sigma, D);
+    if (fx & (TM_FX_VISCOSITY | TM_FX_ARTSTRESS)) strain += artificial[i];
+  }
+  for (int d = 0; d < 3; d++) UT_WITHIN(f[d] / abs, 0.0, 1e-13);
+  UT_WITHIN((power + strain) / (fabs(power) + scale), 0.0, 1e-11);
+}
+
+static tm_mat3 turn(double angle)
+{
+  tm_mat3 R = tm_mat_identity();
+  R.xx = R.yy = cos(angle);
+  R.yx = sin(angle);
+  R.xy = -R.yx;
+  return R;
+}
+
+static void start(void)
+{
+  N = 0;
+  for (int a = 0; a < SIDE; a++)
+    for (int b = 0; b < SIDE; b++)
+      for (int c = 0; c < (dim3 ? SIDE : 1); c++, N++) {
+        X[N][0] = DP * (a + ut_random(-0.1, 0.1));
+        X[N][1] = DP * (b + ut_random(-0.1, 0.1));
+        X[N][2] = dim3 ? DP * (c + ut_random(-0.1, 0.1)) : 0.0;
+        tm_real *r = main_rec + N * TM_REC;
+        r[TM_REC_RHO] = ut_random(2000, 3000);
+        r[TM_REC_M] = ut_random(0.9, 1.1) * 2700 * DP * DP * (dim3 ? DP : 1.0);
+        for (int k = 0; k < 6; k++) r[TM_REC_P + k] = (dim3 || k != 4 ? (dim3 || k != 5) : 0) * ut_random(-1, 1) * 30.0;
+        r[TM_REC_C] = 5000;
+        for (int k = 0; k < 6; k++) stress_rec[N * TM_REC_STRESS + k] = dim3 || k == 0 || k == 1 || k == 3 ? ut_random(-5, 0) : 0.0;
+        heat_rec[N * TM_REC_HEAT] = ut_random(300, 400);
+        heat_rec[N * TM_REC_HEAT + 1] = 100;
+        first[N] = (ptrdiff_t) N * ROOM;
+        kept[N] = fresh[N] = 0;
+        for (int k = 0; k < TM_K; k++) memory[N * TM_K + k] = 0.0;
+      }
+}
+
+static void run(int corrected, unsigned fx)
+{
+  dim3 = (fx & TM_FX_3D) != 0;
+  start();
+  tm_mat3 zero = tm_mat_scale(0.0, tm_mat_identity()), L = zero;
+  L.xx = 300; L.xy = -200; L.yx = 500; L.yy = -100;
+  if (dim3) { L.xz = 40; L.zx = -60; L.yz = 20; L.zy = 70; L.zz = 250; }
+  place(tm_mat_identity(), L);
+  for (int i = 0; i < N; i++) search(i, NULL);
+  memset(gradient, 0, sizeof gradient);
+  tm_settle_args a = settle_args(corrected);
+  settle(&a, fx);
+  /* as it lies: reference */
+  rates(fx);
+  check_conservation(fx, 0.0);
+  static tm_real before[MOST * 9];
+  memcpy(before, gradient, sizeof before);
+  for (int i = 0; i < N && corrected; i++)
+    for (int k = 0; k < 9; k++) UT_WITHIN(gradient[i * 9 + k] / 500.0, (&L.xx)[k] / 500.0, 1e-11);
+
+  /* turned and stretched; B follows from the positions, by way of one step */
+  tm_mat3 A = turn(1.1);
+  if (corrected) {
+    tm_mat3 U = tm_mat_identity();
+    U.xx = 1.3; U.xy = 0.2; U.yy = 0.8;
+    if (dim3) { U.xz = -0.1; U.zz = 1.2; }
+    A = tm_mat_mul(A, U);
+  }
+  const tm_mat3 R = turn(1.1), now = corrected ? L : tm_mat_mul(tm_mat_mul(R, L), tm_mat_transposed(R));
+  place(A, now);
+  rates(fx);
+  a.dt = 0.0;
+  settle(&a, fx);
+  rates(fx);
+  check_conservation(fx, 0.0);
+  for (int i = 0; i < N; i++) {
+    const tm_mat3 old = tm_mat_load(before + i * 9);
+    const tm_mat3 want = corrected ? L : tm_mat_mul(tm_mat_mul(R, old), tm_mat_transposed(R));
+    for (int k = 0; k < 9; k++) UT_WITHIN(gradient[i * 9 + k] / 500.0, (&want.xx)[k] / 500.0, 1e-7 * !corrected + 1e-10);
+  }
+
+  /* one is searched: its pairs are as new, all others stay; both ends agree */
+  static int which[MOST];
+  memset(which, 0, sizeof which);
+  which[N / 2] = 1;
+  for (int i = 0; i < N; i++) told[i * TM_TOLD + TM_TOLD_SEARCHED] = which[i];
+  memory[(N / 2) * TM_K + TM_K_NEAR] = 1.0;
+  settle(&a, fx);
+  UT_TRUE(kept[N / 2] == 0);
+  for (int i = 0; i < N; i++) search(i, which);
+  memory[(N / 2) * TM_K + TM_K_SEARCHED] = 1.0;
+  memset(gradient, 0, sizeof gradient);
+  rates(fx);
+  for (int i = 0; i < N; i++)
+    for (int e = 0; e < kept[i]; e++) UT_TRUE(row[first[i] + e] != N / 2);
+  settle(&a, fx);
+  rates(fx);
+  check_conservation(fx, 0.0);
+  for (int i = 0; i < N; i++) {
+    UT_TRUE(fresh[i] == 0);
+    UT_TRUE(memory[i * TM_K + TM_K_SEARCHES] == 1.0 + which[i]);
+    for (int e = 0; e < kept[i]; e++) {
+      const int j = row[first[i] + e];
+      int back = 0;
+      while (back < kept[j] && row[first[j] + back] != i) back++;
+      UT_TRUE(back < kept[j]);
+      const float *w = weight + first[i] * TM_WEIGHTS + e, *v = weight + first[j] * TM_WEIGHTS + back;
+      for (int c = 0; c < 3; c++) {
+        UT_TRUE(w[c * ROOM] == -v[(3 + c) * ROOM]);
+        UT_TRUE(v[c * ROOM] == -w[(3 + c) * ROOM]);
+      }
+      for (int c = 6; c < TM_WEIGHTS; c++) UT_TRUE(w[c * ROOM] == v[c * ROOM]);
+    }
+  }
+  if (corrected)
+    for (int i = 0; i < N; i++)
+      for (int k = 0; k < 9; k++) UT_WITHIN(gradient[i * 9 + k] / 500.0, (&L.xx)[k] / 500.0, 1e-10);
+}
+
+int main(void)
+{
+  weight = (float *) calloc((size_t) MOST * ROOM * TM_WEIGHTS + 16, sizeof(float));
+  if (!weight) return 1;
+  for (int corrected = 0; corrected < 2; corrected++)
+    for (int d = 0; d < 2; d++) {
+      const unsigned fx = d ? (unsigned) TM_FX_3D : 0u;
+      run(corrected, fx);
+      run(corrected, fx | TM_FX_VISCOSITY | TM_FX_ARTSTRESS | TM_FX_CONDUCTION);
+    }
+  free(weight);
+  return ut_summary();
+}

@@ -1,0 +1,138 @@
+/* Rows from the cells against all pairs: two and three dimensions, one reach and one each, types, rows that are full. */
+#include "tm_search.h"
+#include "ut.h"
+
+#include <string.h>
+
+enum { N = 600, OWN = 500, TYPES = 3, ROOM = 400 };
+
+static double x[N][3];
+static tm_real reach[N];
+static int type[N], tag[N], cell[N], order[N + TM_COLUMN], begin[100000];
+static tm_real column[4][N + TM_COLUMN];
+static int row[N * ROOM], count[TM_SEGMENTS][N];
+static ptrdiff_t first[N];
+static unsigned char meets[(TYPES + 1) * (TYPES + 1)], searched[N];
+
+static void sort(tm_cells *c, int dim3, tm_real width)
+{
+  tm_bounds b = tm_bounds_nothing();
+  for (int i = 0; i < N; i++) {
+    const tm_bounds one = tm_bounds_of(x[i]);
+    tm_bounds_sum(&b, &one);
+  }
+  c->n = N;
+  c->x = x[0];
+  tm_cells_make(c, b, width, dim3, 99000);
+  c->cell = cell;
+  c->begin = begin;
+  c->index = order;
+  for (int d = 0; d < 4; d++) c->column[d] = column[d];
+  const int cells = tm_cells_number(c);
+  int k = 0;
+  for (int q = 0; q < cells; q++) {
+    begin[q] = k;
+    for (int i = 0; i < N; i++)
+      if (tm_cells_of(c, x[i]) == q) tm_cells_put(c, i, k++);
+  }
+  begin[cells] = k;
+  UT_TRUE(k == N);
+}
+
+/* what should be entry k of segment s of row i; -1 behind the last */
+static int expected(int i, int s, int k, const tm_search_args *a)
+{
+  int last_tag = INT_MIN, last = -1;
+  for (int n = 0;; n++) {
+    int next = -1;
+    for (int j = 0; j < N; j++) {
+      const tm_real r = a->cells.reach ? tm_max(reach[i], reach[j]) : a->reach;
+      const tm_real dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], dz = x[i][2] - x[j][2];
+      const int segments = a->meets ? meets[type[i] * (TYPES + 1) + type[j]] : 1;
+      if (j == i || !(segments >> s & 1) || dx * dx + dy * dy + dz * dz >= r * r) continue;
+      if (a->searched && !searched[i] && !searched[j]) continue;
+      if (tag[j] < last_tag || (tag[j] == last_tag && j <= last)) continue;
+      if (next < 0 || tag[j] < tag[next]) next = j;
+    }
+    if (n == k || next < 0) return next;
+    last = next;
+    last_tag = tag[next];
+  }
+}
+
+static void check(const tm_search_args *a)
+{
+  for (int i = 0; i < OWN; i++) {
+    const int n = tm_search(i, a);
+    int total = 0;
+    for (int s = 0; s < TM_SEGMENTS; s++) {
+      if (!(a->segments >> s & 1)) continue;
+      for (int k = 0; k <= count[s][i]; k++) {
+        const int j = expected(i, s, k, a);
+        UT_TRUE(k < count[s][i] ? j == row[first[i] + (total + k) * a->stride] : j == -1);
+      }
+      total += count[s][i];
+    }
+    UT_TRUE(n == total);
+  }
+}
+
+static void run(int dim3, int own_reach, int types, int some, ptrdiff_t stride)
+{
+  const tm_real side = dim3 ? 8.0 : 24.0;
+  for (int i = 0; i < N; i++) {
+    for (int d = 0; d < 3; d++) x[i][d] = d == 2 && !dim3 ? 0.0 : ut_random(-0.3 * side, 0.7 * side);
+    reach[i] = ut_random(0.5, 2.4);
+    type[i] = 1 + (int) ut_random(0.0, TYPES);
+    tag[i] = i < 550 ? (i * 7919) % 1009 : tag[i - 550];    /* ghosts: images of others */
+    searched[i] = ut_random(0.0, 1.0) < 0.1;
+    first[i] = i / stride * stride * ROOM + i % stride;
+  }
+  for (int t = 1; t <= TYPES; t++)
+    for (int u = t; u <= TYPES; u++)
+      meets[t * (TYPES + 1) + u] = meets[u * (TYPES + 1) + t] = (unsigned char) (t == u ? 1 : 2 * t % 8);
+  tm_search_args a;
+  memset(&a, 0, sizeof a);
+  a.cells.reach = own_reach ? reach : NULL;
+  sort(&a.cells, dim3, 2.4);
+  a.reach = 2.4;
+  a.meets = types ? meets : NULL;
+  a.segments = types ? 7 : 1;
+  a.type = type;
+  a.tag = tag;
+  a.ntypes = TYPES;
+  a.searched = some ? searched : NULL;
+  a.capacity = ROOM;
+  a.stride = stride;
+  a.index = row;
+  a.first = first;
+  for (int s = 0; s < TM_SEGMENTS; s++) a.count[s] = count[s];
+  check(&a);
+
+  /* a row that is too short says how long it would be, and writes nothing beyond its end */
+  a.capacity = 3;
+  a.searched = NULL;
+  a.segments = 1;
+  for (int i = 0; i < OWN; i++) {
+    for (int k = 0; k < ROOM; k++) row[first[i] + k * stride] = -7;
+    const int n = tm_search(i, &a);
+    if (n > 3) UT_TRUE(row[first[i] + 3 * stride] == -7);
+    a.capacity = ROOM;
+    UT_TRUE(n == tm_search(i, &a));
+    a.capacity = 3;
+  }
+}
+
+#ifndef UT_NEEDS
+#define UT_NEEDS 1
+#endif
+
+int main(void)
+{
+  if (!(UT_NEEDS)) {
+    printf("this processor cannot run these loops: skipped\n");
+    return 77;
+  }
+  for (int c = 0; c < 16; c++) run(c & 1, c >> 1 & 1, c >> 2 & 1, c >> 3 & 1, c == 5 ? 32 : 1);
+  return ut_summary();
+}
