@@ -109,9 +109,9 @@ group           foot region foot
 pair_style      sph/tm hyperbolic 1.2 precision {precision} spacing 1e-3
 pair_coeff      1 1 density 7850 elastic 200e9 0.29 strength elastic
 fix             body all sph/tm
-fix             hold foot sph/tm/drive 0 0 NULL
 fix             weight all gravity 1e6 vector 0 -1 0
 fix             damping all viscous 5000
+fix             hold foot setforce 0 0 0
 compute         p all sph/tm/atom vonmises
 compute         s all reduce max c_p
 variable        top equal bound(all,ymax)
@@ -132,8 +132,7 @@ checks.near("height, mixed against double", rest["mixed"]["v_top"][-1], rest["do
 # --- what is refused
 wrong = run(SCENE.format(precision="precision single", kernel="hyperbolic 1.2", more=""), expect_error=True)
 checks.true("precision single is refused", "precision must be double or mixed, got single" in wrong.errors(), wrong.errors())
-wrong = run(SCENE.format(precision="precision", kernel="hyperbolic 1.2", more="").replace(" spacing 1e-3", " spacing 1e-3"),
-            expect_error=True)
+wrong = run(SCENE.format(precision="precision", kernel="hyperbolic 1.2", more=""), expect_error=True)
 checks.true("precision without value", "precision must be double or mixed, got spacing" in wrong.errors(), wrong.errors())
 wrong = run(SCENE.format(precision="precision mixed", kernel="hyperbolic 1.2", more="") + "run 0\n", {"far": 1e6},
             expect_error=True)
