@@ -130,10 +130,6 @@ checks.below("speed in mixed over that of rounded forces", speed["mixed"] / (noi
 checks.near("height, mixed against double", rest["mixed"]["v_top"][-1], rest["double"]["v_top"][-1], relative=1e-7)
 
 # --- what is refused
-wrong = run(SCENE.format(precision="precision single", kernel="hyperbolic 1.2", more=""), expect_error=True)
-checks.true("precision single is refused", "precision must be double or mixed, got single" in wrong.errors(), wrong.errors())
-wrong = run(SCENE.format(precision="precision", kernel="hyperbolic 1.2", more=""), expect_error=True)
-checks.true("precision without value", "precision must be double or mixed, got spacing" in wrong.errors(), wrong.errors())
 wrong = run(SCENE.format(precision="precision mixed", kernel="hyperbolic 1.2", more="") + "run 0\n", {"far": 1e6},
             expect_error=True)
 checks.true("a box too far from the origin", "precision mixed: the box reaches" in wrong.errors(), wrong.errors())
