@@ -78,6 +78,7 @@ python3 "$root/bench/gpu/scenes.py" | while read -r scene script; do
 done
 tool() { /usr/bin/python3 "$root/tools/make_tool.py" "$@" > /dev/null; }
 tool block --size 40 40 10 --cells 20 20 5 --scale 1e-3 -o "$top/scenes/contact/tool.stl"
+cp "$top/scenes/contact/tool.stl" "$top/scenes/contact_mixed/"
 tool plane --size 1 1 --cells 2 2 -o "$top/scenes/taylor_bar/plane.stl"
 /usr/bin/python3 "$root/examples/taylor_bar/make_bar.py" 3 3.2e-3 32.4e-3 8930 "$top/scenes/taylor_bar/bar.data" \
   > "$top/scenes/taylor_bar/spacing"

@@ -4,6 +4,8 @@ import os
 import re
 import shutil
 
+import scenes
+
 SECTIONS = ("Pair", "Modify", "Neigh", "Comm", "Other")
 BLOCK, CUT = "contact", "orthogonal_cut_2d"    # scenes whose scripts are used
 
@@ -20,6 +22,9 @@ CASES = {
     "2d_cut_1400k": (CUT, {"dx": 5.83e-7}, 300, (WIDE_2D,), True),
     "2d_cut_197k": (CUT, {"dx": 1.561e-6}, 1000, (WIDE_2D,), False),
     "2d_cut_7600": (CUT, {"dx": 7.95e-6}, 10000, (WIDE_2D,), True),
+    "3d_contact_1m_mixed": (BLOCK, {"case": "contact", "n": 100, "mesh": "tool.stl"}, 300, (), False),
+    "3d_contact_1m_164_mixed": (BLOCK, {"case": "contact", "n": 102, "mesh": "tool.stl"}, 100, (WIDE,), False),
+    "2d_cut_1400k_mixed": (CUT, {"dx": 5.83e-7}, 300, (WIDE_2D,), False),
     "lj_4m": (None, {}, 200, (), False),
 }
 
@@ -57,6 +62,8 @@ def prepare(name, folder, top, steps):
         text, count = re.subn(pattern, replacement, text)
         if not count:
             raise SystemExit("%s: nothing in %s matches %s" % (name, scene, pattern))
+    if scenes.precision(name) == "mixed":
+        text = scenes.in_mixed(text)
     text = re.sub(r"^(dump|dump_modify|write_dump)\b.*\n", "", text, flags=re.M)
     text = re.sub(r"^run(\s+)(?!0\b)\S+", lambda m: "run%s%d" % (m[1], steps), text, flags=re.M)
     with open(os.path.join(folder, "in.case"), "w") as f:
@@ -140,7 +147,7 @@ def run(name, folder, top, lammps):
         f.write(output)
     if status != 0 or "Loop time of" not in output:
         return {"case": name, "error": failure(output, status)}
-    result = dict({"case": name}, **figures(output))
+    result = dict({"case": name, "precision": scenes.precision(name)}, **figures(output))
     if CASES[name][4]:
         short, long = (launches(name, folder, top, lammps, n, result["particles"]) for n in (20, 120))
         if short and long:

@@ -23,7 +23,7 @@ from host import DEVICES, TOP, fresh, lammps
 
 def bench(out, names, gpus):
     results, failed = [], 0
-    print("%-28s %10s %6s %9s %9s   %s" % ("case", "particles", "neigh", "ns/p-step", "ms/step", "pair modify neigh comm other  copies/step  of particle data, bytes"))
+    print("%-28s %-9s %10s %6s %9s %9s   %s" % ("case", "precision", "particles", "neigh", "ns/p-step", "ms/step", "pair modify neigh comm other  copies/step  of particle data, bytes"))
     for name in names:
         result = cases.run(name, fresh(os.path.join(out, name)), TOP, lambda *a, **k: lammps(*a, gpus=gpus, **k))
         results.append(result)
@@ -32,8 +32,8 @@ def bench(out, names, gpus):
             print("%-28s FAILED: %s" % (name, result["error"]), flush=True)
             continue
         data = result.get("particle_data")
-        print("%-28s %10d %6.0f %9.3f %9.3f   %s  %s  %s" % (
-            name, result["particles"], result["neighbors"], result["ns_per_particle_step"], result["ms_per_step"],
+        print("%-28s %-9s %10d %6.0f %9.3f %9.3f   %s  %s  %s" % (
+            name, result["precision"], result["particles"], result["neighbors"], result["ns_per_particle_step"], result["ms_per_step"],
             " ".join("%4.0f%%" % result["share"].get(s, 0) for s in cases.SECTIONS),
             "%.2f" % result["copies_per_step"] if data else "-",
             "%(copies_per_step).2f, %(bytes_per_step).0f" % data if data else "-"), flush=True)

@@ -10,6 +10,8 @@ COLUMNS = ("x", "y", "z", "vx", "vy", "vz", "density", "pressure", "temperature"
 # columns that share a scale: a difference counts against the largest value among them
 SCALES = ("x y z", "vx vy vz", "density", "pressure vonmises", "temperature", "pstrain")
 
+MIXED = "_mixed"    # at the end of a name: pair arithmetic in single
+
 # name: script, variables, steps
 SCENES = {
     "elastic": ("bench/in.block", {"case": "elastic", "n": 12}, 200),
@@ -25,8 +27,24 @@ SCENES = {
     "tensile_cylinder": ("examples/tensile_cylinder/in.tensile_cylinder", {"n": 4, "faster": 4}, 200),
     "block_on_slope": ("examples/block_on_slope/in.block_on_slope", {"share": 0.9}, 500),
     "tool_heat": ("examples/tool_heat/in.tool_heat", {"n": 20}, 400),
+    "thermo_mixed": ("bench/in.block", {"case": "thermo", "n": 12}, 200),
+    "contact_mixed": ("bench/in.block", {"case": "contact", "n": 12, "mesh": "tool.stl"}, 200),
+    "high_speed_machining_mixed": ("examples/high_speed_machining/in.high_speed_machining",
+                                   {"dp": 0.25e-3, "width": 1e-3}, 300),
     "two_layer_heat": ("examples/two_layer_heat/in.two_layer_heat", {"n": 100}, 500),
 }
+
+
+def precision(name):
+    return "mixed" if name.endswith(MIXED) else "double"
+
+
+def in_mixed(text):
+    """The script with pair arithmetic in single."""
+    text, count = re.subn(r"^(pair_style\s+sph/tm\b.*?)(\s+spacing\b)", r"\1 precision mixed\2", text, flags=re.M)
+    if not count:
+        raise SystemExit("no pair_style sph/tm ... spacing in the script")
+    return text
 
 
 def small_script(text, steps, more=""):

@@ -87,7 +87,8 @@ void AdaptLists::check_effects()
       {TM_FX_XSPH, "pair_style xsph; use xsph 0"},
       {TM_FX_BALSARA, "pair_style balsara yes; use balsara no"},
       {TM_FX_SURFACE, "the surface of particles (fix sph/tm/heat, surface/area)"},
-      {TM_FX_SMOOTHING, "particles with a smoothing length of their own"}};
+      {TM_FX_SMOOTHING, "particles with a smoothing length of their own"},
+      {TM_FX_MIXED, "pair_style precision mixed; use precision double"}};
   for (const auto &w : without)
     if (body.has(w.effect))
       error->all(FLERR, "Fix adapt/neigh threshold {}: rows that are kept do not support {}; or use threshold 0",

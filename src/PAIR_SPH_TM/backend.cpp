@@ -174,6 +174,13 @@ void Backend::moments(int n, const tm_rates_args &a, unsigned effects)
   blocks(n, [&](int begin, int end) { loop(begin, end, &a); });
 }
 
+void Backend::round(int n, const tm_single_args &a, unsigned effects)
+{
+  blocks(n, [&](int begin, int end) {
+    for (int i = begin; i < end; i++) tm_single(i, &a, effects);
+  });
+}
+
 void Backend::rates(int n, const tm_rates_args &a, unsigned effects)
 {
   const rate_loop_t loop = rate_loop(effects);

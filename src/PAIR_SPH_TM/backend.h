@@ -18,6 +18,7 @@
 #include "tm_predict.h"
 #include "tm_rates.h"
 #include "tm_settle.h"
+#include "tm_single.h"
 #include "tm_size.h"
 #include "tm_smoothing.h"
 #include "tm_tally.h"
@@ -67,6 +68,8 @@ class Backend {
   virtual int drift(int n, const tm_drift_args &, unsigned effects);    // first one lost, or n
   virtual void predict(int n, const tm_predict_args &, unsigned effects);
   virtual void moments(int n, const tm_rates_args &, unsigned effects);
+  virtual void round(int n, const tm_single_args &, unsigned effects);    // records to single
+  virtual bool rates_in_single(int /*kernel*/) const { return true; }
   virtual void rates(int n, const tm_rates_args &, unsigned effects);
   virtual void thermal(int n, const tm_rates_args &, unsigned effects);
   virtual tm_body_contact_result body_contact(int n, const tm_rates_args &,

@@ -3,6 +3,7 @@
 
 #include "list_loops.h"
 #include "rate_loops.h"
+#include "single_rates_kokkos.h"
 #include "tm_thermal.h"
 
 #include <cstdlib>
@@ -24,23 +25,6 @@ template <class SPACE> Bytes<SPACE> bytes_at(const void *p, size_t n)
 }
 
 /* ---------------------------------------------------------------------- kernels of a GPU */
-
-// Which rate loops a GPU has: all sets of effects for the default kernel; for each other kernel the
-// one that tests them at run time, so that the compiler is done in minutes.
-constexpr int DEVICE_RATE_LOOPS = RATE_LOOPS_PER_KERNEL + 2 * (TM_KERNEL_COUNT - 1);
-
-constexpr unsigned device_rate_effects(int index)
-{
-  if (index < RATE_LOOPS_PER_KERNEL) return rate_loop_effects(index);
-  const unsigned k = index - RATE_LOOPS_PER_KERNEL;
-  return ((k / 2 + 1) << TM_FX_KERNEL_SHIFT) | unsigned(TM_FX_EXTENDED) | ((k & 1u) ? unsigned(TM_FX_3D) : 0u);
-}
-
-int device_rate_index(unsigned fx)
-{
-  const int kernel = tm_fx_kernel(fx), dim3 = (fx & TM_FX_3D) ? 1 : 0;
-  return kernel == 0 ? rate_loop_index(fx) : RATE_LOOPS_PER_KERNEL + 2 * (kernel - 1) + dim3;
-}
 
 template <unsigned EFFECTS> struct Rates {
   tm_rates_args a;
@@ -65,7 +49,7 @@ typedef void (*device_rate_loop_t)(int, const tm_rates_args &);
 template <int... INDEX>
 device_rate_loop_t find_rates(int index, std::integer_sequence<int, INDEX...>)
 {
-  static const device_rate_loop_t table[] = {run_rates<device_rate_effects(INDEX)>...};
+  static const device_rate_loop_t table[] = {run_rates<few_rate_loop_effects(INDEX)>...};
   return table[index];
 }
 
@@ -88,6 +72,11 @@ struct Predict {
     tm_predict(i, &a, fx);
     if (fx & TM_FX_ARTSTRESS) tm_predict_artstress(i, i + 1, &a, fx);
   }
+};
+struct Round {
+  tm_single_args a;
+  unsigned fx;
+  KOKKOS_FUNCTION void operator()(int i) const { tm_single(i, &a, fx); }
 };
 struct Thermal {
   tm_rates_args a;
@@ -460,9 +449,15 @@ class DeviceBackend : public Backend {
     const int index = 2 * tm_fx_kernel(fx) + ((fx & TM_FX_3D) ? 1 : 0);
     find_moments(index, std::make_integer_sequence<int, 2 * TM_KERNEL_COUNT>())(n, a);
   }
+  void round(int n, const tm_single_args &a, unsigned fx) override
+  {
+    kokkos_each("sph/tm round", n, Round{a, fx});
+  }
+  bool rates_in_single(int kernel) const override { return kernel == TM_KERNEL_HYPERBOLIC; }
   void rates(int n, const tm_rates_args &a, unsigned fx) override
   {
-    find_rates(device_rate_index(fx), std::make_integer_sequence<int, DEVICE_RATE_LOOPS>())(n, a);
+    if (fx & TM_FX_MIXED) kokkos_rates_in_single(n, a, fx);
+    else find_rates(few_rate_loop_index(fx), std::make_integer_sequence<int, FEW_RATE_LOOPS>())(n, a);
   }
   void thermal(int n, const tm_rates_args &a, unsigned fx) override
   {

@@ -142,6 +142,7 @@ void EffectPlan::derive(const PairSPHTM &pair, int ntypes)
   effects = (dimension == 3 ? unsigned(TM_FX_3D) : 0u) | ((unsigned) set.kernel << TM_FX_KERNEL_SHIFT);
   if (set.form_f14) effects |= TM_FX_FORM_F14;
   if (set.plane_stress) effects |= TM_FX_PLANE_STRESS;
+  if (set.mixed) effects |= TM_FX_MIXED;
   for (const auto &w : why) effects |= w.first;
 
   report.clear();

@@ -30,6 +30,7 @@ PairSPHTM::PairSPHTM(LAMMPS *lmp, Backend &loops) : Pair(lmp), backend(loops)
   for (auto *a : {&rec_main, &rec_stress, &rec_heat, &rec_correction, &rec_size, &gradient, &heat, &correction,
                   &xsph_v, &surface, &artificial, &near_count, &tally, &force_internal})
     a->live_in(loops);
+  for (auto *a : {&single_main, &single_more, &single_correction, &single_size}) a->live_in(loops);
   restartinfo = 1;
   single_enable = 0;
   one_coeff = 0;
@@ -81,6 +82,7 @@ void PairSPHTM::init_style()
 
   check_volume();
   check_masses();
+  if (set.mixed) check_mixed();
 
   // the skin of the unit style's default is meant for molecules: take a tenth of the reach
   const double reach = tm_kernel_support(set.kernel) * set.h;
@@ -197,6 +199,7 @@ void PairSPHTM::fill_args(const tm_state &s)
     args.rows = {row_index.loop_read(),   row_first.loop_read(),   row_mechanical.loop_read(),
                  row_thermal.loop_read(), row_contact.loop_read(), row_stride};
   args.rec = rec;
+  args.single = single_records();
   args.effects = fix->effects();
   args.h = set.h;
   const double reach = tm_kernel_support(set.kernel) * set.h;
@@ -356,6 +359,8 @@ void PairSPHTM::compute(int eflag, int vflag)
   tm_rates_args search = args;
   const int searched = row_source ? row_source->searched(search) : nlocal;
   if (fx & TM_FX_CORRECTION) correct_gradients(searched, search);
+  if (fx & TM_FX_MIXED) round_records();
+  search.single = args.single;
   backend.zero(args.artificial, args.artificial ? nlocal * sizeof(double) : 0);
   double *internal = force_internal.loop_write();
   if (internal) {
@@ -497,6 +502,7 @@ std::map<unsigned, double> PairSPHTM::bytes_by_effect() const
 {
   std::map<unsigned, double> bytes;
   bytes[0] = rec_main.bytes() + gradient.bytes();
+  for (auto *a : {&single_main, &single_more, &single_correction, &single_size}) bytes[0] += a->bytes();
   bytes[TM_FX_ARTSTRESS] = rec_stress.bytes();
   bytes[TM_FX_HEAT] = rec_heat.bytes();
   bytes[TM_FX_CONDUCTION] = heat.bytes();

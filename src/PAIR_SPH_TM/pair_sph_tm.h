@@ -41,6 +41,7 @@ class PairSPHTM : public Pair {
     bool art_component = false;
     double xsph = 0.0;
     bool form_f14 = false, correction = false, balsara = false, plane_stress = false;
+    bool mixed = false;    // pair arithmetic in single
   };
 
   PairSPHTM(class LAMMPS *, SPHTM_NS::Backend & = SPHTM_NS::Backend::host());
@@ -129,6 +130,7 @@ class PairSPHTM : public Pair {
 
   // records of owned and ghost particles; results of owned ones
   SPHTM_NS::LoopArray<tm_real> rec_main, rec_stress, rec_heat, rec_correction, rec_size;
+  SPHTM_NS::LoopArray<float> single_main, single_more, single_correction, single_size;    // mixed precision
   SPHTM_NS::LoopArray<tm_real> gradient, heat, correction, xsph_v, surface, artificial;
   SPHTM_NS::LoopArray<tm_real> near_count, tally;
   SPHTM_NS::LoopArray<double> force_internal;
@@ -148,6 +150,9 @@ class PairSPHTM : public Pair {
   void make_tables();
   void resize_arrays();
   void fill_args(const tm_state &);
+  void check_mixed() const;
+  tm_records_single single_records();
+  void round_records();    // to single
   void predict(const tm_state &);
   void forward_records();
   int forward_columns() const;        // of one ghost: the records in use but for the position

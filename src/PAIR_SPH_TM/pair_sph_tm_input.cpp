@@ -107,9 +107,15 @@ void PairSPHTM::settings(int narg, char **arg)
       else if (strcmp(arg[iarg + 1], "strain") == 0) set.plane_stress = false;
       else error->all(FLERR, "Pair style sph/tm plane must be strain or stress, got {}", arg[iarg + 1]);
       iarg += 2;
+    } else if (key == "precision") {
+      args(1);
+      if (strcmp(arg[iarg + 1], "mixed") == 0) set.mixed = true;
+      else if (strcmp(arg[iarg + 1], "double") == 0) set.mixed = false;
+      else error->all(FLERR, "Pair style sph/tm precision must be double or mixed, got {}", arg[iarg + 1]);
+      iarg += 2;
     } else
       error->all(FLERR, "Unknown pair style sph/tm keyword {}: known are spacing, viscosity, "
-                        "balsara, artstress, xsph, form, correction, plane", key);
+                        "balsara, artstress, xsph, form, correction, plane, precision", key);
   }
   if (set.spacing <= 0.0)
     error->all(FLERR, "Pair style sph/tm needs the keyword spacing with the particle spacing");

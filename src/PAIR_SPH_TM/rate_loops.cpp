@@ -49,7 +49,20 @@ static const ParticleLoops &loops()
   return isa_default::loops;
 }
 
-rate_loop_t rate_loop(unsigned effects) { return loops().rates[rate_loop_index(effects)]; }
+static const SingleLoops &single_loops()
+{
+#if defined(SPHTM_X86_ISAS)
+  if (chosen() == ISA_AVX512) return isa_avx512::single_loops;
+  if (chosen() == ISA_AVX2) return isa_avx2::single_loops;
+#endif
+  return isa_default::single_loops;
+}
+
+rate_loop_t rate_loop(unsigned effects)
+{
+  if (effects & TM_FX_MIXED) return single_loops().rates[few_rate_loop_index(effects)];
+  return loops().rates[rate_loop_index(effects)];
+}
 rate_loop_t moment_loop(unsigned effects)
 {
   return loops().moments[2 * tm_fx_kernel(effects) + ((effects & TM_FX_3D) ? 1 : 0)];

@@ -158,34 +158,34 @@ TM_FN tm_lanes tm_lanes_apart(tm_coord a, const tm_pair *column, tm_pair unit)
 
 /* ---- sums and choices over lanes */
 
+/* in double, from a register of doubles */
 #if TM_VECTOR
 TM_FN tm_real tm_sum_of_2(tm_v2 v) { return v[0] + v[1]; }
 #endif
-#if TM_VECTOR >= 32 || (TM_VECTOR && TM_SINGLE)
+#if TM_VECTOR >= 32
 TM_FN tm_real tm_sum_of_4(tm_v4 v)
 {
   return tm_sum_of_2(__builtin_shufflevector(v, v, 0, 1) + __builtin_shufflevector(v, v, 2, 3));
 }
 #endif
-#if TM_VECTOR == 64 || (TM_VECTOR == 32 && TM_SINGLE)
+#if TM_VECTOR == 64
 TM_FN tm_real tm_sum_of_8(tm_v8 v)
 {
   return tm_sum_of_4(__builtin_shufflevector(v, v, 0, 1, 2, 3) + __builtin_shufflevector(v, v, 4, 5, 6, 7));
 }
 #endif
 
+#define TM_PART(type, ...) __builtin_convertvector(__builtin_shufflevector(v, v, __VA_ARGS__), type)
 TM_FN tm_real tm_lanes_sum(tm_sum v)
 {
 #if !TM_VECTOR
   return v;
 #elif TM_SINGLE && TM_VECTOR == 64
-  const tm_v8 low = __builtin_convertvector(__builtin_shufflevector(v, v, 0, 1, 2, 3, 4, 5, 6, 7), tm_v8);
-  return tm_sum_of_8(
-      low + __builtin_convertvector(__builtin_shufflevector(v, v, 8, 9, 10, 11, 12, 13, 14, 15), tm_v8));
+  return tm_sum_of_8(TM_PART(tm_v8, 0, 1, 2, 3, 4, 5, 6, 7) + TM_PART(tm_v8, 8, 9, 10, 11, 12, 13, 14, 15));
 #elif TM_SINGLE && TM_VECTOR == 32
-  return tm_sum_of_8(__builtin_convertvector(v, tm_v8));
+  return tm_sum_of_4(TM_PART(tm_v4, 0, 1, 2, 3) + TM_PART(tm_v4, 4, 5, 6, 7));
 #elif TM_SINGLE
-  return tm_sum_of_4(__builtin_convertvector(v, tm_v4));
+  return tm_sum_of_2(TM_PART(tm_v2, 0, 1) + TM_PART(tm_v2, 2, 3));
 #elif TM_VECTOR == 64
   return tm_sum_of_8(v);
 #elif TM_VECTOR == 32
@@ -194,6 +194,7 @@ TM_FN tm_real tm_lanes_sum(tm_sum v)
   return tm_sum_of_2(v);
 #endif
 }
+#undef TM_PART
 
 #if TM_VECTOR >= 32
 /* Bit k is set where a[k] < b and where it is set in mask. */

@@ -160,11 +160,11 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
   const int n_mech = a->rows.mechanical[i];
 #if TM_SINGLE
   const float *TM_RESTRICT rec = a->single.main;
-  const float *TM_RESTRICT rec_s = a->single.more, *TM_RESTRICT rec_t = rec_s + TM_MORE_HEAT;
+  const float *TM_RESTRICT rec_s = a->single.more, *TM_RESTRICT rec_t = rec_s ? rec_s + TM_MORE_HEAT : NULL;
   const float *TM_RESTRICT rec_c = a->single.correction;
   const float *TM_RESTRICT rec_z = sizes ? a->single.size : NULL;
   const int stride_s = TM_MORE, stride_t = TM_MORE;
-  const tm_real length = a->single.length;
+  const tm_real length = a->single.length, volume = a->single.volume;
   const tm_pair unit = (tm_pair) a->single.position;
 #else
   const tm_real *TM_RESTRICT rec = a->rec.main;
@@ -173,7 +173,7 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
   const tm_real *TM_RESTRICT rec_c = a->rec.correction;
   const tm_real *TM_RESTRICT rec_z = sizes ? a->rec.size : NULL;
   const int stride_s = TM_REC_STRESS, stride_t = TM_REC_HEAT;
-  const tm_real length = 1.0, unit = 1.0;
+  const tm_real length = 1.0, volume = 1.0, unit = 1.0;
 #endif
 
   const tm_pair *ri = rec + (ptrdiff_t) i * TM_REC;
@@ -201,9 +201,11 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
     czx = c[6]; czy = c[7]; czz = c[8];
   }
 
-  const tm_pair h = (tm_pair) a->h, reach2 = (tm_pair) (sizes ? a->support2 : a->reach2);
+  const tm_pair h = (tm_pair) (a->h / length);
+  const tm_pair reach2 = (tm_pair) (sizes ? a->support2 : a->reach2 / (length * length));
   const tm_pair alpha = (tm_pair) a->visc_alpha, beta = (tm_pair) a->visc_beta;
-  const tm_pair_size of_all = {h, 1 / h, (tm_pair) a->norm, (tm_pair) a->slope_norm, (tm_pair) a->art_inv_w};
+  const tm_pair_size of_all = {h, 1 / h, (tm_pair) (a->norm * volume), (tm_pair) (a->slope_norm * (volume * length)),
+                               (tm_pair) a->art_inv_w};
   const tm_pair_size own = tm_own_size(sizes ? rec_z + (ptrdiff_t) i * TM_REC_SIZE : NULL, of_all);
   const tm_pair norm_of_one = (tm_pair) a->norm_of_one, far = 4 * own.h;
   const int art_n = a->art_n;
@@ -433,12 +435,13 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
       L[r] = l.x; L[r + 1] = l.y; L[r + 2] = l.z;
     }
   }
-  const tm_real mf = (TM_SINGLE ? per_length : mi) * a->force_unit;
+  const tm_real per_force = TM_SINGLE ? volume * per_length : mi, mf = per_force * a->force_unit;
   double *f = a->force + 3 * (ptrdiff_t) i;
   f[0] += mf * tm_lanes_sum(ax);
   f[1] += mf * tm_lanes_sum(ay);
   f[2] += mf * tm_lanes_sum(az);
-  if ((artstress || viscosity) && a->artificial) a->artificial[i] = (TM_SINGLE ? 0.5 * per_length : 0.5 * mi) * tm_lanes_sum(art);
+  if ((artstress || viscosity) && a->artificial)
+    a->artificial[i] = 0.5 * per_force * tm_lanes_sum(art);
   if (conduction)
     a->heat[i] = TM_SINGLE ? tm_lanes_sum(heat) * per_length * per_length / own_volume : tm_lanes_sum(heat);
   if (xsph) {

@@ -43,7 +43,8 @@ typedef struct {
   float *more;          /* TM_MORE, or NULL */
   float *correction;    /* TM_REC_CORRECTION, or NULL */
   float *size;          /* TM_REC_SIZE, or NULL */
-  tm_real length;       /* lengths in the records and the arguments of the rates are in units of this */
+  tm_real length;       /* lengths are in units of this */
+  tm_real volume;       /* masses in density times this, length^dim */
   tm_real position;     /* unit of positions, in units of length */
 } tm_records_single;
 

@@ -15,12 +15,13 @@
 #ifndef TM_SINGLE_H
 #define TM_SINGLE_H
 
-#include "tm_rates.h"
+#include "tm_record.h"
+
+#include <string.h>
 
 typedef struct {
   tm_records rec;            /* in double, owned and ghost */
   tm_records_single single;
-  tm_real per_mass;          /* 1/length^dim */
 } tm_single_args;
 
 /* Unit of positions for rows that hold neighbours up to reach away, in units of length. */
@@ -31,22 +32,12 @@ TM_FN tm_real tm_single_position_unit(tm_real reach, tm_real length)
   return ldexp(1.0, bits - 32);
 }
 
-/* Largest coordinate, in units of length, that double still resolves to a unit. */
-TM_FN tm_real tm_single_farthest(tm_real position_unit) { return ldexp(position_unit, 52); }
-
-/* The arguments of the rates as single wants them; length^dim = volume. */
-TM_FN void tm_single_arguments(tm_rates_args *a, tm_real volume)
-{
-  const tm_real length = a->single.length;
-  a->h /= length;
-  a->reach2 /= length * length;
-  a->norm *= volume;
-  a->slope_norm *= volume * length;
-}
+/* Largest coordinate, in units of length, that double resolves to half a unit of position. */
+TM_FN tm_real tm_single_farthest(tm_real position) { return ldexp(position, 52); }
 
 TM_FN float tm_single_position(tm_real x, tm_real units)
 {
-  const unsigned whole = (unsigned) (long long) floor(x * units + 0.5);
+  const unsigned whole = (unsigned) (long long) (x * units);
   float out;
   memcpy(&out, &whole, sizeof(out));
   return out;
@@ -60,7 +51,7 @@ TM_FN void tm_single(int i, const tm_single_args *a, unsigned effects)
   const tm_real units = 1.0 / (s->length * s->position);
   float *out = s->main + (ptrdiff_t) i * TM_REC;
   for (int c = 0; c < 3; c++) out[c] = tm_single_position(r[c], units);
-  out[TM_REC_M] = (float) (r[TM_REC_M] * a->per_mass);
+  out[TM_REC_M] = (float) (r[TM_REC_M] / s->volume);
   for (int c = TM_REC_V; c < TM_REC; c++) out[c] = (float) r[c];
   if (s->more) {
     float *more = s->more + (ptrdiff_t) i * TM_MORE;
@@ -69,6 +60,13 @@ TM_FN void tm_single(int i, const tm_single_args *a, unsigned effects)
     for (int c = 0; c < TM_REC_STRESS; c++) more[c] = (effects & TM_FX_ARTSTRESS) ? (float) q[c] : 0;
     for (int c = 0; c < TM_REC_HEAT; c++)
       more[TM_MORE_HEAT + c] = (effects & TM_FX_CONDUCTION) ? (float) t[c] : 0;
+  }
+  if (effects & TM_FX_SMOOTHING) {
+    float *size = s->size + (ptrdiff_t) i * TM_REC_SIZE;
+    const tm_real *z = a->rec.size + (ptrdiff_t) i * TM_REC_SIZE;
+    for (int c = 0; c < TM_REC_SIZE; c++) size[c] = (float) z[c];
+    size[TM_SIZE_INV_H] = (float) (z[TM_SIZE_INV_H] * s->length);
+    size[TM_SIZE_DP] = (float) (z[TM_SIZE_DP] / s->length);
   }
   if (effects & TM_FX_CORRECTION)
     for (int c = 0; c < TM_REC_CORRECTION; c++)

@@ -31,6 +31,7 @@ enum tm_effect {
   TM_FX_BODIES = 1 << 15,       /* contact between particle bodies */
   TM_FX_LEDGER = 1 << 16,       /* energy bookkeeping */
   TM_FX_SMOOTHING = 1 << 17,    /* smoothing length and size of each particle of its own */
+  TM_FX_MIXED = 1 << 18,        /* pair arithmetic in single */
 
   TM_FX_KERNEL_SHIFT = 20       /* three bits of enum tm_kernel */
 };

@@ -8,6 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#ifndef UT_MAIN
+#define UT_MAIN main
+#endif
 #ifndef UT_NEEDS
 #define UT_NEEDS 1
 #endif
@@ -420,7 +423,7 @@ static void literal_effects(void)
   }
 }
 
-int main(void)
+int UT_MAIN(void)
 {
   if (!(UT_NEEDS)) {
     printf("skipped: not a processor for this\n");

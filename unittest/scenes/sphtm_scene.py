@@ -76,6 +76,9 @@ def run(script, variables=None, ranks=1, folder=None, files=None, expect_error=F
     if "\n" not in script:
         with open(script) as f:
             script = f.read()
+    if environment.get("SPHTM_PRECISION"):    # of pairs, for bench/precision.py
+        script = re.sub(r"^(pair_style\s+sph/tm\b.*?)(\s+spacing\b)",
+                        r"\1 precision %s\2" % environment["SPHTM_PRECISION"], script, flags=re.M)
     folder = folder or new_folder()
     for name, text in dict(files or {}, **{"in.scene": script}).items():
         with open(os.path.join(folder, name), "w") as f:

@@ -108,6 +108,7 @@ wrong("artstress exponent 0", style("hyperbolic 1.2 spacing 1e-3 artstress 0.3 0
 wrong("artstress exponent 2.5", style("hyperbolic 1.2 spacing 1e-3 artstress 0.3 2.5"), "2.5", "integer")
 wrong("artstress with a wrong form", style("hyperbolic 1.2 spacing 1e-3 artstress 0.3 4 principle"), S, "principle")
 wrong("xsph 1.5", style("hyperbolic 1.2 spacing 1e-3 xsph 1.5"), S, "xsph", "0 to 1", "1.5")
+wrong("precision single", style("hyperbolic 1.2 spacing 1e-3 precision single"), S, "precision", "double or mixed", "single")
 wrong("form f16", style("hyperbolic 1.2 spacing 1e-3 form f16"), S, "form", "f15 or f14", "f16")
 wrong("balsara perhaps", style("hyperbolic 1.2 spacing 1e-3 balsara perhaps"), "perhaps")
 wrong("correction with form f14", style("hyperbolic 1.2 spacing 1e-3 correction yes form f14"), S, "correction", "form f15")
