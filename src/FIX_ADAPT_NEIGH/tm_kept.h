@@ -89,8 +89,8 @@ typedef struct {
 /* What particle i shows, from its record. */
 TM_FN void tm_kept_show(int i, const tm_kept_args *a, tm_real *shown)
 {
-  const tm_real *r = a->rec.main + (ptrdiff_t) i * TM_REC, rho = r[TM_REC_RHO];
-  const tm_sym3 P = tm_sym_load(r + TM_REC_P);
+  const tm_real *r = tm_main_record(&a->rec, i), rho = r[tm_part(TM_REC_RHO)];
+  const tm_sym3 P = tm_sym_from_record(r, TM_REC_P);
   const tm_real *B = a->memory + (ptrdiff_t) i * TM_K + TM_K_B;
   tm_real *out = shown + (ptrdiff_t) i * TM_KEPT;
   for (int c = 0; c < 3; c++) {
@@ -99,7 +99,7 @@ TM_FN void tm_kept_show(int i, const tm_kept_args *a, tm_real *shown)
     out[3 + c] = rho * p.y;
     out[6 + c] = rho * p.z;
   }
-  out[TM_KEPT_C] = r[TM_REC_C];
+  out[TM_KEPT_C] = r[tm_part(TM_REC_C)];
 }
 
 /* Columns of a chunk. */
@@ -123,15 +123,16 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
   const int *row = a->rows.index + a->rows.first[i];
   const float *weight = tm_weight(&a->rows, i);
 
-  const tm_real *ri = a->rec.main + (ptrdiff_t) i * TM_REC;
+  tm_real ri[TM_REC];
+  tm_fetch(tm_main_record(&a->rec, i), TM_REC, ri);
   const tm_real xi = ri[0], yi = ri[1], zi = ri[2], mi = ri[TM_REC_M];
   const tm_real vxi = ri[4], vyi = ri[5], vzi = ri[6], rhoi = ri[TM_REC_RHO], ci = ri[TM_REC_C];
   tm_sym3 qi = tm_sym(0, 0, 0, 0, 0, 0);
   tm_real ti = 0, ki = 0;
-  if (effects & TM_FX_ARTSTRESS) qi = tm_sym_load(a->rec.stress + (ptrdiff_t) i * TM_REC_STRESS);
+  if (effects & TM_FX_ARTSTRESS) qi = tm_sym_from_record(tm_stress_record(&a->rec, i), 0);
   if (conduction) {
-    ti = a->rec.heat[(ptrdiff_t) i * TM_REC_HEAT + TM_REC_T];
-    ki = a->rec.heat[(ptrdiff_t) i * TM_REC_HEAT + TM_REC_K];
+    ti = tm_heat_record(&a->rec, i)[tm_part(TM_REC_T)];
+    ki = tm_heat_record(&a->rec, i)[tm_part(TM_REC_K)];
   }
   const tm_real h = a->h, per_r = a->slope_norm / h, alpha = a->visc_alpha, beta = a->visc_beta;
 
@@ -161,11 +162,22 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
     /* artificial stress acts on few rows */
     const int artstress = (effects & TM_FX_ARTSTRESS) && tense > 0;
     for (int l = n; l < lanes; l++) jj[tm_at(l)] = i;
-    tm_transpose_rows(a->rec.main, TM_REC, jj, lanes, TM_KCOL_SHOWN, col[0]);
-    tm_transpose_rows(a->shown, TM_KEPT, jj, lanes, TM_KEPT, col[TM_KCOL_SHOWN]);
-    if (artstress)
-      tm_transpose_rows(a->rec.stress, TM_REC_STRESS, jj, lanes, TM_REC_STRESS, col[TM_KCOL_STRESS]);
-    if (conduction) tm_transpose_rows(a->rec.heat, TM_REC_HEAT, jj, lanes, TM_REC_HEAT, col[TM_KCOL_HEAT]);
+    if (TM_COLUMN == 1) {
+      tm_pair r[TM_KCOL_SHOWN];
+      tm_fetch(tm_main_record(&a->rec, jj[0]), TM_KCOL_SHOWN, r);
+      for (int c = 0; c < TM_KCOL_SHOWN; c++) col[c][0] = r[c];
+      for (int c = 0; c < TM_KEPT; c++) col[TM_KCOL_SHOWN + c][0] = a->shown[(ptrdiff_t) jj[0] * TM_KEPT + c];
+      for (int c = 0; artstress && c < TM_REC_STRESS; c++)
+        col[TM_KCOL_STRESS + c][0] = tm_stress_record(&a->rec, jj[0])[tm_part(c)];
+      for (int c = 0; conduction && c < TM_REC_HEAT; c++)
+        col[TM_KCOL_HEAT + c][0] = tm_heat_record(&a->rec, jj[0])[tm_part(c)];
+    } else {
+      tm_transpose_rows(a->rec.main, TM_REC, jj, lanes, TM_KCOL_SHOWN, col[0]);
+      tm_transpose_rows(a->shown, TM_KEPT, jj, lanes, TM_KEPT, col[TM_KCOL_SHOWN]);
+      if (artstress)
+        tm_transpose_rows(a->rec.stress, TM_REC_STRESS, jj, lanes, TM_REC_STRESS, col[TM_KCOL_STRESS]);
+      if (conduction) tm_transpose_rows(a->rec.heat, TM_REC_HEAT, jj, lanes, TM_REC_HEAT, col[TM_KCOL_HEAT]);
+    }
 #define TM_KCOL(c) col[c][tm_at(l)]
 
     if (viscosity || conduction) {
@@ -251,10 +263,10 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
   const tm_real l[9] = {tm_lanes_sum(lxx), tm_lanes_sum(lxy), tm_lanes_sum(lxz),
                         tm_lanes_sum(lyx), tm_lanes_sum(lyy), tm_lanes_sum(lyz),
                         tm_lanes_sum(lzx), tm_lanes_sum(lzy), tm_lanes_sum(lzz)};
-  tm_real *L = a->gradient + (ptrdiff_t) i * 9;
+  tm_real *L = a->gradient + tm_row(i, 9);
   for (int r = 0; r < 3; r++)
     for (int c = 0; c < 3; c++)
-      L[3 * r + c] = (add ? L[3 * r + c] : 0.0)
+      L[tm_column(3 * r + c)] = (add ? L[tm_column(3 * r + c)] : 0.0)
                    + w * (l[3 * r] * B[3 * c] + l[3 * r + 1] * B[3 * c + 1] + l[3 * r + 2] * B[3 * c + 2]);
   tm_real *G = a->stretch + (ptrdiff_t) i * 9;
   G[0] = w * tm_lanes_sum(gxx); G[1] = w * tm_lanes_sum(gxy); G[2] = w * tm_lanes_sum(gxz);

@@ -67,7 +67,7 @@ TM_FN tm_mat3 tm_settle_map(int i, const tm_settle_args *a)
 {
   const tm_real *k = a->memory + (ptrdiff_t) i * TM_K;
   if (tm_is_searched(k))
-    return tm_mat_scale(1.0 / a->rec.main[(ptrdiff_t) i * TM_REC + TM_REC_RHO], tm_mat_identity());
+    return tm_mat_scale(1.0 / tm_main_record(&a->rec, i)[tm_part(TM_REC_RHO)], tm_mat_identity());
   return tm_mat_load(k + TM_K_B);
 }
 
@@ -80,7 +80,7 @@ TM_FN int tm_settle_wanted(int i, const tm_settle_args *a, tm_mat3 E, unsigned e
       tm_field_row(&a->state, TM_F_PSTRAIN, i)[0] - k[TM_K_PSTRAIN] > a->threshold)
     return 1;
   if (!(a->threshold < 1e300)) return 0;
-  if ((effects & TM_FX_DAMAGE) && tm_field_row(&a->state, TM_F_DAMAGE, i)[1] > 0.5) return 1;
+  if ((effects & TM_FX_DAMAGE) && tm_field_row(&a->state, TM_F_DAMAGE, i)[tm_column(1)] > 0.5) return 1;
   if (!(a->strain < 1e300)) return 0;
   /* E = J F^T, J = det F */
   const int dim3 = (effects & TM_FX_3D) != 0;
@@ -99,7 +99,7 @@ TM_FN int tm_settle_wanted(int i, const tm_settle_args *a, tm_mat3 E, unsigned e
 TM_FN int tm_settle_tell(int i, const tm_settle_args *a, unsigned effects)
 {
   const int dim3 = (effects & TM_FX_3D) != 0;
-  const tm_real rho = a->rec.main[(ptrdiff_t) i * TM_REC + TM_REC_RHO];
+  const tm_real rho = tm_main_record(&a->rec, i)[tm_part(TM_REC_RHO)];
   int good;
   const tm_mat3 E = tm_mat_inverse(tm_mat_scale(rho, tm_settle_map(i, a)), dim3, &good);
   tm_real *out = a->told + (ptrdiff_t) i * TM_TOLD;
@@ -112,8 +112,8 @@ TM_FN int tm_settle_tell(int i, const tm_settle_args *a, unsigned effects)
 /* Weights of the pair in entry `from` of the row, as it is now, into entry `to`. */
 TM_FN void tm_settle_pair(int i, int j, int to, const tm_settle_args *a, int kernel, int dim3)
 {
-  const tm_real *ri = a->rec.main + (ptrdiff_t) i * TM_REC, *rj = a->rec.main + (ptrdiff_t) j * TM_REC;
-  const tm_vec3 d = tm_vec(ri[0] - rj[0], ri[1] - rj[1], dim3 ? ri[2] - rj[2] : 0.0);
+  const tm_real *ri = tm_main_record(&a->rec, i), *rj = tm_main_record(&a->rec, j);
+  const tm_vec3 d = tm_vec(ri[tm_part(0)] - rj[tm_part(0)], ri[tm_part(1)] - rj[tm_part(1)], dim3 ? ri[tm_part(2)] - rj[tm_part(2)] : 0.0);
   const tm_real r = tm_vec_norm(d), q = r / a->h, slope = tm_kernel_slope(kernel, q);
   const tm_vec3 w = tm_vec_scale(slope / r, d);
   const tm_real *ei = a->told + (ptrdiff_t) i * TM_TOLD, *ej = a->told + (ptrdiff_t) j * TM_TOLD;
@@ -132,16 +132,16 @@ TM_FN void tm_settle_pair(int i, int j, int to, const tm_settle_args *a, int ker
 /* G of a row as it is now. */
 TM_FN tm_mat3 tm_settle_stretch(int i, const tm_settle_args *a, int dim3)
 {
-  const tm_real *ri = a->rec.main + (ptrdiff_t) i * TM_REC;
+  const tm_real *ri = tm_main_record(&a->rec, i);
   const ptrdiff_t stride = a->rows.stride, next = a->rows.capacity * stride;
   const int *row = a->rows.index + a->rows.first[i];
   const float *w = tm_weight(&a->rows, i);
   tm_real G[9] = {0, 0, 0, 0, 0, 0, 0, 0, 0};
   for (int k = 0; k < a->rows.kept[i]; k++) {
-    const tm_real *rj = a->rec.main + (ptrdiff_t) row[k * stride] * TM_REC;
+    const tm_real *rj = tm_main_record(&a->rec, row[k * stride]);
     for (int r = 0; r < (dim3 ? 3 : 2); r++)
       for (int c = 0; c < 3; c++)
-        G[3 * r + c] += rj[TM_REC_M] * (rj[r] - ri[r]) * (tm_real) w[c * next + k * stride];
+        G[3 * r + c] += rj[tm_part(TM_REC_M)] * (rj[tm_part(r)] - ri[tm_part(r)]) * (tm_real) w[c * next + k * stride];
   }
   return tm_mat_scale(a->slope_norm, tm_mat_load(G));
 }
@@ -186,7 +186,7 @@ TM_FN void tm_settle(int i, const tm_settle_args *a, unsigned effects)
   r->fresh[i] = 0;
   r->fresh_first[i] = r->first[i] + n * stride;
 
-  const tm_mat3 L = tm_mat_load(a->gradient + (ptrdiff_t) i * 9);
+  const tm_mat3 L = tm_mat_from_row(a->gradient + tm_row(i, 9));
   tm_mat3 G = changed ? tm_settle_stretch(i, a, dim3) : tm_mat_load(a->stretch + (ptrdiff_t) i * 9);
   tm_mat3 Q = changed ? tm_mat_identity() : tm_mat_load(k + TM_K_Q);
   if (changed && !a->corrected) Q = tm_mat_mul(tm_mat_transposed(G), B);
@@ -226,9 +226,9 @@ typedef struct {
 /* Distance of j from i in units of h, and what it will have become the next time if it goes on. */
 TM_FN tm_real tm_watch_distance(int i, int j, const tm_watch_args *a, tm_real *then)
 {
-  const tm_real *ri = a->rec.main + (ptrdiff_t) i * TM_REC, *rj = a->rec.main + (ptrdiff_t) j * TM_REC;
-  const tm_vec3 d = tm_vec(ri[0] - rj[0], ri[1] - rj[1], ri[2] - rj[2]);
-  const tm_vec3 v = tm_vec(ri[4] - rj[4], ri[5] - rj[5], ri[6] - rj[6]);
+  const tm_real *ri = tm_main_record(&a->rec, i), *rj = tm_main_record(&a->rec, j);
+  const tm_vec3 d = tm_vec(ri[tm_part(0)] - rj[tm_part(0)], ri[tm_part(1)] - rj[tm_part(1)], ri[tm_part(2)] - rj[tm_part(2)]);
+  const tm_vec3 v = tm_vec(ri[tm_part(4)] - rj[tm_part(4)], ri[tm_part(5)] - rj[tm_part(5)], ri[tm_part(6)] - rj[tm_part(6)]);
   const tm_real r = tm_vec_norm(d);
   *then = (r + a->time * tm_vec_dot(v, d) / r) / a->h;
   return r / a->h;

@@ -40,6 +40,7 @@ class Backend {
 
   // memory of the loops; shared: it is the host's
   virtual bool shared() const { return true; }
+  virtual int block() const { return 1; }    // particles of a block, see tm_layout.h
   virtual void *allocate(size_t) { return nullptr; }
   virtual void release(void *) {}
   virtual void to_loops(void * /*there*/, const void * /*here*/, size_t) {}
@@ -48,6 +49,10 @@ class Backend {
   virtual void zero(void *, size_t bytes);
   virtual void add(double *to, const double *from, size_t n);
   virtual void wait() {}    // until all loops are done
+
+  // for results of loops that are not waited for: memory that host and loops see
+  virtual void *allocate_result(size_t);
+  virtual void release_result(void *);
 
   // search of neighbors: the box of n particles at x, their order by cells, rows of n (the longest)
   virtual tm_bounds bounds(int n, const double *x);
@@ -65,7 +70,7 @@ class Backend {
   virtual double fastest(int n, const tm_state &);    // the largest speed
 
   // one step of particles 0..n-1
-  virtual int drift(int n, const tm_drift_args &, unsigned effects);    // first one lost, or n
+  virtual void drift(int n, const tm_drift_args &, unsigned effects, int *lost);    // the first one lost, or n
   virtual void predict(int n, const tm_predict_args &, unsigned effects);
   virtual void moments(int n, const tm_rates_args &, unsigned effects);
   virtual void round(int n, const tm_single_args &, unsigned effects);    // records to single

@@ -27,8 +27,11 @@ PairSPHTM::PairSPHTM(LAMMPS *lmp, Backend &loops) : Pair(lmp), backend(loops)
   tables.live_in(loops);
   for (auto *a : {&row_index, &row_mechanical, &row_thermal, &row_contact}) a->live_in(loops);
   row_first.live_in(loops);
-  for (auto *a : {&rec_main, &rec_stress, &rec_heat, &rec_correction, &rec_size, &gradient, &heat, &correction,
-                  &xsph_v, &surface, &artificial, &near_count, &tally, &force_internal})
+  rec_main.live_in(loops, TM_REC, 2);
+  rec_stress.live_in(loops, TM_REC_STRESS, 2);
+  gradient.live_in(loops, 9);
+  for (auto *a : {&rec_heat, &rec_correction, &rec_size, &heat, &correction, &xsph_v, &surface, &artificial, &near_count,
+                  &tally, &force_internal})
     a->live_in(loops);
   for (auto *a : {&single_main, &single_more, &single_correction, &single_size}) a->live_in(loops);
   restartinfo = 1;
@@ -334,6 +337,7 @@ void PairSPHTM::unpack_forward_comm(int n, int first, double *buf)
 void PairSPHTM::compute(int eflag, int vflag)
 {
   ev_init(eflag, vflag);
+  fix->begin_forces();
   const int nlocal = atom->nlocal;
   const unsigned fx = fix->effects();
   RunClock &clock = fix->run_clock;
@@ -363,10 +367,14 @@ void PairSPHTM::compute(int eflag, int vflag)
   search.single = args.single;
   backend.zero(args.artificial, args.artificial ? nlocal * sizeof(double) : 0);
   double *internal = force_internal.loop_write();
-  if (internal) {
-    backend.zero(internal, 3 * nlocal * sizeof(double));
-    search.force = args.force = internal;
-  }
+  // LAMMPS has not cleared the forces where it leaves that to the pair style
+  const bool clear = fuse_force_clear_flag && force->pair == this && !modify->n_pre_force;
+  if (clear && (internal || force->newton || row_source))    // with newton LAMMPS adds those of ghosts to their owners'
+    backend.zero(s.force, 3 * ((size_t) nlocal + atom->nghost) * sizeof(double));
+  if (internal) args.force = internal;
+  search.force = args.force;
+  if (internal && row_source) backend.zero(internal, 3 * nlocal * sizeof(double));
+  search.force_begins = args.force_begins = (clear || internal) && !row_source;    // parts of rows add theirs
   {
     const auto timed = clock.timed(RunClock::RATES);
     backend.rates(searched, search, fx);
@@ -376,7 +384,7 @@ void PairSPHTM::compute(int eflag, int vflag)
   if (internal) backend.add(s.force, internal, 3 * (size_t) nlocal);
   tm_rates_args others = args;
   if (row_source) others.rows = row_source->others();
-  if (fx & TM_FX_CONDUCTION) {
+  if (meets_thermal) {
     const auto timed = clock.timed(RunClock::THERMAL);
     backend.thermal(nlocal, others, fx);
   }

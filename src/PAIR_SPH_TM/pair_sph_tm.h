@@ -86,7 +86,7 @@ class PairSPHTM : public Pair {
   bool has_contact_pairs() const;
   double largest_conductivity() const;      // of all types at all temperatures
   double contact_stiffness_limit(int type) const;
-  std::vector<unsigned char> segments_of_types() const;    // per type pair: where in a row they meet
+  std::vector<unsigned char> segments_of_types();    // per type pair: where in a row they meet
   const SPHTM_NS::UnitScale &units() const { return unit; }
   // particles of different size (effect smoothing): smoothing lengths up to h are in the rows, the
   // smallest particle has the edge dp. Collective; from init() on, before LAMMPS makes its lists
@@ -139,6 +139,7 @@ class PairSPHTM : public Pair {
   // what forward_comm carries: columns of this array, or the records
   SPHTM_NS::LoopArray<tm_real> *forwarded = nullptr;
   int forwarded_columns = 0;
+  bool meets_thermal = false;         // some types exchange heat only
 
   void allocate();
   void find_row_source();

@@ -12,11 +12,7 @@
 #include "tm_rates.h"
 
 #define TM_ROW_SLICE_GPU 32
-#if defined(__CUDACC__)
-#define TM_ROW_SLICE TM_ROW_SLICE_GPU
-#else
-#define TM_ROW_SLICE 1
-#endif
+#define TM_ROW_SLICE TM_BLOCK
 
 /* segments of a row, as bits of what a pair takes part in */
 enum { TM_MEETS_MECHANICAL = 1, TM_MEETS_THERMAL = 2, TM_MEETS_CONTACT = 4, TM_SEGMENTS = 3 };
@@ -136,8 +132,8 @@ typedef struct {
 TM_FN tm_real tm_near_dist2(int i, int k, const tm_near_args *a, int *j)
 {
   *j = a->rows.index[a->rows.first[i] + k * a->rows.stride];
-  const tm_real *p = a->main + TM_REC * (ptrdiff_t) i, *q = a->main + TM_REC * (ptrdiff_t) *j;
-  const tm_real dx = p[0] - q[0], dy = p[1] - q[1], dz = p[2] - q[2];
+  const tm_real *p = a->main + tm_record(i, TM_REC), *q = a->main + tm_record(*j, TM_REC);
+  const tm_real dx = p[0] - q[0], dy = p[1] - q[1], dz = p[tm_part(2)] - q[tm_part(2)];
   return dx * dx + dy * dy + dz * dz;
 }
 
