@@ -121,10 +121,12 @@ void FixContactTri::init()
 
 void FixContactTri::limit_time_step()
 {
-  state->limit_dt(dt_limit, TM_DT_CONTACT);
-  // no point of the tool moves by more than a fifth of a spacing in a step
+  // k and m both follow the size of a particle: the limit is proportional to it, in 2D and in 3D
+  const double dp = pair->settings_in_use().spacing;
+  state->limit_dt(dt_limit * pair->smallest_spacing() / dp, TM_DT_CONTACT);
+  // no point of the tool moves by more than a fifth of the smallest spacing in a step
   const double speed = motion.top_speed(tool.mesh().lo, tool.mesh().hi);
-  if (speed > 0.0) state->limit_dt(0.2 * pair->settings_in_use().spacing / speed, TM_DT_MOTION);
+  if (speed > 0.0) state->limit_dt(0.2 * pair->smallest_spacing() / speed, TM_DT_MOTION);
 }
 
 // friction heat of a type in words
@@ -290,6 +292,7 @@ tm_contact_args FixContactTri::make_args(const tm_pose &pose, bool output)
   a.force_unit = 1.0 / pair->units().force;
   a.tool_temperature = temperature;
   a.law = loop_laws.loop_read();
+  a.size = rec.size;
   a.mask = s.mask;
   a.group = groupbit;
   a.type = s.type;

@@ -39,6 +39,16 @@ TM_FN tm_real tm_contact_stiffness(tm_real pfac, tm_real Ei, tm_real Ej, tm_real
   return pfac * (Ej > 0.0 ? Ei * Ej / (Ei + Ej) : Ei) * (dim3 ? dp : 1.0);
 }
 
+/* The law for a particle of edge dp, where it differs from the one the law was made for. */
+TM_FN tm_contact_law tm_contact_law_of_size(const tm_contact_law *law, tm_real dp, int dim3)
+{
+  tm_contact_law own = *law;
+  own.radius = 0.5 * dp;
+  own.stiffness = law->stiffness * (dim3 ? own.radius / law->radius : 1.0);
+  own.area = dim3 ? dp * dp : dp;
+  return own;
+}
+
 /* F15 (11), corrected. */
 TM_FN tm_real tm_contact_damping(tm_real dfac, tm_real k, tm_real mass)
 {

@@ -19,6 +19,7 @@
 #include "tm_contact.h"
 #include "tm_material.h"
 #include "tm_motion.h"
+#include "tm_record.h"
 #include "tm_touch.h"
 
 /* Effects of the contact loop. */
@@ -43,6 +44,7 @@ typedef struct tm_contact_args {
   tm_real force_unit;            /* mass times acceleration -> force of the unit style */
   tm_real tool_temperature;
   const tm_contact_law *law;     /* per type, index type */
+  const tm_real *size;           /* records of size (tm_record.h), or NULL: the law's */
 
   const int *mask;               /* particles with (mask & group) are in contact; NULL: all */
   int group;
@@ -148,10 +150,10 @@ typedef struct {
   tm_real mass, dt, temperature, yield;
 } tm_contact_body;
 
-TM_FN tm_contact_body tm_contact_load(int i, const tm_contact_args *a, unsigned effects)
+TM_FN tm_contact_body tm_contact_load(int i, const tm_contact_args *a, const tm_contact_law *law, unsigned effects)
 {
   tm_contact_body b;
-  b.law = a->law + a->type[i];
+  b.law = law;
   b.mass = a->rmass ? a->rmass[i] : a->mass[a->type[i]];
   b.dt = a->dt;
   b.v = tm_load3(a->v + i * a->v_stride);
@@ -252,15 +254,21 @@ TM_FN tm_contact_result tm_contact_tri(int i, const tm_contact_args *a, unsigned
   const tm_contact_law *w = a->law + a->type[i];
   if (!w->active) return r;
 
+  const tm_real dp = a->size ? a->size[(ptrdiff_t) i * TM_REC_SIZE + TM_SIZE_DP] : 2.0 * w->radius;
   const tm_vec3 p = tm_pose_to_local(&a->pose, tm_load3(a->x + i * a->x_stride));
   tm_touch touch[TM_TOUCH_MAX];
   const int n = (effects & TM_CT_F15)
-      ? tm_touch_find_f15(&a->mesh, &a->grid, p, w->radius, touch)
-      : tm_touch_find(&a->mesh, &a->grid, p, w->radius, a->deep, (effects & TM_CT_TWO_SIDED) != 0,
+      ? tm_touch_find_f15(&a->mesh, &a->grid, p, 0.5 * dp, touch)
+      : tm_touch_find(&a->mesh, &a->grid, p, 0.5 * dp, a->deep, (effects & TM_CT_TWO_SIDED) != 0,
                       touch);
   if (n == 0) return r;
 
-  tm_contact_body b = tm_contact_load(i, a, effects);
+  tm_contact_law own;
+  if (a->size) {
+    own = tm_contact_law_of_size(w, dp, (effects & TM_CT_3D) != 0);
+    w = &own;
+  }
+  tm_contact_body b = tm_contact_load(i, a, w, effects);
   tm_contact_point c[TM_TOUCH_MAX];
   for (int k = 0; k < n; k++) c[k] = tm_contact_press(&b, touch + k, &a->pose, effects);
   if (effects & TM_CT_FRICTION)

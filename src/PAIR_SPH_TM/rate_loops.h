@@ -27,7 +27,8 @@ update_loop_t update_loop();
 const char *rate_loop_isa();    // name of the instruction set in use
 
 // kernel (5) x dimension (2) x {viscosity, artificial stress, conduction} (8) + extended (1)
-constexpr int RATE_LOOPS_PER_KERNEL = 2 * 9;
+// + smoothing and viscosity x {artificial stress, conduction} (4)
+constexpr int RATE_LOOPS_PER_KERNEL = 2 * 13;
 constexpr int RATE_LOOPS = TM_KERNEL_COUNT * RATE_LOOPS_PER_KERNEL;
 
 constexpr unsigned rate_loop_effects(int index)
@@ -37,6 +38,12 @@ constexpr unsigned rate_loop_effects(int index)
   const unsigned set = rest / 2;
   unsigned fx = (kernel << TM_FX_KERNEL_SHIFT) | ((rest & 1u) ? unsigned(TM_FX_3D) : 0u);
   if (set == 8) return fx | unsigned(TM_FX_EXTENDED);
+  if (set > 8) {
+    fx |= unsigned(TM_FX_SMOOTHING) | unsigned(TM_FX_VISCOSITY);
+    if ((set - 9) & 1u) fx |= unsigned(TM_FX_ARTSTRESS);
+    if ((set - 9) & 2u) fx |= unsigned(TM_FX_CONDUCTION);
+    return fx;
+  }
   if (set & 1u) fx |= unsigned(TM_FX_VISCOSITY);
   if (set & 2u) fx |= unsigned(TM_FX_ARTSTRESS);
   if (set & 4u) fx |= unsigned(TM_FX_CONDUCTION);
@@ -47,7 +54,9 @@ constexpr int rate_loop_index(unsigned fx)
 {
   const int kernel = (fx >> TM_FX_KERNEL_SHIFT) & 7u;
   int set = 0;
-  if (fx & TM_FX_EXTENDED_MASK)
+  if ((fx & TM_FX_EXTENDED_MASK) == TM_FX_SMOOTHING && (fx & TM_FX_VISCOSITY))
+    set = 9 + ((fx & TM_FX_ARTSTRESS) ? 1 : 0) + ((fx & TM_FX_CONDUCTION) ? 2 : 0);
+  else if (fx & TM_FX_EXTENDED_MASK)
     set = 8;
   else
     set = ((fx & TM_FX_VISCOSITY) ? 1 : 0) + ((fx & TM_FX_ARTSTRESS) ? 2 : 0) +

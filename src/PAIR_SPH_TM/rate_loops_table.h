@@ -41,7 +41,7 @@ namespace SPHTM_ISA {
 #define TM_LOOP(I) loop<rate_loop_effects(I)>
 #define TM_LOOPS_2(I) TM_LOOP(I), TM_LOOP(I + 1)
 #define TM_LOOPS_6(I) TM_LOOPS_2(I), TM_LOOPS_2(I + 2), TM_LOOPS_2(I + 4)
-#define TM_LOOPS_18(I) TM_LOOPS_6(I), TM_LOOPS_6(I + 6), TM_LOOPS_6(I + 12)
+#define TM_LOOPS_26(I) TM_LOOPS_6(I), TM_LOOPS_6(I + 6), TM_LOOPS_6(I + 12), TM_LOOPS_6(I + 18), TM_LOOPS_2(I + 24)
 
 #define TM_MOMENTS(K)                                      \
   moments<(unsigned) TM_KERNEL_##K << TM_FX_KERNEL_SHIFT>, \
@@ -49,7 +49,7 @@ namespace SPHTM_ISA {
 
 extern const ParticleLoops loops;
 const ParticleLoops loops = {
-    {TM_LOOPS_18(0), TM_LOOPS_18(18), TM_LOOPS_18(36), TM_LOOPS_18(54), TM_LOOPS_18(72)},
+    {TM_LOOPS_26(0), TM_LOOPS_26(26), TM_LOOPS_26(52), TM_LOOPS_26(78), TM_LOOPS_26(104)},
     {TM_MOMENTS(HYPERBOLIC), TM_MOMENTS(CUBIC), TM_MOMENTS(QUINTIC), TM_MOMENTS(WENDLAND_C2),
      TM_MOMENTS(WENDLAND_C4)},
     predict, update};

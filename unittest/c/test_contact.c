@@ -283,6 +283,18 @@ static void limits_in_the_loop(void)
   s.args.group = 2;
   ut_put(&s, 0, tm_vec(0.1, 0.1, -0.5 * r), tm_vec(1, 0, 0));
   UT_TRUE(tm_contact_tri(0, &s.args, TM_CT_3D).contacts == 0 && s.f[2] == 0.0);
+  s.args.mask = NULL;
+  /* a particle of half the size: half the radius and, in 3D, half the stiffness */
+  double size[TM_REC_SIZE] = {0};
+  size[TM_SIZE_DP] = 0.5 * dp;
+  s.args.size = size;
+  ut_put(&s, 0, tm_vec(0.1, 0.1, -0.2 * r), tm_vec(0, 0, 0));
+  tm_contact_tri(0, &s.args, TM_CT_3D);
+  UT_NEAR(fabs(s.f[2]), 0.5 * (0.5 * r + 0.2 * r), 1e-12);
+  const tm_contact_law half = tm_contact_law_of_size(s.law + 1, 0.5 * dp, 1);
+  UT_NEAR(half.area, 0.25 * dp * dp, 1e-15);
+  UT_NEAR(tm_contact_law_of_size(s.law + 1, 0.5 * dp, 0).stiffness, s.law[1].stiffness, 0.0);
+  s.args.size = NULL;
   ut_clear(&s);
 }
 

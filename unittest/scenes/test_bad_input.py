@@ -346,6 +346,25 @@ fine("tool moved by what the message says", tool("file @ascii.stl scale 2e-3 mov
 wrong("tool moved by a little less", tool("file @ascii.stl scale 2e-3 move 4.985e-3 1.5e-3 1.5e-3"), T, "overlaps", "+x")
 fine("tool overlaps the work and may", tool("file @ascii.stl scale 2e-3 move 4.2e-3 1.5e-3 1.5e-3 overlap allow penalty 0.001"))
 
+A = "fix adapt/neigh asph"
+
+
+def asph(words, **more):
+    return dict({"more": "fix lists all adapt/neigh " + words}, **more)
+
+
+wrong("asph without a mode", asph("asph"), A, "psi or density")
+wrong("asph of an unknown mode", asph("asph tensor"), A, "psi or density", "tensor")
+wrong("asph twice", asph("asph psi asph density"), A, "twice")
+wrong("asph every 0", asph("asph psi every 0"), A, "every", "0")
+wrong("asph every without a number", asph("asph psi every"), A, "every", "value")
+wrong("asph limits above 1", asph("asph psi limits 1.5 2"), A, "limits lo", "1.5")
+wrong("asph limits below 1", asph("asph psi limits 0.5 0.9"), A, "limits hi", "0.9")
+wrong("asph, its effect forced off", asph("asph psi", fix="fix body all sph/tm effects smoothing off"), A, "smoothing",
+      "forced off")
+wrong("adapt/neigh with an unknown keyword", asph("h psi"), "fix adapt/neigh", "h", "asph")
+fine("asph", asph("asph psi every 2 limits 0.5 2"))
+
 def cut(text):
     return dict(tool(AWAY, "fix_modify tool move linear -1 0 0"), compute="compute p all cutting/force " + text,
                 thermo="thermo 5\nthermo_style custom step c_p[1]")
