@@ -150,8 +150,6 @@ SCENES = {
                                             " eos shock 5300 1.34 2.0").replace("hyperbolic 1.2", "quintic 1.0") + end(40),
     "form f14, tait, artstress by component": BAR.format(style="form f14 artstress 0.3 4 component viscosity 0.5 0.5",
                                                          material=PLASTIC + " eos tait 7", fix="") + end(60),
-    "smoothing length that follows": BAR.format(style="", material=JOHNSON_COOK, fix="energy yes\n"
-                                                "fix lists all adapt/neigh asph psi every 2") + end(60, VALUES + " h"),
     "without artificial terms": BAR.format(style="viscosity 0 0 artstress 0 4", material="", fix="courant 0.2") + end(60),
     "cut": CUT + end(80),
     "bodies, heat fixes, drive": BODIES + end(150, VALUES + " surface/area"),
