@@ -232,6 +232,7 @@ void FixContactTri::setup(int vflag)
   if (!checked && !restored && clock == 0.0 && !request.overlap_allowed) check_overlap();
   checked = true;
   post_force(vflag);
+  finish_contact();
   write_files();
 }
 
@@ -298,10 +299,9 @@ tm_contact_args FixContactTri::make_args(const tm_pose &pose, bool output)
   a.type = s.type;
   a.x = s.x;
   a.v = s.v;
-  a.rate_v = rec.main + TM_REC_V;
+  a.record = rec.main;
   a.f = s.force;
   a.x_stride = a.v_stride = a.f_stride = 3;
-  a.rate_v_stride = TM_REC;
   a.mass = s.mass;
   a.rmass = s.rmass;
   a.material = s.material;
@@ -311,10 +311,7 @@ tm_contact_args FixContactTri::make_args(const tm_pose &pose, bool output)
     a.source = state->heat_source();
     a.tool_heat = request.body_type ? tool_heat.loop_write() : nullptr;
   }
-  if (state->has(TM_FX_PLASTICITY) && request.shear > 0.0) {
-    a.yield = s.field[TM_F_PSTRAIN] + 2;
-    a.yield_stride = tm_field_table[TM_F_PSTRAIN].columns;
-  }
+  if (state->has(TM_FX_PLASTICITY) && request.shear > 0.0) a.pstrain = s.field[TM_F_PSTRAIN];
   if (output) {
     a.tri_force = tri_force.loop_write();
     a.tri_heat = tri_heat.loop_write();
@@ -323,9 +320,9 @@ tm_contact_args FixContactTri::make_args(const tm_pose &pose, bool output)
   return a;
 }
 
-tm_contact_result FixContactTri::run_contact(const tm_contact_args &a, unsigned fx)
+void FixContactTri::start_contact(const tm_contact_args &a, unsigned fx)
 {
-  return contact_loop(state->loops(), atom->nlocal, a, fx);
+  sums = contact_loop(state->loops(), atom->nlocal, a, fx);
 }
 
 void FixContactTri::post_force(int)
@@ -335,20 +332,29 @@ void FixContactTri::post_force(int)
   if (output) clear_triangles();
   if (request.body_type) tool_heat.resize(std::max(atom->nmax, 1));
   const tm_pose pose = motion.pose(clock, state->time_ahead(), state->step_dt());
-  const tm_contact_args args = make_args(pose, output);
-  sums = run_contact(args, effects(output));
+  start_contact(make_args(pose, output), effects(output));
+  unfinished = true;
   totals_step = -1;
   if (request.body_type && state->has(TM_FX_CONDUCTION)) heat_body();
+  limit_time_step();
+}
+
+// what the sums are for; a GPU is not waited for before the end of the step
+void FixContactTri::finish_contact()
+{
+  if (!unfinished) return;
+  unfinished = false;
+  wait_for_contact();
   if (state->time_ahead() > 0.0) book(state->step_dt());
-  if (sums.inner > 0.5 * args.deep && !warned_deep) {
+  const double deep = pair->settings_in_use().spacing;
+  if (sums.inner > 0.5 * deep && !warned_deep) {
     warned_deep = true;
     error->warning(FLERR,
                    "Fix contact/tri {}: a particle's centre lies {:.2f} spacings behind the "
                    "surface; beyond 1 it is no longer pushed out: raise penalty or lower the speed",
-                   id, sums.inner / args.deep);
+                   id, sums.inner / deep);
   }
   state->contact_spring += sums.spring;
-  limit_time_step();
 }
 
 // the energy book of the state fix, in its units
@@ -367,6 +373,7 @@ void FixContactTri::book(double dt)
 
 void FixContactTri::final_integrate()
 {
+  finish_contact();
   const double dt = state->step_dt();
   const tm_pose half = motion.pose(clock, state->time_ahead(), dt);
   clock += dt;

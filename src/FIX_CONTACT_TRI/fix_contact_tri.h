@@ -77,6 +77,7 @@ class FixContactTri : public Fix {
   bool restored = false, checked = false, warned_deep = false;
 
   tm_contact_result sums;    // of this rank, this step
+  bool unfinished = false;   // not yet there
   double totals[14];         // over ranks
   bigint totals_step = -1;
   SPHTM_NS::LoopArray<double> tool_heat;    // per particle: heat for the tool's own particles
@@ -112,8 +113,10 @@ class FixContactTri : public Fix {
   unsigned effects(bool output) const;
   tm_contact_args make_args(const tm_pose &, bool output);
   tm_contact_args host_args(const tm_pose &);    // positions only
-  // the loops over the particles of this rank
-  virtual tm_contact_result run_contact(const tm_contact_args &, unsigned effects);
+  // the loops over the particles of this rank; the sums of contact are there when it is finished
+  virtual void start_contact(const tm_contact_args &, unsigned effects);
+  virtual void wait_for_contact() {}
+  void finish_contact();
   virtual void run_carry(const tm_carry_args &);
   virtual int run_divide(const tm_spread_args &);
   virtual void run_collect(const tm_spread_args &);

@@ -22,6 +22,19 @@ FixContactTriKokkos::FixContactTriKokkos(LAMMPS *lmp, int narg, char **arg) : Fi
   forward_comm_device = 1;
 }
 
+FixContactTriKokkos::~FixContactTriKokkos()
+{
+  if (!copymode && owner) owner->release_result(result);
+}
+
+void FixContactTriKokkos::init()
+{
+  FixContactTri::init();
+  if (owner) return;
+  owner = &state->loops();
+  result = (tm_contact_result *) owner->allocate_result(sizeof(tm_contact_result));
+}
+
 // the look for overlaps at the start is the host's
 void FixContactTriKokkos::setup(int vflag)
 {
@@ -44,9 +57,10 @@ struct SumContact {
   }
 };
 template <unsigned EFFECTS, bool ANY = false>
-tm_contact_result contact_kernel(int n, const tm_contact_args &a, unsigned fx)
+void contact_kernel(int n, const tm_contact_args &a, unsigned fx, tm_contact_result *result)
 {
-  return kokkos_sum("contact/tri", n, tm_contact_nothing(), Contact<EFFECTS, ANY>{a, fx}, SumContact());
+  using Bounds = Kokkos::LaunchBounds<128, 4>;    // few particles touch: the others should not wait for registers
+  kokkos_sum_later<Bounds>("contact/tri", n, tm_contact_nothing(), Contact<EFFECTS, ANY>{a, fx}, SumContact(), result);
 }
 
 struct Divide {
@@ -80,18 +94,28 @@ struct Carry {
 
 }    // namespace
 
-tm_contact_result FixContactTriKokkos::run_contact(const tm_contact_args &a, unsigned fx)
+void FixContactTriKokkos::start_contact(const tm_contact_args &a, unsigned fx)
 {
   constexpr unsigned D = TM_CT_3D, H = TM_CT_HEAT, F = TM_CT_FRICTION;
-  if (state->loops().shared()) return FixContactTri::run_contact(a, fx);
+  if (state->loops().shared()) {
+    FixContactTri::start_contact(a, fx);
+    return;
+  }
   const int n = atom->nlocal;
   switch (fx) {
-    case F: return contact_kernel<F>(n, a, fx);
-    case H | F: return contact_kernel<H | F>(n, a, fx);
-    case D | F: return contact_kernel<D | F>(n, a, fx);
-    case D | H | F: return contact_kernel<D | H | F>(n, a, fx);
-    default: return contact_kernel<0, true>(n, a, fx);
+    case F: contact_kernel<F>(n, a, fx, result); break;
+    case H | F: contact_kernel<H | F>(n, a, fx, result); break;
+    case D | F: contact_kernel<D | F>(n, a, fx, result); break;
+    case D | H | F: contact_kernel<D | H | F>(n, a, fx, result); break;
+    default: contact_kernel<0, true>(n, a, fx, result); break;
   }
+}
+
+void FixContactTriKokkos::wait_for_contact()
+{
+  if (state->loops().shared()) return;
+  state->loops().wait();
+  sums = *result;
 }
 
 void FixContactTriKokkos::run_carry(const tm_carry_args &a)

@@ -19,6 +19,7 @@ void FixContactTri::sum_up()
 {
   if (totals_step == update->ntimestep) return;
   totals_step = update->ntimestep;
+  finish_contact();
   const double force = 1.0 / pair->units().force, power = 1.0 / pair->units().energy;
   const double mine[10] = {force * sums.force.x,        force * sums.force.y,
                            force * sums.force.z,        force * sums.torque.x,

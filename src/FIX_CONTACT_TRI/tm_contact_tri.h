@@ -5,7 +5,7 @@
    material point it touches. Normal forces of all contacts come first, so that the friction of
    each sees all that acts on the particle this step.
 
-   Positions and velocities are those of the force point (x, rate_v); `v` is the velocity at the
+   Positions and velocities are those of the force point (x, record); `v` is the velocity at the
    start of the step, from which the step ends at v + dt F/m. Powers use the mean of both ends, as
    the integrator's kinetic energy does, and the spring's energy is that of the end of the step, so
    that over a run
@@ -17,6 +17,7 @@
 #define TM_CONTACT_TRI_H
 
 #include "tm_contact.h"
+#include "tm_fields.h"
 #include "tm_material.h"
 #include "tm_motion.h"
 #include "tm_record.h"
@@ -49,9 +50,10 @@ typedef struct tm_contact_args {
   const int *mask;               /* particles with (mask & group) are in contact; NULL: all */
   int group;
   const int *type;
-  const double *x, *v, *rate_v;  /* position, velocity at the start and at the force point */
+  const double *x, *v;           /* position, velocity at the start */
+  const tm_real *record;         /* tm_record.h's, with the velocity at the force point; NULL: v */
   double *f;                     /* forces so far in, contact added */
-  ptrdiff_t x_stride, v_stride, rate_v_stride, f_stride;
+  ptrdiff_t x_stride, v_stride, f_stride;
   const double *mass, *rmass;    /* per type; per particle or NULL */
 
   /* with TM_CT_HEAT */
@@ -60,8 +62,7 @@ typedef struct tm_contact_args {
   ptrdiff_t temperature_stride;
   tm_real *source;               /* power into the particle, added to */
 
-  const tm_real *yield;          /* flow stress, or NULL */
-  ptrdiff_t yield_stride;
+  const tm_real *pstrain;        /* rows of TM_F_PSTRAIN, for the flow stress, or NULL */
   tm_real *tool_heat;            /* power into the tool through each particle, set; or NULL */
 
   /* with TM_CT_OUTPUT, added to; each may be NULL */
@@ -157,11 +158,11 @@ TM_FN tm_contact_body tm_contact_load(int i, const tm_contact_args *a, const tm_
   b.mass = a->rmass ? a->rmass[i] : a->mass[a->type[i]];
   b.dt = a->dt;
   b.v = tm_load3(a->v + i * a->v_stride);
-  b.rate_v = tm_load3(a->rate_v + i * a->rate_v_stride);
+  b.rate_v = a->record ? tm_vec_from_record(a->record + tm_record(i, TM_REC), TM_REC_V, 1) : b.v;
   b.force = tm_vec_scale(1.0 / a->force_unit, tm_load3(a->f + i * a->f_stride));
   if (!(effects & TM_CT_3D)) b.force.z = 0.0;
   b.temperature = (effects & TM_CT_HEAT) ? a->temperature[i * a->temperature_stride] : 0.0;
-  b.yield = a->yield ? a->yield[i * a->yield_stride] : 0.0;
+  b.yield = a->pstrain ? a->pstrain[tm_row(i, tm_field_columns(TM_F_PSTRAIN)) + tm_column(2)] : 0.0;
   return b;
 }
 

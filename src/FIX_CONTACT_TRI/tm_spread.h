@@ -19,10 +19,10 @@ typedef struct {
   tm_real *source;          /* power into particles, added to */
 } tm_spread_args;
 
-TM_FN tm_real tm_spread_weight(ptrdiff_t i, ptrdiff_t j, const tm_spread_args *a)
+TM_FN tm_real tm_spread_weight(int i, int j, const tm_spread_args *a)
 {
-  const tm_real *p = a->main + i * TM_REC, *q = a->main + j * TM_REC;
-  const tm_real dx = p[0] - q[0], dy = p[1] - q[1], dz = p[2] - q[2];
+  const tm_real *p = a->main + tm_record(i, TM_REC), *q = a->main + tm_record(j, TM_REC);
+  const tm_real dx = p[0] - q[0], dy = p[1] - q[1], dz = p[tm_part(2)] - q[tm_part(2)];
   return tm_kernel_shape(a->kernel, sqrt(dx * dx + dy * dy + dz * dz) / a->h);
 }
 

@@ -231,8 +231,7 @@ tm_exchange_args FixSPHTMHeat::exchange_args()
   a.area_factor = 1.0;
   const tm_state s = body->state();
   const tm_rates_args &rates = pair->rate_args();
-  a.main = rates.rec.main;
-  a.heat = rates.rec.heat;
+  a.rec = rates.rec;
   a.normal = rates.surface;
   a.type = s.type;
   a.mask = s.mask;

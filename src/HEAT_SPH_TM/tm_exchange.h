@@ -27,7 +27,7 @@ typedef struct {
   tm_vec3 d;
   tm_real area_factor;       /* on the area found, to reach a known total; 1 otherwise */
 
-  const tm_real *main, *heat;   /* records, see tm_record.h */
+  tm_records rec;
   const tm_real *normal;        /* 3 per particle, NULL for a source */
   const int *type, *mask;       /* LAMMPS types and group bits */
   int group;                    /* particles with (mask & group) exchange heat */
@@ -43,23 +43,23 @@ typedef struct {
 /* Area in use of particle i, without the factor. */
 TM_FN tm_real tm_exchange_area(int i, const tm_exchange_args *a)
 {
-  const tm_real *r = a->main + (ptrdiff_t) i * TM_REC, *p = a->normal + 3 * (ptrdiff_t) i;
+  const tm_real *r = tm_main_record(&a->rec, i), *p = a->normal + 3 * (ptrdiff_t) i;
   const tm_vec3 n = tm_vec(p[0], p[1], p[2]);
-  const tm_real volume = r[TM_REC_M] / r[TM_REC_RHO];
+  const tm_real volume = r[tm_part(TM_REC_M)] / r[tm_part(TM_REC_RHO)];
   return a->facing ? tm_surface_area_facing(&a->surface, n, volume, a->d)
                    : tm_surface_area(&a->surface, n, volume);
 }
 
 TM_FN tm_exchange_result tm_exchange(int i, const tm_exchange_args *a)
 {
-  const tm_real *r = a->main + (ptrdiff_t) i * TM_REC;
-  const tm_real T = a->heat[(ptrdiff_t) i * TM_REC_HEAT + TM_REC_T];
+  const tm_real *r = tm_main_record(&a->rec, i);
+  const tm_real T = tm_heat_record(&a->rec, i)[tm_part(TM_REC_T)];
   const tm_material *m = a->material + a->type[i];
   tm_exchange_result out;
   out.rate = 0.0;
   if (a->mode == TM_EXCHANGE_SOURCE) {
     out.area = 0.0;
-    out.power = a->strength * r[TM_REC_M] / r[TM_REC_RHO];
+    out.power = a->strength * r[tm_part(TM_REC_M)] / r[tm_part(TM_REC_RHO)];
     return out;
   }
   out.area = a->area_factor * tm_exchange_area(i, a);
@@ -73,7 +73,7 @@ TM_FN tm_exchange_result tm_exchange(int i, const tm_exchange_args *a)
     slope = 4.0 * a->strength * e * T * T * T;
   }
   out.power = out.area * flux;
-  out.rate = out.area * slope / (r[TM_REC_M] * tm_capacity(m, T));
+  out.rate = out.area * slope / (r[tm_part(TM_REC_M)] * tm_capacity(m, T));
   return out;
 }
 

@@ -20,7 +20,7 @@ TM_FN tm_real tm_hold(int i, const tm_hold_args *a)
   const tm_real rise = a->temperature - t[0];
   const tm_real cp = tm_capacity(s->material + s->type[i], 0.5 * (t[0] + a->temperature));
   t[0] = a->temperature;
-  t[1] = t[2] = 0.0;
+  t[tm_column(1)] = t[tm_column(2)] = 0.0;
   return tm_particle_mass(s, i) * cp * rise;
 }
 

@@ -11,6 +11,7 @@
 #include "fix_sph_tm_heat.h"
 #include "pair_sph_tm.h"
 #ifdef LMP_KOKKOS
+#include "fix_ave_time_kokkos.h"
 #include "compute_sph_tm_atom_kokkos.h"
 #include "fix_contact_tri_kokkos.h"
 #include "fix_sph_tm_kokkos.h"
@@ -64,5 +65,8 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *p
   registry.compute<ComputeSPHTMAtom, AtomComputeKokkos>("sph/tm/atom", "per-particle values of sph/tm");
   registry.fix<FixContactTri, ContactKokkos>("contact/tri", "contact, friction and heat with a tool of triangles");
   registry.state_fix<FixAdaptNeigh, AdaptKokkos>("adapt/neigh", "what follows the deformation: lists, smoothing length, refinement");
+#ifdef LMP_KOKKOS
+  registry.kokkos_fix<FixAveTimeKokkos>("ave/time", "time averages, without particles on the host where none are needed");
+#endif
   registry.compute<ComputeCuttingForce>("cutting/force", "forces of a tool in terms of cutting");
 }

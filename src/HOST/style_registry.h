@@ -65,6 +65,12 @@ class Registry {
   {
     with_args("compute", name, info, (lammpsplugin_factory2 *) &create_with_args<STYLE, KOKKOS>);
   }
+  // a fix of LAMMPS's that has no variant with Kokkos
+  template <class KOKKOS> void kokkos_fix(const char *name, const char *info)
+  {
+    plugin_.creator.v2 = (lammpsplugin_factory2 *) &create_with_args<KOKKOS, KOKKOS>;
+    if (kokkos_) add_kokkos_names("fix", name, info);
+  }
   // a fix with values of particles in restart files: LAMMPS looks for them under the whole name of the
   // style, so there is one name, and none with /kk that a suffix would find
   template <class STYLE, class KOKKOS = STYLE> void state_fix(const char *name, const char *info)

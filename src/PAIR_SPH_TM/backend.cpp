@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <new>
 
 namespace SPHTM_NS {
 
@@ -55,11 +56,14 @@ static RESULT sum_particles(Backend &b, int n, const RESULT &nothing, ONE one, J
 
 static void add_to(double *sum, const double *value) { *sum += *value; }
 
+void *Backend::allocate_result(size_t bytes) { return ::operator new(bytes); }
+void Backend::release_result(void *p) { ::operator delete(p); }
+
 /* ---------------------------------------------------------------------- one step */
 
-int Backend::drift(int n, const tm_drift_args &a, unsigned effects)
+void Backend::drift(int n, const tm_drift_args &a, unsigned effects, int *lost)
 {
-  return sum_particles(
+  *lost = sum_particles(
       *this, n, n, [&](int i) { return tm_drift(i, &a, effects) ? i : n; },
       [](int *first, const int *i) { *first = std::min(*first, *i); });
 }

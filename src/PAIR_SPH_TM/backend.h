@@ -38,6 +38,7 @@ class Backend {
 
   // memory of the loops; shared: it is the host's
   virtual bool shared() const { return true; }
+  virtual int block() const { return 1; }    // particles of a block, see tm_layout.h
   virtual void *allocate(size_t) { return nullptr; }
   virtual void release(void *) {}
   virtual void to_loops(void * /*there*/, const void * /*here*/, size_t) {}
@@ -47,8 +48,12 @@ class Backend {
   virtual void add(double *to, const double *from, size_t n);
   virtual void wait() {}    // until all loops are done
 
+  // for results of loops that are not waited for: memory that host and loops see
+  virtual void *allocate_result(size_t);
+  virtual void release_result(void *);
+
   // one step of particles 0..n-1
-  virtual int drift(int n, const tm_drift_args &, unsigned effects);    // first one lost, or n
+  virtual void drift(int n, const tm_drift_args &, unsigned effects, int *lost);    // the first one lost, or n
   virtual void predict(int n, const tm_predict_args &, unsigned effects);
   virtual void moments(int n, const tm_rates_args &, unsigned effects);
   virtual void rates(int n, const tm_rates_args &, unsigned effects);

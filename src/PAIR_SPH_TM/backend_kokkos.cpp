@@ -6,9 +6,8 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <type_traits>
 #include <utility>
-
-
 
 namespace SPHTM_NS {
 
@@ -52,7 +51,7 @@ template <unsigned EFFECTS> struct Moments {
 
 template <unsigned EFFECTS> void run_rates(int n, const tm_rates_args &a)
 {
-  kokkos_each("sph/tm rates", n, Rates<EFFECTS>{a});
+  kokkos_each<Kokkos::LaunchBounds<64, 1>>("sph/tm rates", n, Rates<EFFECTS>{a});
 }
 template <unsigned EFFECTS> void run_moments(int n, const tm_rates_args &a)
 {
@@ -79,11 +78,32 @@ device_rate_loop_t find_moments(int index, std::integer_sequence<int, INDEX...>)
   return table[index];
 }
 
+// What the update of a step finds, lowered by each particle; the same in any order. Positive reals are
+// in the order of their bits.
+struct Limits {
+  unsigned long long dt[3], trouble;    // trouble: particle and status
+};
+KOKKOS_INLINE_FUNCTION void lower(unsigned long long *least, unsigned long long value)
+{
+#if defined(__CUDA_ARCH__)    // one of a warp asks
+  const unsigned warp = __activemask(), high = __reduce_min_sync(warp, (unsigned) (value >> 32));
+  const unsigned low = __reduce_min_sync(warp, (unsigned) (value >> 32) == high ? (unsigned) value : ~0u);
+  unsigned lane;
+  asm("mov.u32 %0, %%laneid;" : "=r"(lane));
+  value = (unsigned long long) high << 32 | low;
+  if (lane != (unsigned) __ffs(warp) - 1u) return;
+#endif
+  if (value < *(volatile unsigned long long *) least) Kokkos::atomic_min(least, value);
+}
+
 struct Predict {
   tm_predict_args a;
   unsigned fx;
+  Limits *limits;    // of the step that begins
   KOKKOS_FUNCTION void operator()(int i) const
   {
+    if (i == 0)
+      for (unsigned long long *p : {limits->dt, limits->dt + 1, limits->dt + 2, &limits->trouble}) *p = ~0ull;
     tm_predict(i, &a, fx);
     if (fx & TM_FX_ARTSTRESS) tm_predict_artstress(i, i + 1, &a, fx);
   }
@@ -109,11 +129,11 @@ struct Add {
 struct Drift {
   tm_drift_args a;
   unsigned fx;
-  int n;
-  KOKKOS_FUNCTION int operator()(int i) const { return tm_drift(i, &a, fx) ? i : n; }
-};
-struct Least {
-  KOKKOS_FUNCTION void operator()(int *least, const int *i) const { *least = *i < *least ? *i : *least; }
+  int *lost;
+  KOKKOS_FUNCTION void operator()(int i) const
+  {
+    if (tm_drift(i, &a, fx)) Kokkos::atomic_min(lost, i);
+  }
 };
 struct BodyContact {
   tm_rates_args a;
@@ -130,39 +150,23 @@ struct SumBodyContact {
     tm_body_contact_sum(sum, r);
   }
 };
-// The update, with effects that are known to be off; the others are tested at run time. Without the
-// ledger its sum is short.
-struct Limits {
-  tm_real dt[3];
-  int status, particle;
-};
-struct SumLimits {
-  KOKKOS_FUNCTION void operator()(Limits *sum, const Limits *r) const
-  {
-    for (int k = 0; k < 3; k++) sum->dt[k] = tm_min(sum->dt[k], r->dt[k]);
-    if (r->status == TM_OK || r->particle > sum->particle) return;
-    sum->status = r->status;
-    sum->particle = r->particle;
-  }
-};
+// The update, with effects that are known to be off; the others are tested at run time. It waits for
+// memory: the more threads the better, as long as registers do not run out by far.
 template <unsigned OFF> struct Update {
   tm_update_args a;
   unsigned fx;
-  KOKKOS_FUNCTION Limits operator()(int i) const
+  Limits *limits;
+  KOKKOS_FUNCTION void operator()(int i) const
   {
     const tm_update_result r = tm_update(i, &a, fx & ~(OFF | TM_FX_LEDGER));
-    return {{r.dt[0], r.dt[1], r.dt[2]}, r.status, r.particle};
+    for (int k = 0; k < 3; k++) lower(limits->dt + k, Kokkos::bit_cast<unsigned long long>(r.dt[k]));
+    if (r.status != TM_OK) Kokkos::atomic_min(&limits->trouble, (unsigned long long) i << 8 | r.status);
   }
 };
-template <unsigned OFF> tm_update_result run_update(int n, const tm_update_args &a, unsigned fx)
+template <unsigned OFF> void run_update(int n, const tm_update_args &a, unsigned fx, Limits *limits)
 {
-  tm_update_result r = tm_update_nothing();
-  const Limits sum = kokkos_sum("sph/tm update", n, Limits{{r.dt[0], r.dt[1], r.dt[2]}, r.status, r.particle},
-                                Update<OFF>{a, fx}, SumLimits());
-  for (int k = 0; k < 3; k++) r.dt[k] = sum.dt[k];
-  r.status = sum.status;
-  r.particle = sum.particle;
-  return r;
+  using Bounds = std::conditional_t<OFF != 0, Kokkos::LaunchBounds<64, 8>, Kokkos::LaunchBounds<>>;
+  kokkos_each<Bounds>("sph/tm update", n, Update<OFF>{a, fx, limits});
 }
 struct UpdateWithLedger {
   tm_update_args a;
@@ -248,6 +252,7 @@ class DeviceBackend : public Backend {
   std::string name() const override { return std::string("kernels of Kokkos ") + LMPDeviceType::name(); }
 
   bool shared() const override { return false; }
+  int block() const override { return TM_BLOCK; }
   void *allocate(size_t n) override { return Kokkos::kokkos_malloc<Memory>("sph/tm", n); }
   void release(void *p) override
   {
@@ -273,15 +278,22 @@ class DeviceBackend : public Backend {
   {
     kokkos_each("sph/tm add", (int) n, Add{to, from});
   }
-  void wait() override { Kokkos::fence("sph/tm wait"); }
 
-  int drift(int n, const tm_drift_args &a, unsigned fx) override
+  void *allocate_result(size_t n) override { return Kokkos::kokkos_malloc<Kokkos::SharedHostPinnedSpace>("sph/tm", n); }
+  void release_result(void *p) override
   {
-    return kokkos_sum("sph/tm drift", n, n, Drift{a, fx, n}, Least());
+    if (p) Kokkos::kokkos_free<Kokkos::SharedHostPinnedSpace>(p);
+  }
+  void wait() override { LMPDeviceType().fence("sph/tm wait"); }
+
+  void drift(int n, const tm_drift_args &a, unsigned fx, int *lost) override
+  {
+    *lost = n;
+    kokkos_each("sph/tm drift", n, Drift{a, fx, lost});
   }
   void predict(int n, const tm_predict_args &a, unsigned fx) override
   {
-    kokkos_each("sph/tm predict", n, Predict{a, fx});
+    kokkos_each("sph/tm predict", n, Predict{a, fx, limits()});
   }
   void moments(int n, const tm_rates_args &a, unsigned fx) override
   {
@@ -309,9 +321,21 @@ class DeviceBackend : public Backend {
     constexpr unsigned HEAT = TM_FX_HEAT | TM_FX_CONDUCTION, FLOW = TM_FX_PLASTICITY;
     if (fx & TM_FX_LEDGER)
       return kokkos_sum("sph/tm update", n, tm_update_nothing(), UpdateWithLedger{a, fx}, SumUpdate{1});
-    if (fx & RARE) return run_update<0>(n, a, fx);
-    if (fx & HEAT) return fx & FLOW ? run_update<RARE>(n, a, fx) : run_update<RARE | FLOW>(n, a, fx);
-    return fx & FLOW ? run_update<RARE | HEAT>(n, a, fx) : run_update<RARE | HEAT | FLOW>(n, a, fx);
+    tm_update_result r = tm_update_nothing();
+    if (n == 0) return r;
+    if (fx & RARE) run_update<0>(n, a, fx, limits());
+    else if (fx & HEAT && fx & FLOW) run_update<RARE>(n, a, fx, limits());
+    else if (fx & HEAT) run_update<RARE | FLOW>(n, a, fx, limits());
+    else if (fx & FLOW) run_update<RARE | HEAT>(n, a, fx, limits());
+    else run_update<RARE | HEAT | FLOW>(n, a, fx, limits());
+    Limits found;
+    to_host(&found, limits(), sizeof(found));
+    for (int k = 0; k < 3; k++) r.dt[k] = Kokkos::bit_cast<double>(found.dt[k]);
+    if (found.trouble != ~0ull) {
+      r.status = (int) (found.trouble & 255u);
+      r.particle = (int) (found.trouble >> 8);
+    }
+    return r;
   }
 
   tm_exchange_result exchange(int n, const tm_exchange_args &a, bool area_only) override
@@ -358,6 +382,20 @@ class DeviceBackend : public Backend {
   tm_nearest nearest(int n, const tm_near_args &a) override
   {
     return kokkos_sum("sph/tm nearest", n, tm_nearest_nothing(), Nearest{a}, SumNearest());
+  }
+
+ private:
+  Limits *limits_ = nullptr;    // until Kokkos ends
+  Limits *limits()
+  {
+    if (!limits_) {
+      limits_ = (Limits *) allocate(sizeof(Limits));
+      Kokkos::push_finalize_hook([this] {
+        release(limits_);
+        limits_ = nullptr;
+      });
+    }
+    return limits_;
   }
 };
 

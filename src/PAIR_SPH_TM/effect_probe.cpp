@@ -14,24 +14,29 @@ namespace SPHTM_NS {
 EffectProbe::EffectProbe(FixSPHTM &f, int particles) : fix(f), loops(f.loops()), n(particles)
 {
   const unsigned fx = fix.effects();
-  auto room = [&](LoopArray<double> &a, bool wanted, int columns) {
+  const size_t block = loops.block(), rows = (n + block - 1) / block * block;    // whole blocks are copied
+  auto room = [&](LoopArray<double> &a, bool wanted, int columns, int together = 1) {
+    a.live_in(loops, columns, together);
+    if (wanted) a.resize(rows * columns);
+  };
+  auto plain = [&](LoopArray<double> &a, bool wanted, int columns) {
     a.live_in(loops);
     if (wanted) a.resize((size_t) n * columns);
   };
   for (int id = 0; id < TM_F_COUNT; id++)
     room(state[id], fix.state().field[id] != nullptr, tm_field_table[id].columns);
-  room(x, true, 3);
-  room(v, true, 3);
-  room(main, true, TM_REC);
-  room(stress, fx & TM_FX_ARTSTRESS, TM_REC_STRESS);
-  room(heat_record, fx & TM_FX_HEAT, TM_REC_HEAT);
-  room(size, fx & TM_FX_SMOOTHING, TM_REC_SIZE);
-  room(force, true, 3);
+  room(main, true, TM_REC, 2);
+  room(stress, fx & TM_FX_ARTSTRESS, TM_REC_STRESS, 2);
+  plain(size, fx & TM_FX_SMOOTHING, TM_REC_SIZE);
   room(gradient, true, 9);
-  room(heat, fx & TM_FX_CONDUCTION, 1);
-  room(xsph_v, fx & TM_FX_XSPH, 3);
-  room(surface, fx & TM_FX_SURFACE, 3);
-  room(artificial, fix.pair()->rate_args().artificial != nullptr, 1);
+  plain(x, true, 3);
+  plain(v, true, 3);
+  plain(heat_record, fx & TM_FX_HEAT, TM_REC_HEAT);
+  plain(force, true, 3);
+  plain(heat, fx & TM_FX_CONDUCTION, 1);
+  plain(xsph_v, fx & TM_FX_XSPH, 3);
+  plain(surface, fx & TM_FX_SURFACE, 3);
+  plain(artificial, fix.pair()->rate_args().artificial != nullptr, 1);
 }
 
 // seconds of one step of the sample with these effects, from the same state every time

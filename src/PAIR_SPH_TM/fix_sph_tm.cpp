@@ -112,6 +112,7 @@ FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg, Backend &loops) :
   std::fill(energy_now, energy_now + VECTOR_SIZE, 0.0);
   fields.enable(0, atom->nmax);
   maxexchange = fields.columns();
+  lost = (int *) backend.allocate_result(sizeof(int));
   atom->add_callback(Atom::GROW);
   atom->add_callback(Atom::RESTART);
 }
@@ -119,13 +120,14 @@ FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg, Backend &loops) :
 FixSPHTM::~FixSPHTM()
 {
   if (copymode) return;
+  backend.release_result(lost);
   atom->delete_callback(id, Atom::GROW);
   atom->delete_callback(id, Atom::RESTART);
 }
 
 int FixSPHTM::setmask()
 {
-  return INITIAL_INTEGRATE | PRE_FORCE | FINAL_INTEGRATE | POST_NEIGHBOR;
+  return INITIAL_INTEGRATE | PRE_EXCHANGE | FINAL_INTEGRATE | POST_NEIGHBOR;
 }
 
 int FixSPHTM::modify_param(int narg, char **arg)
@@ -286,15 +288,28 @@ double FixSPHTM::temperature(int i)
 
 /* ---------------------------------------------------------------------- one step */
 
-void FixSPHTM::setup_pre_force(int vflag)
+// no pre_force(): without one LAMMPS leaves it to the pair style to clear the forces, where it runs on a GPU
+void FixSPHTM::begin_forces()
 {
-  fields.enable(fx, atom->nmax);
-  maxexchange = fields.columns();
-  initialise_particles();
-  dt_ahead = 0.0;
-  dt = fixed_dt > 0.0 ? fixed_dt : (dt_next > 0.0 ? dt_next : 0.0);
-  if (dt == 0.0) setup_dt();
-  pre_force(vflag);
+  if (update->setupflag) {
+    fields.enable(fx, atom->nmax);
+    maxexchange = fields.columns();
+    initialise_particles();
+    dt_ahead = 0.0;
+    dt = fixed_dt > 0.0 ? fixed_dt : (dt_next > 0.0 ? dt_next : 0.0);
+    if (dt == 0.0) setup_dt();
+    empty_source();
+    source_of_setup = true;
+  }
+  check_lost();
+  contact_spring = 0.0;
+}
+
+void FixSPHTM::empty_source()
+{
+  if (!has(TM_FX_HEAT)) return;
+  source.resize(std::max(atom->nmax, 1));
+  backend.zero(source.loop_write(), source.bytes());
 }
 
 void FixSPHTM::setup(int)
@@ -331,19 +346,18 @@ void FixSPHTM::initial_integrate(int)
   std::fill(dt_limits, dt_limits + TM_DT_CAUSES, 1e300);    // those of the set-up are in use
   dt_ahead = 0.5 * dt;
   const auto timed = run_clock.timed(RunClock::DRIFT);
-  const int lost = backend.drift(atom->nlocal, drift_args(), fx);
-  if (lost < atom->nlocal) stop_on_lost_particle(lost);
+  if (source_of_setup) empty_source();
+  source_of_setup = false;
+  drifted = atom->nlocal;
+  backend.drift(drifted, drift_args(), fx, lost);
 }
 
-void FixSPHTM::post_neighbor() { initialise_particles(); }
+void FixSPHTM::pre_exchange() { check_lost(); }
 
-void FixSPHTM::pre_force(int)
+void FixSPHTM::post_neighbor()
 {
-  if (has(TM_FX_HEAT)) {
-    source.resize(std::max(atom->nmax, 1));
-    backend.zero(source.loop_write(), atom->nlocal * sizeof(double));
-  }
-  contact_spring = 0.0;
+  initialise_particles();
+  if (has(TM_FX_HEAT)) source.resize(std::max(atom->nmax, 1));
 }
 
 tm_update_args FixSPHTM::update_args()

@@ -27,11 +27,10 @@ class FixSPHTM : public Fix {
   ~FixSPHTM() override;
   int setmask() override;
   void init() override;
-  void setup_pre_force(int) override;
   void setup(int) override;
   void initial_integrate(int) override;
-  void pre_force(int) override;
   void final_integrate() override;
+  void pre_exchange() override;
   void post_neighbor() override;
   void post_run() override;
   void reset_dt() override;
@@ -73,8 +72,9 @@ class FixSPHTM : public Fix {
   tm_size_range sizes();
   double temperature(int i);                       // of owned particle i, K; on the host
   PairSPHTM *pair() { return pair_sph; }
-  // power (mass length^2/time^3) given to owned particles this step by contact and heat fixes;
-  // zeroed in pre_force, added to in post_force; nullptr when heat is off
+  void begin_forces();                             // before the pair style's
+  // power (mass length^2/time^3) given to owned particles this step by contact and heat fixes; added
+  // to in post_force, taken in final_integrate, which leaves 0; nullptr when heat is off
   double *heat_source() { return has(TM_FX_HEAT) ? source.loop_write() : nullptr; }
   double *host_heat_source() { return has(TM_FX_HEAT) ? source.host_write() : nullptr; }
   // another fix asks for heat as a state (called from its init(), or earlier)
@@ -136,6 +136,9 @@ class FixSPHTM : public Fix {
   int dt_cause = TM_DT_SOUND;
   bool started = false;            // the first step has been taken (also after a restart)
   SPHTM_NS::LoopArray<double> source;
+  bool source_of_setup = false;    // holds what the set-up's forces left
+  int *lost = nullptr;             // what the drift of so many particles found, once it is through
+  int drifted = 0;
   double energy_now[VECTOR_SIZE];
   bigint energy_step = -1;
 
@@ -147,6 +150,7 @@ class FixSPHTM : public Fix {
   std::map<unsigned, double> probe_effects(double, bigint);
   tm_initial_args initial_args(const tm_state &, unsigned) const;
   void initialise_particles();
+  void empty_source();
   void reduce_dt();
   void setup_dt();
   const char *dt_cause_name() const;
@@ -156,6 +160,7 @@ class FixSPHTM : public Fix {
   tm_update_args update_args();
   void stop_on(int, const tm_update_result &);
   tm_drift_args drift_args();
+  void check_lost();
   void stop_on_lost_particle(int);
   void sum_energies();
 };

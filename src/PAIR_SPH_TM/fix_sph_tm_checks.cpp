@@ -31,6 +31,15 @@ tm_drift_args FixSPHTM::drift_args()
   return a;
 }
 
+// asked before LAMMPS would delete the particle, and before the forces
+void FixSPHTM::check_lost()
+{
+  if (drifted == 0) return;
+  backend.wait();
+  if (*lost < drifted) stop_on_lost_particle(*lost);
+  drifted = 0;
+}
+
 void FixSPHTM::stop_on_lost_particle(int i)
 {
   atoms_to_host();

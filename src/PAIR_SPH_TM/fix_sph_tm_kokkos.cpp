@@ -28,21 +28,21 @@ struct StateRows {
       width += columns[fields++];
     }
   }
+  KOKKOS_FUNCTION double *at(int k, int i) const { return row[k] + tm_row(i, columns[k]); }
   KOKKOS_FUNCTION void pack(int i, double *buf) const
   {
     for (int k = 0; k < fields; k++)
-      for (int c = 0; c < columns[k]; c++) *buf++ = row[k][(ptrdiff_t) i * columns[k] + c];
+      for (int c = 0; c < columns[k]; c++) *buf++ = at(k, i)[tm_column(c)];
   }
   KOKKOS_FUNCTION void unpack(int i, const double *buf) const
   {
     for (int k = 0; k < fields; k++)
-      for (int c = 0; c < columns[k]; c++) row[k][(ptrdiff_t) i * columns[k] + c] = *buf++;
+      for (int c = 0; c < columns[k]; c++) at(k, i)[tm_column(c)] = *buf++;
   }
   KOKKOS_FUNCTION void copy(int from, int to) const
   {
     for (int k = 0; k < fields; k++)
-      for (int c = 0; c < columns[k]; c++)
-        row[k][(ptrdiff_t) to * columns[k] + c] = row[k][(ptrdiff_t) from * columns[k] + c];
+      for (int c = 0; c < columns[k]; c++) at(k, to)[tm_column(c)] = at(k, from)[tm_column(c)];
   }
 };
 
@@ -64,6 +64,28 @@ struct Unpack {
   KOKKOS_FUNCTION void operator()(int k) const
   {
     if (place[k] >= 0) rows.unpack(place[k], buf + (ptrdiff_t) k * rows.width);
+  }
+};
+
+// rows in the order of a sort, and back to where they belong
+template <class ORDER> struct Sort {
+  const double *rows;
+  ORDER from;
+  Kokkos::View<double *, LMPDeviceType> sorted;
+  int columns;
+  KOKKOS_FUNCTION void operator()(int i) const
+  {
+    for (int c = 0; c < columns; c++)
+      sorted((size_t) i * columns + c) = rows[tm_row((int) from(i), columns) + tm_column(c)];
+  }
+};
+struct Sorted {
+  double *rows;
+  Kokkos::View<double *, LMPDeviceType> sorted;
+  int columns;
+  KOKKOS_FUNCTION void operator()(int i) const
+  {
+    for (int c = 0; c < columns; c++) rows[tm_row(i, columns) + tm_column(c)] = sorted((size_t) i * columns + c);
   }
 };
 
@@ -156,11 +178,16 @@ void FixSPHTMKokkos::unpack_exchange_kokkos(DAT::tdual_xfloat_2d &k_buf, DAT::td
 
 void FixSPHTMKokkos::sort_kokkos(Kokkos::BinSort<KeyViewType, BinOp> &sorter)
 {
-  using Rows = Kokkos::View<double **, Kokkos::LayoutRight, LMPDeviceType, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
+  auto from = sorter.get_permute_vector();
+  const int n = from.extent(0);
   for (int id = 0; id < TM_F_COUNT; id++) {
     if (fields[id].empty()) continue;
     const int columns = tm_field_table[id].columns;
-    sorter.sort(LMPDeviceType(), Rows(fields[id].loop_write(), fields[id].size() / columns, columns));
+    double *rows = fields[id].loop_write();
+    const Kokkos::View<double *, LMPDeviceType> sorted(Kokkos::ViewAllocateWithoutInitializing("sph/tm sorted"),
+                                                       (size_t) n * columns);
+    kokkos_each("sph/tm sort", n, Sort<decltype(from)>{rows, from, sorted, columns});
+    kokkos_each("sph/tm sorted", n, Sorted{rows, sorted, columns});
   }
 }
 #endif

@@ -1,5 +1,6 @@
 /* SPH-TM: an array of the particle loops. Where the loops have a memory of their own it exists there
-   and, once the host has asked for it, here too; each side is brought up to date when it is used. */
+   and, once the host has asked for it, here too; each side is brought up to date when it is used. On
+   the host the columns of a particle always lie together; there, as tm_layout.h says. */
 #ifndef SPHTM_LOOP_ARRAY_H
 #define SPHTM_LOOP_ARRAY_H
 
@@ -18,10 +19,13 @@ template <class T> class LoopArray {
   LoopArray &operator=(const LoopArray &) = delete;
   ~LoopArray() { clear(); }
 
-  void live_in(Backend &b)
+  // rows of so many columns; records keep two together
+  void live_in(Backend &b, int columns_ = 1, int together_ = 1)
   {
     clear();
     backend = &b;
+    columns = columns_;
+    together = together_;
   }
   size_t size() const { return count; }
   bool empty() const { return count == 0; }
@@ -42,9 +46,10 @@ template <class T> class LoopArray {
     if (backend->shared()) here.resize(n);
     else {
       loop_read();
-      T *p = (T *) backend->allocate(n * sizeof(T));
-      if (count) backend->copy(p, there, bytes());
-      backend->zero(p + count, (n - count) * sizeof(T));
+      const size_t old = room(count), now = room(n);
+      T *p = (T *) backend->allocate(now * sizeof(T));
+      if (count) backend->copy(p, there, old * sizeof(T));
+      backend->zero(p + old, (now - old) * sizeof(T));
       backend->release(there);
       there = p;
       newest = LOOPS;
@@ -72,7 +77,7 @@ template <class T> class LoopArray {
     if (!count) return nullptr;
     if (backend->shared()) return here.data();
     if (newest == HOST) {
-      backend->to_loops(there, here.data(), bytes());
+      push();
       newest = BOTH;
     }
     return there;
@@ -88,7 +93,7 @@ template <class T> class LoopArray {
     if (!count) return nullptr;
     if (!backend->shared()) {
       here.resize(count);
-      if (newest == LOOPS) backend->to_host(here.data(), there, bytes());
+      if (newest == LOOPS) pull();
       if (newest == LOOPS) newest = BOTH;
     }
     return here.data();
@@ -105,6 +110,40 @@ template <class T> class LoopArray {
   std::vector<T> here;
   T *there = nullptr;
   size_t count = 0;
+  int columns = 1, together = 1;
+
+  // places there: whole blocks
+  bool blocks() const { return backend->block() > 1 && columns > together; }
+  size_t room(size_t n) const
+  {
+    const size_t block = (size_t) (blocks() ? backend->block() : 1) * columns;
+    return blocks() ? (n + block - 1) / block * block : n;
+  }
+  size_t place(size_t k) const
+  {
+    const size_t block = backend->block(), i = k / columns, c = k % columns;
+    return i / block * (block * columns) + c / together * (together * block) + i % block * together + c % together;
+  }
+  void push()
+  {
+    if (!blocks()) {
+      backend->to_loops(there, here.data(), bytes());
+      return;
+    }
+    std::vector<T> placed(room(count));
+    for (size_t k = 0; k < count; k++) placed[place(k)] = here[k];
+    backend->to_loops(there, placed.data(), placed.size() * sizeof(T));
+  }
+  void pull()
+  {
+    if (!blocks()) {
+      backend->to_host(here.data(), there, bytes());
+      return;
+    }
+    std::vector<T> placed(room(count));
+    backend->to_host(placed.data(), there, placed.size() * sizeof(T));
+    for (size_t k = 0; k < count; k++) here[k] = placed[place(k)];
+  }
   enum { BOTH, HOST, LOOPS } newest = BOTH;    // where the newest values are
 };
 

@@ -27,8 +27,11 @@ PairSPHTM::PairSPHTM(LAMMPS *lmp, Backend &loops) : Pair(lmp), backend(loops)
   tables.live_in(loops);
   for (auto *a : {&row_index, &row_mechanical, &row_thermal, &row_contact}) a->live_in(loops);
   row_first.live_in(loops);
-  for (auto *a : {&rec_main, &rec_stress, &rec_heat, &rec_correction, &rec_size, &gradient, &heat, &correction,
-                  &xsph_v, &surface, &artificial, &near_count, &tally, &force_internal})
+  rec_main.live_in(loops, TM_REC, 2);
+  rec_stress.live_in(loops, TM_REC_STRESS, 2);
+  gradient.live_in(loops, 9);
+  for (auto *a : {&rec_heat, &rec_correction, &rec_size, &heat, &correction, &xsph_v, &surface, &artificial, &near_count,
+                  &tally, &force_internal})
     a->live_in(loops);
   restartinfo = 1;
   single_enable = 0;
@@ -313,6 +316,7 @@ void PairSPHTM::unpack_forward_comm(int n, int first, double *buf)
 void PairSPHTM::compute(int eflag, int vflag)
 {
   ev_init(eflag, vflag);
+  fix->begin_forces();
   const int nlocal = atom->nlocal;
   const unsigned fx = fix->effects();
   RunClock &clock = fix->run_clock;
@@ -332,17 +336,18 @@ void PairSPHTM::compute(int eflag, int vflag)
   if (fx & TM_FX_CORRECTION) correct_gradients();
   backend.zero(args.artificial, args.artificial ? nlocal * sizeof(double) : 0);
   double *internal = force_internal.loop_write();
-  if (internal) {
-    backend.zero(internal, 3 * nlocal * sizeof(double));
-    args.force = internal;
-  }
+  // LAMMPS has not cleared the forces where it leaves that to the pair style
+  const bool clear = fuse_force_clear_flag && force->pair == this && !modify->n_pre_force;
+  if (internal && clear) backend.zero(s.force, 3 * nlocal * sizeof(double));
+  if (internal) args.force = internal;
+  args.force_begins = clear || internal;
   {
     const auto timed = clock.timed(RunClock::RATES);
     backend.rates(nlocal, args, fx);
   }
   args.force = s.force;
   if (internal) backend.add(s.force, internal, 3 * (size_t) nlocal);
-  if (fx & TM_FX_CONDUCTION) {
+  if (meets_thermal) {
     const auto timed = clock.timed(RunClock::THERMAL);
     backend.thermal(nlocal, args, fx);
   }

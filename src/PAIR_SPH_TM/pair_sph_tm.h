@@ -129,10 +129,11 @@ class PairSPHTM : public Pair {
   SPHTM_NS::LoopArray<double> force_internal;
   tm_records rec = {};
   tm_rates_args args = {};
+  bool meets_thermal = false;         // some types exchange heat only
   bool forward_correction = false;    // what forward_comm carries: P K, or the other records
 
   void allocate();
-  std::vector<unsigned char> segments_of_types() const;
+  std::vector<unsigned char> segments_of_types();    // and whether some only exchange heat
   virtual void build_rows();
   void make_room_for_rows();
   void check_volume();

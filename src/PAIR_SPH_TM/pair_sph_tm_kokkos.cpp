@@ -20,6 +20,7 @@ using namespace SPHTM_NS;
 PairSPHTMKokkos::PairSPHTMKokkos(LAMMPS *lmp) : PairSPHTM(lmp, kokkos_backend()), meets(backend)
 {
   kokkosable = 1;
+  fuse_force_clear_flag = 1;
   atomKK = (AtomKokkos *) atom;
   execution_space = ExecutionSpaceFromDevice<LMPDeviceType>::space;
   datamask_read = X_MASK | V_MASK | F_MASK | TYPE_MASK | MASK_MASK | TAG_MASK | RMASS_MASK;
@@ -140,39 +141,42 @@ namespace {
 struct Ghost {
   tm_records rec;
   int columns, correction;
-  KOKKOS_FUNCTION static double *copy(double *to, const double *from, int n)
+  // columns from the first on of a record, and P K
+  KOKKOS_FUNCTION static double *take(double *buf, const double *record, int first, int columns)
   {
-    for (int c = 0; c < n; c++) to[c] = from[c];
-    return to + n;
+    for (int c = first; c < columns; c++) *buf++ = record[tm_part(c)];
+    return buf;
   }
-  KOKKOS_FUNCTION void pack(ptrdiff_t j, double *buf) const
+  KOKKOS_FUNCTION static const double *give(const double *buf, double *record, int first, int columns)
+  {
+    for (int c = first; c < columns; c++) record[tm_part(c)] = *buf++;
+    return buf;
+  }
+  KOKKOS_FUNCTION static void copy(double *to, const double *from)
+  {
+    for (int c = 0; c < TM_REC_CORRECTION; c++) to[c] = from[c];
+  }
+  KOKKOS_FUNCTION void pack(int j, double *buf) const
   {
     if (correction) {
-      copy(buf, rec.correction + j * TM_REC_CORRECTION, TM_REC_CORRECTION);
+      copy(buf, rec.correction + (ptrdiff_t) j * TM_REC_CORRECTION);
       return;
     }
-    buf = copy(buf, rec.main + j * TM_REC + 3, TM_REC - 3);
-    if (rec.stress) buf = copy(buf, rec.stress + j * TM_REC_STRESS, TM_REC_STRESS);
-    if (rec.heat) buf = copy(buf, rec.heat + j * TM_REC_HEAT, TM_REC_HEAT);
-    if (rec.size) copy(buf, rec.size + j * TM_REC_SIZE, TM_REC_SIZE);
+    buf = take(buf, tm_main_record(&rec, j), 3, TM_REC);
+    if (rec.stress) buf = take(buf, tm_stress_record(&rec, j), 0, TM_REC_STRESS);
+    if (rec.heat) buf = take(buf, tm_heat_record(&rec, j), 0, TM_REC_HEAT);
+    for (int c = 0; rec.size && c < TM_REC_SIZE; c++) *buf++ = rec.size[(ptrdiff_t) j * TM_REC_SIZE + c];
   }
-  KOKKOS_FUNCTION void unpack(ptrdiff_t j, const double *buf) const
+  KOKKOS_FUNCTION void unpack(int j, const double *buf) const
   {
     if (correction) {
-      copy(rec.correction + j * TM_REC_CORRECTION, buf, TM_REC_CORRECTION);
+      copy(rec.correction + (ptrdiff_t) j * TM_REC_CORRECTION, buf);
       return;
     }
-    copy(rec.main + j * TM_REC + 3, buf, TM_REC - 3);
-    buf += TM_REC - 3;
-    if (rec.stress) {
-      copy(rec.stress + j * TM_REC_STRESS, buf, TM_REC_STRESS);
-      buf += TM_REC_STRESS;
-    }
-    if (rec.heat) {
-      copy(rec.heat + j * TM_REC_HEAT, buf, TM_REC_HEAT);
-      buf += TM_REC_HEAT;
-    }
-    if (rec.size) copy(rec.size + j * TM_REC_SIZE, buf, TM_REC_SIZE);
+    buf = give(buf, tm_main_record(&rec, j), 3, TM_REC);
+    if (rec.stress) buf = give(buf, tm_stress_record(&rec, j), 0, TM_REC_STRESS);
+    if (rec.heat) buf = give(buf, tm_heat_record(&rec, j), 0, TM_REC_HEAT);
+    for (int c = 0; rec.size && c < TM_REC_SIZE; c++) rec.size[(ptrdiff_t) j * TM_REC_SIZE + c] = *buf++;
   }
   KOKKOS_FUNCTION int width() const { return correction ? TM_REC_CORRECTION : columns; }
 };
@@ -188,7 +192,7 @@ struct UnpackGhosts {
   const double *buf;
   KOKKOS_FUNCTION void operator()(int k) const
   {
-    ghost.unpack((ptrdiff_t) first + k, buf + (ptrdiff_t) k * ghost.width());
+    ghost.unpack(first + k, buf + (ptrdiff_t) k * ghost.width());
   }
 };
 struct TakePositions {
@@ -197,8 +201,8 @@ struct TakePositions {
   int first;
   KOKKOS_FUNCTION void operator()(int k) const
   {
-    const ptrdiff_t i = first + k;
-    for (int d = 0; d < 3; d++) rec[i * TM_REC + d] = x[3 * i + d];
+    const int i = first + k;
+    for (int d = 0; d < 3; d++) rec[tm_record(i, TM_REC) + tm_part(d)] = x[3 * (ptrdiff_t) i + d];
   }
 };
 

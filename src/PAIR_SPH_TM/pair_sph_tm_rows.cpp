@@ -13,10 +13,11 @@
 using namespace LAMMPS_NS;
 
 // a contact pair that also conducts stands in two segments
-std::vector<unsigned char> PairSPHTM::segments_of_types() const
+std::vector<unsigned char> PairSPHTM::segments_of_types()
 {
   const int n1 = atom_types + 1;
   const bool conduction = fix->has(TM_FX_CONDUCTION);
+  meets_thermal = false;
   std::vector<unsigned char> segments((size_t) n1 * n1, 0);
   for (int t = 1; t < n1; t++)
     for (int u = 1; u < n1; u++) {
@@ -26,6 +27,7 @@ std::vector<unsigned char> PairSPHTM::segments_of_types() const
       if (conduction && (l.meeting == HEAT_ONLY || (l.meeting == CONTACT && l.conductance >= 0.0)))
         s |= TM_MEETS_THERMAL;
       if (l.meeting == CONTACT) s |= TM_MEETS_CONTACT;
+      meets_thermal = meets_thermal || (s & TM_MEETS_THERMAL);
     }
   return segments;
 }

@@ -6,7 +6,7 @@ namespace SPHTM_NS {
 
 ParticleFields::ParticleFields(Backend &backend)
 {
-  for (auto &v : values) v.live_in(backend);
+  for (int id = 0; id < TM_F_COUNT; id++) values[id].live_in(backend, tm_field_table[id].columns);
 }
 
 unsigned ParticleFields::needed(unsigned effects)

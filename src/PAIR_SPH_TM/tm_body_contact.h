@@ -59,14 +59,15 @@ TM_FN tm_body_contact_result tm_body_contact(int i, const tm_rates_args *a,
   const ptrdiff_t begin = (ptrdiff_t) a->rows.mechanical[i] + a->rows.thermal[i];
   const ptrdiff_t end = begin + a->rows.contact[i];
   const int *row = a->rows.index + a->rows.first[i];
-  const tm_real *ri = a->rec.main + (ptrdiff_t) i * TM_REC;
+  const tm_real *ri = tm_main_record(&a->rec, i);
+  const tm_vec3 vi = tm_vec_from_record(ri, TM_REC_V, dim3);
   tm_vec3 force = tm_vec(0, 0, 0);
   tm_body_contact_result out = tm_body_contact_nothing();
 
   for (ptrdiff_t k = begin; k < end; k++) {
-    const ptrdiff_t j = row[k * a->rows.stride];
-    const tm_real *rj = a->rec.main + j * TM_REC;
-    const tm_vec3 d = tm_vec(ri[0] - rj[0], ri[1] - rj[1], dim3 ? ri[2] - rj[2] : 0.0);
+    const int j = row[k * a->rows.stride];
+    const tm_real *rj = tm_main_record(&a->rec, j);
+    const tm_vec3 d = tm_vec(ri[0] - rj[0], ri[1] - rj[1], dim3 ? ri[tm_part(2)] - rj[tm_part(2)] : 0.0);
     const tm_real r2 = tm_vec_dot(d, d);
     const int pair = a->type[i] * (a->ntypes + 1) + a->type[j];
     const tm_real dp = a->rec.size ? 0.5 * (a->rec.size[(ptrdiff_t) i * TM_REC_SIZE + TM_SIZE_DP] +
@@ -77,9 +78,9 @@ TM_FN tm_body_contact_result tm_body_contact(int i, const tm_rates_args *a,
     const tm_real r = sqrt(r2), delta = dp - r;
     const tm_vec3 n = tm_vec_scale(1.0 / r, d);
     const tm_real ei = b->young[a->type[i]], ej = b->young[a->type[j]];
-    const tm_real mi = ri[TM_REC_M], mj = rj[TM_REC_M], meff = mi * mj / (mi + mj);
+    const tm_real mi = ri[tm_part(TM_REC_M)], mj = rj[tm_part(TM_REC_M)], meff = mi * mj / (mi + mj);
     const tm_real stiff = law->penalty * ei * ej / (ei + ej) * (dim3 ? dp : 1.0);
-    const tm_vec3 v = tm_vec(ri[4] - rj[4], ri[5] - rj[5], dim3 ? ri[6] - rj[6] : 0.0);
+    const tm_vec3 v = tm_vec_sub(vi, tm_vec_from_record(rj, TM_REC_V, dim3));
     const tm_real vn = tm_vec_dot(v, n);
     const tm_real spring = stiff * delta;
     const tm_real fn = tm_max(spring - law->damping * 2.0 * sqrt(stiff * meff) * vn, 0.0);
@@ -101,7 +102,7 @@ TM_FN tm_body_contact_result tm_body_contact(int i, const tm_rates_args *a,
   a->force[3 * (ptrdiff_t) i + 1] += a->force_unit * force.y;
   a->force[3 * (ptrdiff_t) i + 2] += a->force_unit * force.z;
   if (b->source) b->source[i] += out.heat_power;
-  out.work_power = force.x * ri[4] + force.y * ri[5] + force.z * ri[6];
+  out.work_power = tm_vec_dot(force, vi);
   return out;
 }
 

@@ -25,7 +25,7 @@ TM_FN int tm_drift(int i, const tm_drift_args *a, unsigned effects)
   if (s->mask[i] & a->group) {
     const double *v = s->v + 3 * (ptrdiff_t) i;
     const tm_real *u = (effects & TM_FX_XSPH) ? tm_field_row(s, TM_F_XSPH, i) : NULL;
-    for (int d = 0; d < dim; d++) x[d] += a->half * (v[d] + (u ? u[d] : 0.0));
+    for (int d = 0; d < dim; d++) x[d] += a->half * (v[d] + (u ? u[tm_column(d)] : 0.0));
   }
   int lost = 0;
   for (int d = 0; d < dim; d++)

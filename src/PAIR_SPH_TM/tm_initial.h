@@ -22,7 +22,7 @@ TM_FN void tm_initial(int i, const tm_initial_args *a)
   if (a->fields & (1u << TM_F_TEMP)) {
     tm_real *t = tm_field_row(s, TM_F_TEMP, i);
     t[0] = a->temperature;
-    t[1] = t[2] = 0.0;
+    t[tm_column(1)] = t[tm_column(2)] = 0.0;
   }
   if (a->fields & (1u << TM_F_BALSARA)) *tm_field_row(s, TM_F_BALSARA, i) = 1.0;
   if (a->fields & (1u << TM_F_THICKNESS)) *tm_field_row(s, TM_F_THICKNESS, i) = 1.0;
@@ -44,17 +44,17 @@ TM_FN void tm_initial_history(int i, const tm_update_args *a, unsigned effects)
   const tm_state *s = &a->state;
   const tm_material *m = s->material + s->type[i];
   if (m->body != TM_BODY_SOLID) return;
-  tm_real *h1 = tm_field_row(s, TM_F_HISTORY, i), *h2 = h1 + TM_H_STEP;
+  tm_real *h1 = tm_field_row(s, TM_F_HISTORY, i), *h2 = h1 + tm_column(TM_H_STEP);
   const double *f = s->force + 3 * (ptrdiff_t) i;
   const tm_real c = a->accel_unit / tm_particle_mass(s, i);
   if (s->mask[i] & a->group)
-    for (int k = 0; k < ((effects & TM_FX_3D) ? 3 : 2); k++) h1[TM_H_V + k] = c * f[k];
-  const tm_mat3 L = tm_mat_load(a->gradient + (ptrdiff_t) i * 9);
-  h1[TM_H_RHO] = -*tm_field_row(s, TM_F_RHO, i) * tm_mat_trace(L);
+    for (int k = 0; k < ((effects & TM_FX_3D) ? 3 : 2); k++) h1[tm_column(TM_H_V + k)] = c * f[k];
+  const tm_mat3 L = tm_mat_from_row(a->gradient + tm_row(i, 9));
+  h1[tm_column(TM_H_RHO)] = -*tm_field_row(s, TM_F_RHO, i) * tm_mat_trace(L);
   if (m->strength != TM_STRENGTH_NONE)
-    tm_sym_store(h1 + TM_H_S,
-                 tm_jaumann_rate(tm_sym_load(tm_field_row(s, TM_F_STRESS, i)), L, m->shear));
-  for (int k = 0; k < TM_H_STEP; k++) h2[k] = h1[k];
+    tm_sym_to_row(h1 + tm_column(TM_H_S),
+                  tm_jaumann_rate(tm_sym_from_row(tm_field_row(s, TM_F_STRESS, i)), L, m->shear));
+  for (int k = 0; k < TM_H_STEP; k++) h2[tm_column(k)] = h1[tm_column(k)];
 }
 
 /* Limits of the first time step, from the forces at the set-up; seeds the history where asked to. */
@@ -66,7 +66,7 @@ TM_FN tm_update_result tm_initial_limits(int i, const tm_update_args *a, unsigne
   tm_update_result out = tm_update_nothing();
   if (seed) tm_initial_history(i, a, effects);
   if (m->body == TM_BODY_SOLID) {
-    const tm_real c = a->rec.main[(ptrdiff_t) i * TM_REC + TM_REC_C];
+    const tm_real c = tm_main_record(&a->rec, i)[tm_part(TM_REC_C)];
     out.dt[TM_DT_SOUND] = tm_sound_time_step(h, c, a->visc_alpha, effects);
     const double *f = s->force + 3 * (ptrdiff_t) i;
     const tm_real acc =

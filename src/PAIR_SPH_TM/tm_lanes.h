@@ -11,7 +11,7 @@
 #ifndef TM_LANES_H
 #define TM_LANES_H
 
-#include "tm_real.h"
+#include "tm_layout.h"
 
 #include <string.h>
 
@@ -71,14 +71,14 @@ typedef tm_real tm_sum;
    keeps columns in registers. */
 TM_FN int tm_at(int l) { return TM_COLUMN > 1 ? l : 0; }
 
-/* n (even; in single a multiple of 4) numbers at p, 16 bytes aligned, 16 bytes at a time where that
-   is faster. */
+/* n columns of a record from the one at p on, 16 bytes at a time where that is faster: the first and
+   n are multiples of TM_TOGETHER. */
 TM_FN void tm_fetch(const tm_pair *p, int n, tm_pair *out)
 {
 #if defined(__CUDA_ARCH__) && TM_SINGLE
 #pragma unroll
   for (int c = 0; c < n; c += 4) {
-    const float4 v = *(const float4 *) (p + c);
+    const float4 v = *(const float4 *) (p + tm_pair_part(c));
     out[c] = v.x;
     out[c + 1] = v.y;
     out[c + 2] = v.z;
@@ -87,12 +87,12 @@ TM_FN void tm_fetch(const tm_pair *p, int n, tm_pair *out)
 #elif defined(__CUDA_ARCH__)
 #pragma unroll
   for (int c = 0; c < n; c += 2) {
-    const double2 v = *(const double2 *) (p + c);
+    const double2 v = *(const double2 *) (p + tm_pair_part(c));
     out[c] = v.x;
     out[c + 1] = v.y;
   }
 #else
-  for (int c = 0; c < n; c++) out[c] = p[c];
+  for (int c = 0; c < n; c++) out[c] = p[tm_pair_part(c)];
 #endif
 }
 

@@ -28,30 +28,35 @@ TM_FN void tm_moment(int i, const tm_rates_args *a, unsigned effects)
   const int *row = a->rows.index + a->rows.first[i];
   const int n_mech = a->rows.mechanical[i];
   const tm_real *TM_RESTRICT rec = a->rec.main;
-  const tm_real *ri = rec + (ptrdiff_t) i * TM_REC;
+  const tm_real *ri = tm_main_record(&a->rec, i);
   const tm_real *TM_RESTRICT rec_z = sizes ? a->rec.size : NULL;
   const tm_pair_size of_all = {a->h, 1.0 / a->h, a->norm, a->slope_norm, 1.0};
   const tm_pair_size own = tm_own_size(sizes ? rec_z + (ptrdiff_t) i * TM_REC_SIZE : NULL, of_all);
   const tm_real reach2 = sizes ? a->support2 : a->reach2;
-  const tm_real xi = ri[0], yi = ri[1], zi = ri[2], far = 4.0 * own.h;
+  const tm_real xi = ri[0], yi = ri[1], zi = ri[tm_part(2)], far = 4.0 * own.h;
   const tm_lanes zero = tm_lanes_zero();
   tm_lanes mxx = zero, myy = zero, mzz = zero, mxy = zero, mxz = zero, myz = zero;
 
   /* the row in chunks as in tm_rates() */
   int jj[TM_COLUMN + TM_LANES];
   jj[0] = i;
+  if (TM_COLUMN == 1) jj[1] = n_mech > 0 ? row[0] : i;
   tm_real TM_ALIGNED col[5 + TM_REC_SIZE][TM_COLUMN];  /* x y z m, m_j W'/r, size */
-  for (int k = 0, n = 0;;) {
+  for (int k = 0, n = 0; TM_COLUMN > 1 || k < n_mech; k += TM_COLUMN == 1) {
     n = tm_within_reach(rec, rec_z, own.inv_h, row, a->rows.stride, &k, n_mech, xi, yi, zi, 1.0, reach2,
                         dim3, jj, n, col[0]);
+    if (TM_COLUMN == 1 && n == 0) continue;
     if (n == 0) break;
     const int last = TM_COLUMN > 1 && k >= n_mech;
     const int lanes =
         TM_COLUMN == 1 ? 1 : (last ? n + TM_LANES - 1 : n) / TM_LANES * TM_LANES;
-    for (int l = n; l < lanes; l++) jj[tm_at(l)] = i;
-    tm_transpose_rows(rec, TM_REC, jj, lanes, 4, col[0]);
-    if (sizes) tm_transpose_rows(rec_z, TM_REC_SIZE, jj, lanes, TM_REC_SIZE, col[5]);
-    for (int l = n; l < lanes; l++) col[TM_REC_X][tm_at(l)] = xi + far;
+    if (TM_COLUMN > 1) {
+      for (int l = n; l < lanes; l++) jj[tm_at(l)] = i;
+      tm_transpose_rows(rec, TM_REC, jj, lanes, 4, col[0]);
+      if (sizes) tm_transpose_rows(rec_z, TM_REC_SIZE, jj, lanes, TM_REC_SIZE, col[5]);
+      for (int l = n; l < lanes; l++) col[TM_REC_X][tm_at(l)] = xi + far;
+    } else if (sizes)
+      for (int c = 0; c < TM_REC_SIZE; c++) col[5 + c][0] = rec_z[jj[0] * (ptrdiff_t) TM_REC_SIZE + c];
 #if !defined(__CUDACC__)
 #pragma omp simd
 #endif
@@ -79,11 +84,11 @@ TM_FN void tm_moment(int i, const tm_rates_args *a, unsigned effects)
     n -= lanes;
   }
 
-  const tm_real s = (sizes ? 1.0 : a->slope_norm) / ri[TM_REC_RHO];
+  const tm_real s = (sizes ? 1.0 : a->slope_norm) / ri[tm_part(TM_REC_RHO)];
   const tm_sym3 M = tm_sym(s * tm_lanes_sum(mxx), s * tm_lanes_sum(myy), s * tm_lanes_sum(mzz),
                            s * tm_lanes_sum(mxy), s * tm_lanes_sum(mxz), s * tm_lanes_sum(myz));
   const tm_sym3 K = tm_sym_inverse_bounded(M, dim3, TM_MOMENT_LOW);
-  const tm_sym3 P = tm_sym_load(ri + TM_REC_P);
+  const tm_sym3 P = tm_sym_from_record(ri, TM_REC_P);
   tm_sym_store(a->correction + (ptrdiff_t) i * 6, K);
   tm_mat_store(a->rec.correction + (ptrdiff_t) i * TM_REC_CORRECTION, tm_sym_mul(P, K));
 }

@@ -11,11 +11,7 @@
 
 #include "tm_rates.h"
 
-#if defined(__CUDACC__)
-#define TM_ROW_SLICE 32
-#else
-#define TM_ROW_SLICE 1
-#endif
+#define TM_ROW_SLICE TM_BLOCK
 
 /* segments of a row, as bits of what a pair takes part in */
 enum { TM_MEETS_MECHANICAL = 1, TM_MEETS_THERMAL = 2, TM_MEETS_CONTACT = 4, TM_SEGMENTS = 3 };

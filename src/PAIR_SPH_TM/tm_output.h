@@ -52,7 +52,7 @@ typedef struct {
 
 TM_FN tm_real tm_output_state(int i, const tm_output_args *a, int id, int column, tm_real otherwise)
 {
-  return a->state.field[id] ? tm_field_row(&a->state, id, i)[column] : otherwise;
+  return a->state.field[id] ? tm_field_row(&a->state, id, i)[tm_column(column)] : otherwise;
 }
 
 TM_FN tm_real tm_output_pressure(int i, const tm_output_args *a, const tm_material *m)
@@ -67,8 +67,8 @@ TM_FN tm_real tm_output_pressure(int i, const tm_output_args *a, const tm_materi
 TM_FN tm_real tm_output_area(int i, const tm_output_args *a)
 {
   if (!a->surface) return 0.0;
-  const tm_real *g = a->surface + 3 * (ptrdiff_t) i, *r = a->main + (ptrdiff_t) i * TM_REC;
-  return tm_surface_area(&a->measure, tm_vec(g[0], g[1], g[2]), r[TM_REC_M] / r[TM_REC_RHO]);
+  const tm_real *g = a->surface + 3 * (ptrdiff_t) i, *r = a->main + tm_record(i, TM_REC);
+  return tm_surface_area(&a->measure, tm_vec(g[0], g[1], g[2]), r[tm_part(TM_REC_M)] / r[tm_part(TM_REC_RHO)]);
 }
 
 TM_FN tm_real tm_output_value(int which, int i, const tm_output_args *a)
@@ -82,11 +82,11 @@ TM_FN tm_real tm_output_value(int which, int i, const tm_output_args *a)
     case TM_OUT_PSTRAIN: return tm_output_state(i, a, TM_F_PSTRAIN, 0, 0.0);
     case TM_OUT_RATE: return tm_output_state(i, a, TM_F_PSTRAIN, 1, 0.0);
     case TM_OUT_FLOW: return to_stress * tm_output_state(i, a, TM_F_PSTRAIN, 2, 0.0);
-    case TM_OUT_MISES: return to_stress * tm_sym_mises(tm_sym_load(tm_field_row(&a->state, TM_F_STRESS, i)));
+    case TM_OUT_MISES: return to_stress * tm_sym_mises(tm_sym_from_row(tm_field_row(&a->state, TM_F_STRESS, i)));
     case TM_OUT_PRESSURE: return to_stress * tm_output_pressure(i, a, m);
     case TM_OUT_XX: case TM_OUT_YY: case TM_OUT_ZZ: case TM_OUT_XY: case TM_OUT_XZ: case TM_OUT_YZ: {
       const int k = which - TM_OUT_XX;
-      return to_stress * (tm_field_row(&a->state, TM_F_STRESS, i)[k] - (k < 3 ? tm_output_pressure(i, a, m) : 0.0));
+      return to_stress * (tm_field_row(&a->state, TM_F_STRESS, i)[tm_column(k)] - (k < 3 ? tm_output_pressure(i, a, m) : 0.0));
     }
     case TM_OUT_DAMAGE: return tm_output_state(i, a, TM_F_DAMAGE, 0, 0.0);
     case TM_OUT_FAILED: return tm_output_state(i, a, TM_F_DAMAGE, 1, 0.0) > 0.5 ? 1.0 : 0.0;

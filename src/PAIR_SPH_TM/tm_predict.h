@@ -28,9 +28,13 @@ TM_FN tm_vec3 tm_predict_velocity(int i, const tm_predict_args *a)
   const tm_real c1 = (1.0 + 2.0 * TM_PREDICT_BETA) * a->dt_ahead;
   const tm_real c2 = -2.0 * TM_PREDICT_BETA * a->dt_ahead;
   const double *v = a->state.v + 3 * (ptrdiff_t) i;
-  const tm_real *h1 = tm_field_row(&a->state, TM_F_HISTORY, i), *h2 = h1 + TM_H_STEP;
-  return tm_vec(v[0] + c1 * h1[0] + c2 * h2[0], v[1] + c1 * h1[1] + c2 * h2[1],
-                v[2] + c1 * h1[2] + c2 * h2[2]);
+  const tm_real *h1 = tm_field_row(&a->state, TM_F_HISTORY, i), *h2 = h1 + tm_column(TM_H_STEP);
+  tm_real p[3];
+  for (int k = 0; k < 3; k++) {
+    const int c = tm_column(TM_H_V + k);
+    p[k] = v[k] + c1 * h1[c] + c2 * h2[c];
+  }
+  return tm_vec(p[0], p[1], p[2]);
 }
 
 /* The record of particle i, all but the artificial stress. */
@@ -40,13 +44,14 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
   const tm_material *m = s->material + s->type[i];
   const tm_real c1 = (1.0 + 2.0 * TM_PREDICT_BETA) * a->dt_ahead;
   const tm_real c2 = -2.0 * TM_PREDICT_BETA * a->dt_ahead;
-  const tm_real *h1 = tm_field_row(s, TM_F_HISTORY, i), *h2 = h1 + TM_H_STEP;
+  const tm_real *h1 = tm_field_row(s, TM_F_HISTORY, i), *h2 = h1 + tm_column(TM_H_STEP);
 
   const tm_vec3 v = tm_predict_velocity(i, a);
-  const tm_real rho = *tm_field_row(s, TM_F_RHO, i) + c1 * h1[TM_H_RHO] + c2 * h2[TM_H_RHO];
-  tm_sym3 dev = tm_sym_load(tm_field_row(s, TM_F_STRESS, i));
-  dev = tm_sym_axpy(dev, c1, tm_sym_load(h1 + TM_H_S));
-  dev = tm_sym_axpy(dev, c2, tm_sym_load(h2 + TM_H_S));
+  const tm_real rho = *tm_field_row(s, TM_F_RHO, i) + c1 * h1[tm_column(TM_H_RHO)] +
+      c2 * h2[tm_column(TM_H_RHO)];
+  tm_sym3 dev = tm_sym_from_row(tm_field_row(s, TM_F_STRESS, i));
+  dev = tm_sym_axpy(dev, c1, tm_sym_from_row(h1 + tm_column(TM_H_S)));
+  dev = tm_sym_axpy(dev, c2, tm_sym_from_row(h2 + tm_column(TM_H_S)));
 
   tm_real e = 0.0, p = 0.0, c = 0.0;
   if (effects & TM_FX_ENERGY) e = *tm_field_row(s, TM_F_ENERGY, i);
@@ -55,7 +60,7 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
     c = tm_eos_sound_speed(m, rho, e);
   }
   if (effects & TM_FX_DAMAGE) {
-    const int failed = tm_field_row(s, TM_F_DAMAGE, i)[1] > 0.5;
+    const int failed = tm_field_row(s, TM_F_DAMAGE, i)[tm_column(1)] > 0.5;
     p = tm_damage_pressure(p, failed);
     if (failed) dev = tm_sym(0, 0, 0, 0, 0, 0);
   }
@@ -68,25 +73,25 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
   const tm_sym3 sigma = tm_sym_add_iso(dev, -p);
   const tm_sym3 P = tm_sym_scale(scale, sigma);
 
-  tm_real *r = a->rec.main + (ptrdiff_t) i * TM_REC;
+  tm_real *r = tm_main_record(&a->rec, i);
   const double *x = s->x + 3 * (ptrdiff_t) i;
-  r[0] = x[0]; r[1] = x[1]; r[2] = x[2];
-  r[TM_REC_M] = tm_particle_mass(s, i);
-  r[4] = v.x; r[5] = v.y; r[6] = v.z;
-  r[TM_REC_RHO] = rho_sum;
-  tm_sym_store(r + TM_REC_P, P);
-  r[TM_REC_C] = c;
-  r[TM_REC_BALSARA] = (effects & TM_FX_BALSARA) ? *tm_field_row(s, TM_F_BALSARA, i) : 1.0;
+  for (int k = 0; k < 3; k++) r[tm_part(TM_REC_X + k)] = x[k];
+  r[tm_part(TM_REC_M)] = tm_particle_mass(s, i);
+  r[tm_part(TM_REC_V)] = v.x; r[tm_part(TM_REC_V + 1)] = v.y; r[tm_part(TM_REC_V + 2)] = v.z;
+  r[tm_part(TM_REC_RHO)] = rho_sum;
+  tm_sym_to_record(r, TM_REC_P, P);
+  r[tm_part(TM_REC_C)] = c;
+  r[tm_part(TM_REC_BALSARA)] = (effects & TM_FX_BALSARA) ? *tm_field_row(s, TM_F_BALSARA, i) : 1.0;
 
   if (effects & TM_FX_SMOOTHING)
     tm_size_record(tm_field_row(s, TM_F_SIZE, i), r[TM_REC_M] / rho_sum, a->gradient, tm_fx_kernel(effects),
                    (effects & TM_FX_3D) != 0, a->rec.size + (ptrdiff_t) i * TM_REC_SIZE);
   if (effects & TM_FX_HEAT) {
     const tm_real *t = tm_field_row(s, TM_F_TEMP, i);
-    const tm_real T = t[0] + c1 * t[1] + c2 * t[2];
-    tm_real *rt = a->rec.heat + (ptrdiff_t) i * TM_REC_HEAT;
-    rt[TM_REC_T] = T;
-    rt[TM_REC_K] = tm_conductivity(m, T);
+    const tm_real T = t[0] + c1 * t[tm_column(1)] + c2 * t[tm_column(2)];
+    tm_real *rt = tm_heat_record(&a->rec, i);
+    rt[tm_part(TM_REC_T)] = T;
+    rt[tm_part(TM_REC_K)] = tm_conductivity(m, T);
   }
 }
 
@@ -113,11 +118,13 @@ TM_FN void tm_predict_artstress(int begin, int end, const tm_predict_args *a, un
     const int lanes = (n + TM_TURNS - 1) / TM_TURNS * TM_TURNS;
     for (int l = 0; l < lanes; l++) {
       const int j = begin + (l < n ? l : 0);
-      const tm_real rho = a->rec.main[(ptrdiff_t) j * TM_REC + TM_REC_RHO];
+      const tm_real rho = tm_main_record(&a->rec, j)[tm_part(TM_REC_RHO)];
       jj[tm_at(l)] = j;
       scale[tm_at(l)] = form_f14 ? 1.0 / (rho * rho) : 1.0;
     }
-    tm_transpose_rows(a->rec.main + TM_REC_P, TM_REC, jj, lanes, TM_REC_STRESS, col[0]);
+    if (TM_COLUMN > 1) tm_transpose_rows(a->rec.main + TM_REC_P, TM_REC, jj, lanes, TM_REC_STRESS, col[0]);
+    else
+      for (int c = 0; c < TM_REC_STRESS; c++) col[c][0] = tm_main_record(&a->rec, begin)[tm_part(TM_REC_P + c)];
     if (a->art_component)
       for (int l = 0; l < lanes; l++) tm_predict_tensile(col[0] + tm_at(l), eps, scale[tm_at(l)], 1, dim3);
     else if (dim3) {
@@ -127,9 +134,10 @@ TM_FN void tm_predict_artstress(int begin, int end, const tm_predict_args *a, un
       for (int l = 0; l < lanes; l++) tm_predict_tensile(col[0] + tm_at(l), eps, scale[tm_at(l)], 0, 1);
     } else
       for (int l = 0; l < lanes; l++) tm_predict_tensile(col[0] + tm_at(l), eps, scale[tm_at(l)], 0, 0);
-    tm_real *q = a->rec.stress + (ptrdiff_t) begin * TM_REC_STRESS;
-    for (int l = 0; l < n; l++)
-      for (int c = 0; c < TM_REC_STRESS; c++) q[l * TM_REC_STRESS + c] = col[c][tm_at(l)];
+    for (int l = 0; l < n; l++) {
+      tm_real *q = tm_stress_record(&a->rec, begin + l);
+      for (int c = 0; c < TM_REC_STRESS; c++) q[tm_part(c)] = col[c][tm_at(l)];
+    }
   }
 }
 

@@ -20,7 +20,8 @@
    pair; a second one, without a branch or a function call, sums. Neighbour number n of those within
    reach always goes to lane n mod TM_LANES, and rows are sorted by tag: so the sum does not depend
    on where a particle sits in memory, on the skin, the size of a chunk or the number of ranks. On a
-   GPU a chunk is one neighbour.
+   GPU a chunk is one entry of the row, and one out of reach is passed over: so the threads of a warp,
+   whose particles are side by side, stay at the same entry and fetch records that are side by side.
 
    In a file that defines TM_PAIR_SINGLE pairs are computed in single (tm_single.h). What a pair gives
    one particle is then opposite to what it gives the other to the last bit: weights are symmetric in
@@ -68,8 +69,9 @@ typedef struct {
   int ntypes;
 
   /* results, rows of owned particles; added to where said so */
-  double *force;           /* 3, added to */
-  tm_real *gradient;       /* 9, L row major */
+  double *force;           /* 3, added to what is there unless force_begins */
+  int force_begins;
+  tm_real *gradient;       /* 9, L row major, in rows of tm_layout.h */
   tm_real *heat;           /* conduction, power per volume, or NULL */
   tm_real *correction;     /* 6, K of tm_moment.h, with correction; read by the rate pass */
   tm_real *xsph_v;         /* 3, with XSPH */
@@ -93,16 +95,30 @@ enum {
 };
 
 /* Appends to jj, n long, the neighbours within reach from entry *k of a row on, until the row ends
-   or jj is TM_CHUNK long; returns the new n. Room behind may be overwritten. Where columns have one
-   entry, position receives that of the last one looked at (in single: x_i minus it). unit: of positions
-   in single. With size, the records of size of all particles, distances are over the pair's h; inv_h is
-   the particle's own 1/h. */
+   or jj is TM_CHUNK long; returns the new n. Room behind may be overwritten. unit: of positions in
+   single. With size, the records of size of all particles, distances are over the pair's h; inv_h is
+   the particle's own 1/h.
+
+   On a GPU only entry *k is looked at, which jj[1] holds already, and position receives the first
+   columns of its record (in single x_i minus the position); the next entry is fetched meanwhile. */
 TM_FN int tm_within_reach(const tm_pair *rec, const tm_pair *size, tm_pair inv_h, const int *row,
                           ptrdiff_t stride, int *k, int end, tm_coord x, tm_coord y, tm_coord z, tm_pair unit,
                           tm_pair reach2, int dim3, int *jj, int n, tm_pair *position)
 {
   (void) position;
-#if TM_VECTOR >= 32
+#if TM_COLUMN == 1
+  (void) n;
+  jj[0] = jj[1];
+  jj[1] = row[(*k + 1 < end ? *k + 1 : *k) * stride];
+  tm_fetch(rec + tm_pair_record(jj[0], TM_REC), 4, position);
+  const tm_pair dx = tm_apart(x, tm_coord_load(position), unit), dy = tm_apart(y, tm_coord_load(position + 1), unit);
+  const tm_pair dz = dim3 ? tm_apart(z, tm_coord_load(position + 2), unit) : 0;
+  const tm_pair r2 = dx * dx + dy * dy + dz * dz;
+  n = (size ? r2 * (inv_h * size[(ptrdiff_t) jj[0] * TM_REC_SIZE + TM_SIZE_INV_H]) : r2) < reach2;
+  if (TM_SINGLE) {
+    position[0] = dx; position[1] = dy; position[2] = dz;
+  }
+#elif TM_VECTOR >= 32
   int block[TM_LANES];
   tm_pair TM_ALIGNED col[4][TM_COLUMN];
   const tm_lanes zero = {0};
@@ -126,18 +142,12 @@ TM_FN int tm_within_reach(const tm_pair *rec, const tm_pair *size, tm_pair inv_h
 #else
   for (; *k < end && n < TM_CHUNK; ++*k) {
     const int j = row[*k * stride];
-    tm_pair r[4];
-    tm_fetch(rec + (ptrdiff_t) j * TM_REC, 4, r);
+    const tm_pair *r = rec + (ptrdiff_t) j * TM_REC;
     const tm_pair dx = tm_apart(x, tm_coord_load(r), unit), dy = tm_apart(y, tm_coord_load(r + 1), unit);
     const tm_pair dz = dim3 ? tm_apart(z, tm_coord_load(r + 2), unit) : 0;
     jj[tm_at(n)] = j;
     const tm_pair r2 = dx * dx + dy * dy + dz * dz;
     n += (size ? r2 * (inv_h * size[(ptrdiff_t) j * TM_REC_SIZE + TM_SIZE_INV_H]) : r2) < reach2;
-    if (TM_SINGLE) {
-      r[0] = dx; r[1] = dy; r[2] = dz;
-    }
-    if (TM_COLUMN == 1)
-      for (int c = 0; c < 4; c++) position[c] = r[c];
   }
 #endif
   return n;
@@ -159,7 +169,7 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
   const int n_mech = a->rows.mechanical[i];
 #if TM_SINGLE
   const float *TM_RESTRICT rec = a->single.main;
-  const float *TM_RESTRICT rec_s = a->single.more, *TM_RESTRICT rec_t = rec_s + TM_MORE_HEAT;
+  const float *TM_RESTRICT rec_s = a->single.more, *TM_RESTRICT rec_t = rec_s + tm_pair_part(TM_MORE_HEAT);
   const float *TM_RESTRICT rec_c = a->single.correction;
   const float *TM_RESTRICT rec_z = sizes ? a->single.size : NULL;
   const int stride_s = TM_MORE, stride_t = TM_MORE;
@@ -175,7 +185,8 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
   const tm_real length = 1.0, unit = 1.0;
 #endif
 
-  const tm_pair *ri = rec + (ptrdiff_t) i * TM_REC;
+  tm_pair ri[TM_REC];
+  tm_fetch(rec + tm_pair_record(i, TM_REC), TM_REC, ri);
   const tm_coord xi = tm_coord_load(ri), yi = tm_coord_load(ri + 1), zi = tm_coord_load(ri + 2);
   const tm_pair mi = ri[TM_REC_M];
   const tm_pair vxi = ri[4], vyi = ri[5], vzi = ri[6], rhoi = ri[TM_REC_RHO];
@@ -187,12 +198,13 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
   tm_pair qxx = 0, qyy = 0, qzz = 0, qxy = 0, qxz = 0, qyz = 0, ti = 0, ki = 0;
   tm_pair cxx = 0, cxy = 0, cxz = 0, cyx = 0, cyy = 0, cyz = 0, czx = 0, czy = 0, czz = 0;
   if (artstress) {
-    const tm_pair *q = rec_s + (ptrdiff_t) i * stride_s;
+    tm_pair q[TM_MORE];
+    tm_fetch(rec_s + tm_pair_record(i, stride_s), stride_s, q);
     qxx = q[0]; qyy = q[1]; qzz = q[2]; qxy = q[3]; qxz = q[4]; qyz = q[5];
   }
   if (conduction) {
-    ti = rec_t[(ptrdiff_t) i * stride_t + TM_REC_T];
-    ki = rec_t[(ptrdiff_t) i * stride_t + TM_REC_K];
+    ti = rec_t[tm_pair_record(i, stride_t) + TM_REC_T];
+    ki = rec_t[tm_pair_record(i, stride_t) + TM_REC_K];
   }
   if (correction) {
     const tm_pair *c = rec_c + (ptrdiff_t) i * TM_REC_CORRECTION;
@@ -216,10 +228,12 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
 
   int jj[TM_COLUMN + TM_LANES];
   jj[0] = i;
+  if (TM_COLUMN == 1) jj[1] = n_mech > 0 ? row[0] : i;
   tm_pair TM_ALIGNED col[TM_COLUMNS][TM_COLUMN];
-  for (int k = 0, n = 0;;) {
+  for (int k = 0, n = 0; TM_COLUMN > 1 || k < n_mech; k += TM_COLUMN == 1) {
     n = tm_within_reach(rec, rec_z, own.inv_h, row, a->rows.stride, &k, n_mech, xi, yi, zi, unit, reach2,
                         dim3, jj, n, col[TM_REC_X]);
+    if (TM_COLUMN == 1 && n == 0) continue;
     if (n == 0) break;
 
     /* lanes left over wait for the next chunk, or are filled up with copies of i out of reach */
@@ -252,20 +266,21 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
             col[TM_COL_CORRECTION + c][tm_at(l)] =
                 rec_c[jj[tm_at(l)] * (ptrdiff_t) TM_REC_CORRECTION + c];
     } else {
-      const ptrdiff_t j = jj[0];
-      const int all = TM_SINGLE || viscosity;
-      tm_fetch(rec + j * TM_REC + TM_REC_V, (all ? TM_REC : TM_REC_C) - TM_REC_V, col[TM_REC_V]);
+      const int j = jj[0], all = TM_SINGLE || viscosity;
+      tm_fetch(rec + tm_pair_record(j, TM_REC) + tm_pair_part(TM_REC_V),
+               (all ? TM_REC : TM_REC_C) - TM_REC_V, col[TM_REC_V]);
+      if (artstress) tm_fetch(rec_s + tm_pair_record(j, stride_s), stride_s, col[TM_COL_STRESS]);
 #if TM_SINGLE
-      if (artstress) tm_fetch(rec_s + j * TM_MORE, TM_MORE, col[TM_COL_STRESS]);
-      else if (conduction) tm_fetch(rec_s + j * TM_MORE + 4, 4, col[TM_COL_STRESS + 4]);
+      else if (conduction)
+        tm_fetch(rec_s + tm_pair_record(j, stride_s) + tm_pair_part(4), 4, col[TM_COL_STRESS + 4]);
 #else
-      if (artstress) tm_fetch(rec_s + j * TM_REC_STRESS, TM_REC_STRESS, col[TM_COL_STRESS]);
-      if (conduction) tm_fetch(rec_t + j * TM_REC_HEAT, TM_REC_HEAT, col[TM_COL_HEAT]);
+      if (conduction) tm_fetch(rec_t + tm_pair_record(j, stride_t), TM_REC_HEAT, col[TM_COL_HEAT]);
 #endif
-      if (sizes) tm_fetch(rec_z + j * TM_REC_SIZE, TM_REC_SIZE, col[TM_COL_SIZE]);
+      for (int c = 0; sizes && c < TM_REC_SIZE; c++)
+        col[TM_COL_SIZE + c][0] = rec_z[j * (ptrdiff_t) TM_REC_SIZE + c];
       if (correction)
         for (int c = 0; c < TM_REC_CORRECTION; c++)
-          col[TM_COL_CORRECTION + c][0] = rec_c[j * TM_REC_CORRECTION + c];
+          col[TM_COL_CORRECTION + c][0] = rec_c[j * (ptrdiff_t) TM_REC_CORRECTION + c];
     }
     /* entry l of a column; x_i minus column c, which in single is that difference already */
 #define TM_MAIN(c) TM_COL(c)
@@ -419,7 +434,7 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
   const tm_real per_length = TM_SINGLE ? 1.0 / length : 1.0;
   const tm_real per_mass = TM_SINGLE ? per_length / mi : 1.0;
   const tm_real lscale = (form_f14 ? 1.0 : TM_SINGLE ? 1.0 / rhoi : inv_rhoi) * per_mass;
-  tm_real *L = a->gradient + (ptrdiff_t) i * 9;
+  tm_real L[9];
   L[0] = lscale * tm_lanes_sum(lxx); L[1] = lscale * tm_lanes_sum(lxy);
   L[2] = lscale * tm_lanes_sum(lxz); L[3] = lscale * tm_lanes_sum(lyx);
   L[4] = lscale * tm_lanes_sum(lyy); L[5] = lscale * tm_lanes_sum(lyz);
@@ -433,10 +448,13 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
     }
   }
   const tm_real mf = (TM_SINGLE ? per_length : mi) * a->force_unit;
+  tm_real *gradient = a->gradient + tm_row(i, 9);
+  for (int k = 0; k < 9; k++) gradient[tm_column(k)] = L[k];
   double *f = a->force + 3 * (ptrdiff_t) i;
-  f[0] += mf * tm_lanes_sum(ax);
-  f[1] += mf * tm_lanes_sum(ay);
-  f[2] += mf * tm_lanes_sum(az);
+  const int begins = a->force_begins;
+  f[0] = (begins ? 0.0 : f[0]) + mf * tm_lanes_sum(ax);
+  f[1] = (begins ? 0.0 : f[1]) + mf * tm_lanes_sum(ay);
+  f[2] = (begins ? 0.0 : f[2]) + mf * tm_lanes_sum(az);
   if ((artstress || viscosity) && a->artificial) a->artificial[i] = (TM_SINGLE ? 0.5 * per_length : 0.5 * mi) * tm_lanes_sum(art);
   if (conduction)
     a->heat[i] = TM_SINGLE ? tm_lanes_sum(heat) * per_length * per_length / own_volume : tm_lanes_sum(heat);

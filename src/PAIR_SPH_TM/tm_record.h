@@ -1,6 +1,7 @@
 /* SPH-TM: what a particle shows to its neighbours, packed for the gather.
 
-   The main record is 16 reals, two cache lines. The others exist only with their effect.
+   The main record is 16 reals. The others exist only with their effect. tm_layout.h says where the
+   columns of a record lie; P K is a plain row everywhere.
 
    P is what the momentum sum needs of one particle: sigma / rho^2 in the form F15 (4), sigma in
    the form F14 (6). With gradient correction the sums use the nine components of P K instead, K
@@ -9,6 +10,7 @@
 #define TM_RECORD_H
 
 #include "tm_effects.h"
+#include "tm_layout.h"
 
 enum {
   TM_REC_X = 0,        /* position x y z */
@@ -39,12 +41,20 @@ typedef struct {
 enum { TM_MORE = 8, TM_MORE_HEAT = 6 };  /* artificial stress, temperature, conductivity */
 
 typedef struct {
-  float *main;          /* TM_REC per particle; the position is three whole numbers */
-  float *more;          /* TM_MORE, or NULL */
+  float *main;          /* TM_REC per particle; the position is three whole numbers; 4 columns together */
+  float *more;          /* TM_MORE, or NULL; 4 columns together */
   float *correction;    /* TM_REC_CORRECTION, or NULL */
   float *size;          /* TM_REC_SIZE, or NULL */
   tm_real length;       /* lengths in the records and the arguments of the rates are in units of this */
   tm_real position;     /* unit of positions, in units of length */
 } tm_records_single;
+
+/* Record of particle i; column c is its entry tm_part(c). */
+TM_FN tm_real *tm_main_record(const tm_records *rec, int i) { return rec->main + tm_record(i, TM_REC); }
+TM_FN tm_real *tm_stress_record(const tm_records *rec, int i)
+{
+  return rec->stress + tm_record(i, TM_REC_STRESS);
+}
+TM_FN tm_real *tm_heat_record(const tm_records *rec, int i) { return rec->heat + tm_record(i, TM_REC_HEAT); }
 
 #endif

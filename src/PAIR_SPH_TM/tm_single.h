@@ -56,19 +56,20 @@ TM_FN float tm_single_position(tm_real x, tm_real units)
 TM_FN void tm_single(int i, const tm_single_args *a, unsigned effects)
 {
   const tm_records_single *s = &a->single;
-  const tm_real *r = a->rec.main + (ptrdiff_t) i * TM_REC;
+  const tm_real *r = tm_main_record(&a->rec, i);
   const tm_real units = 1.0 / (s->length * s->position);
-  float *out = s->main + (ptrdiff_t) i * TM_REC;
-  for (int c = 0; c < 3; c++) out[c] = tm_single_position(r[c], units);
-  out[TM_REC_M] = (float) (r[TM_REC_M] * a->per_mass);
-  for (int c = TM_REC_V; c < TM_REC; c++) out[c] = (float) r[c];
+  float *out = s->main + tm_packed(i, TM_REC, 4);
+  for (int c = 0; c < 3; c++) out[c] = tm_single_position(r[tm_part(c)], units);
+  out[TM_REC_M] = (float) (r[tm_part(TM_REC_M)] * a->per_mass);
+  for (int c = TM_REC_V; c < TM_REC; c++) out[tm_packed_part(c, 4)] = (float) r[tm_part(c)];
   if (s->more) {
-    float *more = s->more + (ptrdiff_t) i * TM_MORE;
-    const tm_real *q = a->rec.stress + (ptrdiff_t) i * TM_REC_STRESS;
-    const tm_real *t = a->rec.heat + (ptrdiff_t) i * TM_REC_HEAT;
-    for (int c = 0; c < TM_REC_STRESS; c++) more[c] = (effects & TM_FX_ARTSTRESS) ? (float) q[c] : 0;
+    float *more = s->more + tm_packed(i, TM_MORE, 4);
+    const tm_real *q = a->rec.stress + tm_record(i, TM_REC_STRESS);
+    const tm_real *t = a->rec.heat + tm_record(i, TM_REC_HEAT);
+    for (int c = 0; c < TM_REC_STRESS; c++)
+      more[tm_packed_part(c, 4)] = (effects & TM_FX_ARTSTRESS) ? (float) q[tm_part(c)] : 0;
     for (int c = 0; c < TM_REC_HEAT; c++)
-      more[TM_MORE_HEAT + c] = (effects & TM_FX_CONDUCTION) ? (float) t[c] : 0;
+      more[tm_packed_part(TM_MORE_HEAT + c, 4)] = (effects & TM_FX_CONDUCTION) ? (float) t[tm_part(c)] : 0;
   }
   if (effects & TM_FX_CORRECTION)
     for (int c = 0; c < TM_REC_CORRECTION; c++)

@@ -78,20 +78,20 @@ TM_FN tm_real tm_edge(tm_real volume, int dim3) { return dim3 ? cbrt(volume) : s
 /* The size of a particle that is new. ratio: h over spacing. */
 TM_FN void tm_size_initial(tm_real *size, tm_real mass, tm_real rho0, tm_real ratio, int dim3)
 {
-  size[TM_S_DP] = tm_edge(mass / rho0, dim3);
-  size[TM_S_H] = ratio * size[TM_S_DP];
-  size[TM_S_RATIO] = ratio;
-  size[TM_S_TARGET] = 0.0;
+  size[tm_column(TM_S_DP)] = tm_edge(mass / rho0, dim3);
+  size[tm_column(TM_S_H)] = ratio * size[tm_column(TM_S_DP)];
+  size[tm_column(TM_S_RATIO)] = ratio;
+  size[tm_column(TM_S_TARGET)] = 0.0;
 }
 
 /* What a particle shows of its size; volume is the current one (plane stress: area). */
 TM_FN void tm_size_record(const tm_real *size, tm_real volume, const tm_real *gradient, int kernel, int dim3,
                           tm_real *out)
 {
-  out[TM_SIZE_INV_H] = 1.0 / size[TM_S_H];
-  out[TM_SIZE_FACTOR] = tm_gradient_factor(gradient, size[TM_S_H] / tm_edge(volume, dim3));
-  out[TM_SIZE_TENSILE] = 1.0 / tm_kernel_shape(kernel, 1.0 / size[TM_S_RATIO]);
-  out[TM_SIZE_DP] = size[TM_S_DP];
+  out[TM_SIZE_INV_H] = 1.0 / size[tm_column(TM_S_H)];
+  out[TM_SIZE_FACTOR] = tm_gradient_factor(gradient, size[tm_column(TM_S_H)] / tm_edge(volume, dim3));
+  out[TM_SIZE_TENSILE] = 1.0 / tm_kernel_shape(kernel, 1.0 / size[tm_column(TM_S_RATIO)]);
+  out[TM_SIZE_DP] = size[tm_column(TM_S_DP)];
 }
 
 /* Extremes over particles. */
@@ -110,9 +110,9 @@ TM_FN tm_size_range tm_size_of(int i, const tm_state *s)
 {
   const tm_real *size = tm_field_row(s, TM_F_SIZE, i);
   tm_size_range r = tm_size_nothing();
-  if (!(size[TM_S_H] > 0.0)) return r;    /* new, and not set yet */
-  r.largest_h = r.smallest_h = size[TM_S_H];
-  r.smallest_dp = size[TM_S_DP];
+  if (!(size[tm_column(TM_S_H)] > 0.0)) return r;    /* new, and not set yet */
+  r.largest_h = r.smallest_h = size[tm_column(TM_S_H)];
+  r.smallest_dp = size[tm_column(TM_S_DP)];
   return r;
 }
 TM_FN void tm_size_sum(tm_size_range *sum, const tm_size_range *r)

@@ -25,9 +25,10 @@ typedef struct {
   const double *rmass;          /* per particle, or NULL */
 } tm_state;
 
+/* Row of particle i; column c is its entry tm_column(c). */
 TM_FN tm_real *tm_field_row(const tm_state *s, int id, int i)
 {
-  return s->field[id] + (ptrdiff_t) i * tm_field_columns(id);
+  return s->field[id] + tm_row(i, tm_field_columns(id));
 }
 TM_FN tm_real tm_particle_mass(const tm_state *s, int i)
 {
@@ -36,7 +37,7 @@ TM_FN tm_real tm_particle_mass(const tm_state *s, int i)
 /* Smoothing length of particle i; h is that of all where they do not differ. */
 TM_FN tm_real tm_particle_h(const tm_state *s, int i, tm_real h, unsigned effects)
 {
-  return (effects & TM_FX_SMOOTHING) ? tm_field_row(s, TM_F_SIZE, i)[TM_S_H] : h;
+  return (effects & TM_FX_SMOOTHING) ? tm_field_row(s, TM_F_SIZE, i)[tm_column(TM_S_H)] : h;
 }
 
 #endif

@@ -31,10 +31,10 @@ TM_FN tm_tally_result tm_tally(int i, const tm_tally_args *a, unsigned effects)
   for (int k = 0; k < TM_TALLY; k++) out.value[k] = 0.0;
   const tm_material *m = a->material + a->type[i];
   if (m->body == TM_BODY_SOLID) {
-    const tm_real *r = a->rec.main + (ptrdiff_t) i * TM_REC;
-    const tm_real rho = r[TM_REC_RHO], volume = r[TM_REC_M] / rho;
+    const tm_real *r = tm_main_record(&a->rec, i);
+    const tm_real rho = r[tm_part(TM_REC_RHO)], volume = r[tm_part(TM_REC_M)] / rho;
     const tm_sym3 sigma =
-        tm_sym_scale((effects & TM_FX_FORM_F14) ? 1.0 : rho * rho, tm_sym_load(r + TM_REC_P));
+        tm_sym_scale((effects & TM_FX_FORM_F14) ? 1.0 : rho * rho, tm_sym_from_record(r, TM_REC_P));
     const tm_sym3 s = tm_sym_deviator(sigma);
     const tm_real p = -tm_sym_trace(sigma) / 3.0;
     out.value[0] = volume * a->to_energy *

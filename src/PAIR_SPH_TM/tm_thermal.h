@@ -14,8 +14,8 @@ TM_FN void tm_thermal(int i, const tm_rates_args *a, unsigned effects)
   const int kernel = tm_fx_kernel(effects), dim3 = (effects & TM_FX_3D) != 0;
   const ptrdiff_t begin = a->rows.mechanical[i], end = begin + a->rows.thermal[i];
   const int *row = a->rows.index + a->rows.first[i];
-  const tm_real *ri = a->rec.main + (ptrdiff_t) i * TM_REC;
-  const tm_real *hi = a->rec.heat + (ptrdiff_t) i * TM_REC_HEAT;
+  const tm_real *ri = tm_main_record(&a->rec, i);
+  const tm_real *hi = tm_heat_record(&a->rec, i);
   const int sizes = (effects & TM_FX_SMOOTHING) != 0;
   const tm_pair_size of_all = {a->h, 1.0 / a->h, a->norm, a->slope_norm, 1.0};
   const tm_pair_size own = tm_own_size(sizes ? a->rec.size + (ptrdiff_t) i * TM_REC_SIZE : NULL, of_all);
@@ -23,9 +23,9 @@ TM_FN void tm_thermal(int i, const tm_rates_args *a, unsigned effects)
   tm_vec3 n = tm_vec(0, 0, 0);
   tm_real heat = 0.0;
   for (ptrdiff_t k = begin; k < end; k++) {
-    const ptrdiff_t j = row[k * a->rows.stride];
-    const tm_real *rj = a->rec.main + j * TM_REC, *hj = a->rec.heat + j * TM_REC_HEAT;
-    const tm_real dx = ri[0] - rj[0], dy = ri[1] - rj[1], dz = dim3 ? ri[2] - rj[2] : 0.0;
+    const int j = row[k * a->rows.stride];
+    const tm_real *rj = tm_main_record(&a->rec, j), *hj = tm_heat_record(&a->rec, j);
+    const tm_real dx = ri[0] - rj[0], dy = ri[1] - rj[1], dz = dim3 ? ri[tm_part(2)] - rj[tm_part(2)] : 0.0;
     const tm_real r2 = dx * dx + dy * dy + dz * dz;
     if (sizes) {
       const tm_real *z = a->rec.size + j * TM_REC_SIZE;
@@ -34,7 +34,7 @@ TM_FN void tm_thermal(int i, const tm_rates_args *a, unsigned effects)
     if (sizes ? r2 * p.inv_h * p.inv_h >= a->support2 : r2 >= a->reach2) continue;
     const tm_real r = sqrt(r2);
     const tm_real g = p.slope_norm * tm_kernel_slope(kernel, r / p.h) / r;
-    const tm_real vol = rj[TM_REC_M] / rj[TM_REC_RHO];
+    const tm_real vol = rj[tm_part(TM_REC_M)] / rj[tm_part(TM_REC_RHO)];
     n = tm_vec_axpy(n, vol * g, tm_vec(dx, dy, dz));
     const tm_real hc =
         a->conductance ? a->conductance[a->type[i] * (a->ntypes + 1) + a->type[j]] : 0.0;

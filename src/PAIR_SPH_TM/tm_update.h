@@ -38,7 +38,7 @@ typedef struct {
   tm_records rec;
   const tm_real *gradient, *heat, *xsph_v, *artificial;
   const double *force_internal;  /* force of the pair style alone, with the ledger */
-  const tm_real *source;         /* heat given to the particle by contact and fluxes (power) */
+  tm_real *source;               /* heat given to the particle by contact and fluxes (power); emptied */
   int group;                     /* x and v are integrated for these */
   tm_real dt, visc_alpha;
   tm_real h;                     /* smoothing length of all, where particles have none of their own */
@@ -168,7 +168,7 @@ TM_FN tm_vec3 tm_update_motion(int i, const tm_update_args *a, unsigned effects,
     const tm_real *n = a->xsph_v + 3 * (ptrdiff_t) i;
     for (int d = 0; d < 3; d++) {
       x[d] += half * n[d];
-      u[d] = n[d];
+      u[tm_column(d)] = n[d];
     }
   }
   if (effects & TM_FX_LEDGER) {
@@ -188,12 +188,15 @@ TM_FN tm_real tm_update_temperature(int i, const tm_update_args *a, const tm_mat
   tm_real *t = tm_field_row(&a->state, TM_F_TEMP, i);
   const tm_real mass = tm_particle_mass(&a->state, i);
   tm_real power = plastic_power * m->taylor_quinney * mass / rho;
-  if (effects & TM_FX_CONDUCTION) power += a->heat[i] * mass / a->rec.main[(ptrdiff_t) i * TM_REC + TM_REC_RHO];
-  if (a->source) power += a->source[i];
+  if (effects & TM_FX_CONDUCTION) power += a->heat[i] * mass / tm_main_record(&a->rec, i)[tm_part(TM_REC_RHO)];
+  if (a->source) {
+    power += a->source[i];
+    a->source[i] = 0.0;
+  }
   const tm_real rise = tm_heat_rise(m, t[0], a->dt * power / mass);
   t[0] += rise;
-  t[2] = t[1];
-  t[1] = rise / a->dt;
+  t[tm_column(2)] = t[tm_column(1)];
+  t[tm_column(1)] = rise / a->dt;
   return a->dt * power;
 }
 
@@ -201,34 +204,44 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
 {
   const tm_state *s = &a->state;
   const tm_material *m = s->material + s->type[i];
-  const tm_real *rec = a->rec.main + (ptrdiff_t) i * TM_REC;
+  const tm_real *rec = tm_main_record(&a->rec, i);
   const int dim3 = (effects & TM_FX_3D) != 0;
   const tm_real h = tm_particle_h(s, i, a->h, effects);
   tm_update_result out = tm_update_nothing();
   out.particle = i;
 
+  /* what is long is read before anything is written, so that a GPU waits for memory once */
+  const int solid = m->body == TM_BODY_SOLID;
+  tm_real *dev = tm_field_row(s, TM_F_STRESS, i);
+  tm_real *h1 = tm_field_row(s, TM_F_HISTORY, i), *h2 = h1 + tm_column(TM_H_STEP);
+  tm_mat3 L = tm_mat_scale(0.0, tm_mat_identity());
+  tm_sym3 s0 = tm_sym(0, 0, 0, 0, 0, 0), older = s0;
+  tm_real rate[TM_H_STEP] = {0};
+  if (solid) {
+    L = tm_mat_from_row(a->gradient + tm_row(i, 9));
+    s0 = tm_sym_from_row(dev);
+    older = tm_sym_from_row(h2 + tm_column(TM_H_S));
+    for (int k = 0; k < TM_H_STEP; k++) rate[k] = h1[tm_column(k)];
+  }
+
   tm_vec3 acc = tm_vec(0, 0, 0);
   if (s->mask[i] & a->group) acc = tm_update_motion(i, a, effects, &out);
 
-  const tm_real mass = rec[TM_REC_M];
-  if (m->body == TM_BODY_SOLID) {
-    tm_mat3 L = tm_mat_load(a->gradient + (ptrdiff_t) i * 9);
-    tm_real *rho = tm_field_row(s, TM_F_RHO, i), *dev = tm_field_row(s, TM_F_STRESS, i);
-    tm_real *h1 = tm_field_row(s, TM_F_HISTORY, i), *h2 = h1 + TM_H_STEP;
+  const tm_real mass = rec[tm_part(TM_REC_M)];
+  if (solid) {
+    tm_real *rho = tm_field_row(s, TM_F_RHO, i);
     tm_real *lz = (effects & TM_FX_PLANE_STRESS) ? tm_field_row(s, TM_F_THICKNESS, i) : NULL;
     tm_real *pl = (effects & TM_FX_PLASTICITY) ? tm_field_row(s, TM_F_PSTRAIN, i) : NULL;
     tm_real *dmg = (effects & TM_FX_DAMAGE) ? tm_field_row(s, TM_F_DAMAGE, i) : NULL;
     tm_real *e = (effects & TM_FX_ENERGY) ? tm_field_row(s, TM_F_ENERGY, i) : NULL;
     const tm_real T =
         (effects & TM_FX_HEAT) ? tm_field_row(s, TM_F_TEMP, i)[0] : a->temperature;
-    const tm_sym3 s0 = tm_sym_load(dev);
     const tm_real c1 = (1.0 + 2.0 * TM_PREDICT_BETA) * 0.5 * a->dt;
     const tm_real c2 = -2.0 * TM_PREDICT_BETA * 0.5 * a->dt;
-    const tm_real rho_half = lz ? rec[TM_REC_RHO] / *lz : rec[TM_REC_RHO];
-    tm_sym3 s_half = tm_sym_axpy(s0, c1, tm_sym_load(h1 + TM_H_S));
-    s_half = tm_sym_axpy(s_half, c2, tm_sym_load(h2 + TM_H_S));
+    const tm_real rho_half = lz ? rec[tm_part(TM_REC_RHO)] / *lz : rec[tm_part(TM_REC_RHO)];
+    const tm_sym3 s_half = tm_sym_axpy(tm_sym_axpy(s0, c1, tm_sym_load(rate + TM_H_S)), c2, older);
     const tm_real eps_p = pl ? pl[0] : 0.0, energy = e ? *e : 0.0;
-    const int failed = dmg && dmg[1] > 0.5;
+    const int failed = dmg && dmg[tm_column(1)] > 0.5;
 
     if (lz)
       L.zz = tm_plane_stress_rate(m, *rho, rho_half, s0, s_half, L, energy, eps_p, T, a->dt,
@@ -244,29 +257,31 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     const tm_real work = a->dt / rho_half * tm_sym_ddot(sigma, tm_mat_symmetric(L));
     const tm_real plastic = q.yield * q.d_eps / q.rho;
 
-    for (int k = 0; k < TM_H_STEP; k++) h2[k] = h1[k];
+    for (int k = 0; k < TM_H_STEP; k++) h2[tm_column(k)] = rate[k];
     const tm_real inv_dt = 1.0 / a->dt;
-    h1[TM_H_V] = acc.x; h1[TM_H_V + 1] = acc.y; h1[TM_H_V + 2] = dim3 ? acc.z : 0.0;
-    h1[TM_H_RHO] = (q.rho - *rho) * inv_dt;
-    tm_sym_store(h1 + TM_H_S, tm_sym_scale(inv_dt, tm_sym_axpy(q.s, -1.0, s0)));
+    h1[tm_column(TM_H_V)] = acc.x;
+    h1[tm_column(TM_H_V + 1)] = acc.y;
+    h1[tm_column(TM_H_V + 2)] = dim3 ? acc.z : 0.0;
+    h1[tm_column(TM_H_RHO)] = (q.rho - *rho) * inv_dt;
+    tm_sym_to_row(h1 + tm_column(TM_H_S), tm_sym_scale(inv_dt, tm_sym_axpy(q.s, -1.0, s0)));
     *rho = q.rho;
-    tm_sym_store(dev, q.s);
+    tm_sym_to_row(dev, q.s);
     if (lz) *lz += a->dt * *lz * L.zz;
     if (pl) {
       pl[0] += q.d_eps;
-      pl[1] = q.d_eps * inv_dt;
-      pl[2] = q.yield;
+      pl[tm_column(1)] = q.d_eps * inv_dt;
+      pl[tm_column(2)] = q.yield;
     }
     if (e) *e += work + (a->artificial ? a->dt * a->artificial[i] / mass : 0.0);
     if (dmg && !failed) {
       const tm_real p = tm_eos_pressure(m, q.rho, energy);
       dmg[0] += tm_damage_increment(m, -p, tm_sym_mises(q.s), q.d_eps, q.d_eps * inv_dt, T);
-      dmg[1] = tm_damage_failed(m, dmg[0], pl ? pl[0] : 0.0) ? 1.0 : 0.0;
+      dmg[tm_column(1)] = tm_damage_failed(m, dmg[0], pl ? pl[0] : 0.0) ? 1.0 : 0.0;
     }
     if (effects & TM_FX_BALSARA) {
       const tm_vec3 curl = tm_vec(L.zy - L.yz, L.xz - L.zx, L.yx - L.xy);
       *tm_field_row(s, TM_F_BALSARA, i) =
-          tm_balsara(tm_mat_trace(L), tm_vec_norm(curl), rec[TM_REC_C], h);
+          tm_balsara(tm_mat_trace(L), tm_vec_norm(curl), rec[tm_part(TM_REC_C)], h);
     }
     if (effects & TM_FX_HEAT)
       out.heat = tm_update_temperature(i, a, m, q.rho, q.yield * q.d_eps * inv_dt, effects);
@@ -277,7 +292,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       if (a->artificial) out.artificial = a->dt * a->artificial[i];
     }
 
-    out.dt[TM_DT_SOUND] = tm_sound_time_step(h, rec[TM_REC_C], a->visc_alpha, effects);
+    out.dt[TM_DT_SOUND] = tm_sound_time_step(h, rec[tm_part(TM_REC_C)], a->visc_alpha, effects);
     const tm_real a2 = tm_vec_dot(acc, acc);
     if (a2 > 0.0) out.dt[TM_DT_FORCE] = sqrt(h / sqrt(a2));
     const double *v = s->v + 3 * (ptrdiff_t) i;
@@ -285,7 +300,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     const tm_real check = q.rho + q.s.xx + q.s.xy + q.s.yz + v2;
     if (!(check - check == 0.0)) out.status = TM_BAD_NAN;
     else if (!(q.rho > 0.0)) out.status = TM_BAD_DENSITY;
-    else if (v2 > 100.0 * rec[TM_REC_C] * rec[TM_REC_C]) out.status = TM_BAD_VELOCITY;
+    else if (v2 > 100.0 * rec[tm_part(TM_REC_C)] * rec[tm_part(TM_REC_C)]) out.status = TM_BAD_VELOCITY;
   } else if (effects & TM_FX_HEAT) {
     out.heat = tm_update_temperature(i, a, m, m->rho0, 0.0, effects);
   }

@@ -6,7 +6,7 @@
 #ifndef TM_TENSOR_H
 #define TM_TENSOR_H
 
-#include "tm_real.h"
+#include "tm_layout.h"
 
 typedef struct { tm_real x, y, z; } tm_vec3;
 typedef struct { tm_real xx, yy, zz, xy, xz, yz; } tm_sym3;
@@ -148,6 +148,43 @@ TM_FN void tm_mat_store(tm_real *p, tm_mat3 m)
   p[0] = m.xx; p[1] = m.xy; p[2] = m.xz;
   p[3] = m.yx; p[4] = m.yy; p[5] = m.yz;
   p[6] = m.zx; p[7] = m.zy; p[8] = m.zz;
+}
+
+/* The same in rows of a particle, and in its record, where first is even; see tm_layout.h. */
+TM_FN tm_sym3 tm_sym_from_row(const tm_real *row)
+{
+  tm_real p[6];
+  for (int k = 0; k < 6; k++) p[k] = row[tm_column(k)];
+  return tm_sym_load(p);
+}
+TM_FN void tm_sym_to_row(tm_real *row, tm_sym3 s)
+{
+  tm_real p[6];
+  tm_sym_store(p, s);
+  for (int k = 0; k < 6; k++) row[tm_column(k)] = p[k];
+}
+TM_FN tm_mat3 tm_mat_from_row(const tm_real *row)
+{
+  tm_real p[9];
+  for (int k = 0; k < 9; k++) p[k] = row[tm_column(k)];
+  return tm_mat_load(p);
+}
+TM_FN tm_vec3 tm_vec_from_record(const tm_real *record, int first, int dim3)
+{
+  return tm_vec(record[tm_part(first)], record[tm_part(first + 1)],
+                dim3 ? record[tm_part(first + 2)] : 0.0);
+}
+TM_FN tm_sym3 tm_sym_from_record(const tm_real *record, int first)
+{
+  tm_real p[6];
+  for (int k = 0; k < 6; k++) p[k] = record[tm_part(first + k)];
+  return tm_sym_load(p);
+}
+TM_FN void tm_sym_to_record(tm_real *record, int first, tm_sym3 s)
+{
+  tm_real p[6];
+  tm_sym_store(p, s);
+  for (int k = 0; k < 6; k++) record[tm_part(first + k)] = p[k];
 }
 
 #endif

@@ -163,7 +163,7 @@ static void books(void)
   tm_soup soup = ut_soup(12 * 9);
   ut_box(&soup, tm_vec(-.05, -.05, -.05), tm_vec(.05, .05, .05), 3);
   ut_arrange(&s, &soup, dp);
-  static double tri_force[3 * 108], tri_heat[108], rate_v[3 * UT_PARTICLES];
+  static double tri_force[3 * 108], tri_heat[108], record[TM_REC * UT_PARTICLES];
   static int tri_count[108];
   memset(tri_force, 0, sizeof tri_force);
   memset(tri_heat, 0, sizeof tri_heat);
@@ -181,7 +181,7 @@ static void books(void)
   a->pose.center = tm_vec(0.2, 0, 0);
   a->reference = tm_vec(0.5, -0.4, 0.1);
   a->tool_temperature = 450.0;
-  a->rate_v = rate_v;
+  a->record = record;
   a->tri_force = tri_force; a->tri_heat = tri_heat; a->tri_count = tri_count;
   const unsigned fx = TM_CT_3D | TM_CT_HEAT | TM_CT_FRICTION | TM_CT_OUTPUT;
   tm_contact_result sum = tm_contact_nothing();
@@ -192,7 +192,7 @@ static void books(void)
     ut_put(&s, i, tm_pose_to_world(&a->pose, p), ut_point(-1, 1));
     const tm_vec3 before = ut_point(-5, 5);
     s.f[3 * i] = before.x; s.f[3 * i + 1] = before.y; s.f[3 * i + 2] = before.z;
-    for (int d = 0; d < 3; d++) rate_v[3 * i + d] = s.v[3 * i + d] + ut_random(-0.1, 0.1);
+    for (int d = 0; d < 3; d++) record[TM_REC * i + TM_REC_V + d] = s.v[3 * i + d] + ut_random(-0.1, 0.1);
     s.temperature[i] = ut_random(300, 400);
     s.source[i] = 2.0;
     const tm_contact_result one = tm_contact_tri(i, a, fx);
@@ -271,8 +271,8 @@ static void limits_in_the_loop(void)
   floor_scene();
   s.law[1].friction.value = 0.5;
   s.law[1].shear = 1.0;
-  s.args.yield = s.yield;
-  s.yield[0] = 2.0;
+  s.args.pstrain = s.pstrain;
+  s.pstrain[2] = 2.0;
   s.args.dt = 1e-6;
   ut_put(&s, 0, tm_vec(0.1, 0.1, -0.5 * r), tm_vec(1, 0, 0));
   s.law[1].stiffness = 1.0;

@@ -14,7 +14,7 @@ typedef struct {
   tm_contact_law law[2];
   tm_material material[2];
   double x[3 * UT_PARTICLES], v[3 * UT_PARTICLES], f[3 * UT_PARTICLES];
-  double temperature[UT_PARTICLES], source[UT_PARTICLES], yield[UT_PARTICLES];
+  double temperature[UT_PARTICLES], source[UT_PARTICLES], pstrain[3 * UT_PARTICLES];
   double mass[2];
   int type[UT_PARTICLES];
 } ut_scene;
@@ -46,12 +46,12 @@ static inline void ut_arrange(ut_scene *s, tm_soup *soup, double dp)
   a->force_unit = 1.0;
   a->law = s->law;
   a->type = s->type;
-  a->x = s->x; a->v = a->rate_v = s->v; a->f = s->f;
-  a->x_stride = a->v_stride = a->rate_v_stride = a->f_stride = 3;
+  a->x = s->x; a->v = s->v; a->f = s->f;
+  a->x_stride = a->v_stride = a->f_stride = 3;
   a->mass = s->mass;
   a->material = s->material;
   a->temperature = s->temperature;
-  a->temperature_stride = a->yield_stride = 1;
+  a->temperature_stride = 1;
   a->source = s->source;
 }
 static inline void ut_clear(ut_scene *s)

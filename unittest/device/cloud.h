@@ -117,7 +117,8 @@ TM_FN tm_rates_args cloud_rates(cloud *w)
   a.conductance = w->conductance;
   a.type = w->type;
   a.ntypes = TYPES;
-  a.force = w->force; a.gradient = w->gradient; a.heat = w->heat; a.correction = w->correction;
+  a.force = w->force; a.force_begins = 0;
+  a.gradient = w->gradient; a.heat = w->heat; a.correction = w->correction;
   a.xsph_v = w->xsph_v; a.surface = w->surface; a.artificial = w->artificial;
   return a;
 }
@@ -213,8 +214,8 @@ STAGE(contact_tri)
   a.tool_temperature = 350.0;
   a.law = w->law;
   a.type = w->type;
-  a.x = w->x; a.v = a.rate_v = w->v; a.f = w->force;
-  a.x_stride = a.v_stride = a.rate_v_stride = a.f_stride = 3;
+  a.x = w->x; a.v = w->v; a.f = w->force;
+  a.x_stride = a.v_stride = a.f_stride = 3;
   a.mass = w->mass;
   a.material = w->material;
   a.temperature = w->temperature; a.temperature_stride = 3;
@@ -238,7 +239,7 @@ STAGE(exchange)
   a.emissivity = -1.0;
   a.surface.least = 0.1 / w->spacing; a.surface.scale = 1.5;
   a.area_factor = 1.0;
-  a.main = w->rec_main; a.heat = w->rec_heat; a.normal = w->surface;
+  a.rec = cloud_records(w); a.normal = w->surface;
   a.type = w->type; a.mask = w->mask; a.group = 1;
   a.material = w->material;
   a.source = w->source;

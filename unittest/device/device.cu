@@ -1,6 +1,7 @@
 /* The physics headers on a GPU against the host.
    Prints a line for each case: name, values compared, largest difference over what is allowed, ok or FAILED. Exits with 77
    where there is no GPU. Both halves are compiled from the same headers, the host's as C (on_host.c). */
+#define TM_BLOCK 1    /* arrays are those of the host */
 #include "on_host.h"
 
 #include <cstdio>
