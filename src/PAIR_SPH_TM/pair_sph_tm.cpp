@@ -338,9 +338,8 @@ void PairSPHTM::compute(int eflag, int vflag)
   double *internal = force_internal.loop_write();
   // LAMMPS has not cleared the forces where it leaves that to the pair style
   const bool clear = fuse_force_clear_flag && force->pair == this && !modify->n_pre_force;
-  if (internal && clear) backend.zero(s.force, 3 * nlocal * sizeof(double));
-  if (clear && force->newton)    // then LAMMPS adds those of ghosts to their owners'
-    backend.zero(s.force + 3 * (size_t) nlocal, 3 * (size_t) atom->nghost * sizeof(double));
+  if (clear && (internal || force->newton))    // with newton LAMMPS adds those of ghosts to their owners'
+    backend.zero(s.force, 3 * ((size_t) nlocal + atom->nghost) * sizeof(double));
   if (internal) args.force = internal;
   args.force_begins = clear || internal;
   {
