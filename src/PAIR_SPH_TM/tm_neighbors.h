@@ -131,8 +131,8 @@ typedef struct {
 TM_FN tm_real tm_near_dist2(int i, int k, const tm_near_args *a, int *j)
 {
   *j = a->rows.index[a->rows.first[i] + k * a->rows.stride];
-  const tm_real *p = a->main + TM_REC * (ptrdiff_t) i, *q = a->main + TM_REC * (ptrdiff_t) *j;
-  const tm_real dx = p[0] - q[0], dy = p[1] - q[1], dz = p[2] - q[2];
+  const tm_real *p = a->main + tm_record(i, TM_REC), *q = a->main + tm_record(*j, TM_REC);
+  const tm_real dx = p[0] - q[0], dy = p[1] - q[1], dz = p[tm_part(2)] - q[tm_part(2)];
   return dx * dx + dy * dy + dz * dz;
 }
 
