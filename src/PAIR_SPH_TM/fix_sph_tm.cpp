@@ -163,6 +163,9 @@ void FixSPHTM::derive_effects()
   plan.forced_off = forced_off;
   plan.asked = asked_reasons;
   plan.derive(*pair_sph, atom->ntypes);
+  if (plan.effects & ~TM_FX_PRESENT)
+    error->all(FLERR, "Fix sph/tm: this build of the plugin has no effect {} (CMake SPHTM_MINIMAL_EFFECTS)",
+               effect_name(plan.effects & ~TM_FX_PRESENT));
   if (!plan.contradiction.empty()) error->all(FLERR, "Fix sph/tm: {}", plan.contradiction);
   if (plan.effects & TM_FX_HEAT)
     for (int t = 1; t <= atom->ntypes; t++)
@@ -214,6 +217,7 @@ void FixSPHTM::init()
     if (f != this && f->time_integrate && (utils::strmatch(f->style, "^nve") || utils::strmatch(f->style, "^nvt")))
       if (comm->me == 0)
         error->warning(FLERR, "Fix {} also integrates positions; fix sph/tm does it for its own group", f->style);
+  check_restart();
   derive_effects();
   std::fill(dt_limits, dt_limits + TM_DT_CAUSES, 1e300);
 }

@@ -9,6 +9,7 @@
 #include "particle_fields.h"
 #include "run_clock.h"
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -142,6 +143,10 @@ class FixSPHTM : public Fix {
   double energy_now[VECTOR_SIZE];
   bigint energy_step = -1;
 
+  struct {
+    uint64_t rows = 0, hash = 0, rows_written = 0, hash_written = 0;
+  } read;                          // from a restart file, until it is checked
+  void check_restart();
   bool want_table = true, timing = false;
   bigint clock_step = 0;           // when the clock was set to 0
 

@@ -8,7 +8,10 @@
 #include "error.h"
 #include "update.h"
 
+#include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <vector>
 
 using namespace LAMMPS_NS;
 
@@ -17,6 +20,19 @@ void FixSPHTM::copy_arrays(int i, int j, int) { fields.copy(i, j); }
 void FixSPHTM::set_arrays(int i) { fields.zero(i); }
 int FixSPHTM::pack_exchange(int i, double *buf) { return fields.pack(i, buf); }
 int FixSPHTM::unpack_exchange(int nlocal, double *buf) { return fields.unpack(nlocal, buf); }
+
+// of the bits of a particle's row; the sum over the particles goes into the restart file
+static uint64_t row_hash(const double *row, int n)
+{
+  uint64_t h = 1469598103934665603u;
+  for (int k = 0; k < n; k++) {
+    uint64_t bits;
+    memcpy(&bits, row + k, sizeof(bits));
+    h = (h ^ bits) * 1099511628211u;
+    h ^= h >> 32;
+  }
+  return h;
+}
 
 int FixSPHTM::pack_restart(int i, double *buf)
 {
@@ -32,7 +48,25 @@ void FixSPHTM::unpack_restart(int nlocal, int nth)
   if (static_cast<int>(extra[m]) != fields.columns() + 1)
     error->one(FLERR, "Fix sph/tm: restart file holds {} values per particle, {} expected",
                static_cast<int>(extra[m]) - 1, fields.columns());
-  fields.unpack(nlocal, extra + m + 1);
+  const double *row = extra + m + 1;
+  for (int k = 0; k < fields.columns(); k++)
+    if (!std::isfinite(row[k]))
+      error->one(FLERR, "Fix sph/tm: the restart file is damaged, or was written after a fault: value {} of the "
+                        "state of particle {} is not a finite number", k + 1, atom->tag[nlocal]);
+  fields.unpack(nlocal, row);
+  read.rows++;
+  read.hash += row_hash(row, fields.columns());
+}
+
+// all rows that were written have been read, and are not what was written
+void FixSPHTM::check_restart()
+{
+  uint64_t mine[2] = {read.rows, read.hash}, all[2];
+  MPI_Allreduce(mine, all, 2, MPI_UINT64_T, MPI_SUM, world);
+  if (all[0] > 0 && all[0] == read.rows_written && all[1] != read.hash_written)
+    error->all(FLERR, "Fix sph/tm: the restart file is damaged: the state of its particles does not have the "
+                      "checksum written with it");
+  read = {};
 }
 
 int FixSPHTM::size_restart(int) { return fields.columns() + 1; }
@@ -42,6 +76,7 @@ int FixSPHTM::maxsize_restart() { return fields.columns() + 1; }
 namespace {
 struct GlobalState {
   int version, fields, started, cause;
+  uint64_t rows, hash;    // of the particles that follow
   double dt, dt_next;
   double book[sizeof(FixSPHTM::Ledger) / sizeof(double)];
 };
@@ -50,10 +85,19 @@ struct GlobalState {
 void FixSPHTM::write_restart(FILE *fp)
 {
   GlobalState g = {};
+  std::vector<double> row(fields.columns());
+  uint64_t mine[2] = {(uint64_t) atom->nlocal, 0}, all[2];
+  for (int i = 0; i < atom->nlocal; i++) {
+    fields.pack(i, row.data());
+    mine[1] += row_hash(row.data(), fields.columns());
+  }
+  MPI_Reduce(mine, all, 2, MPI_UINT64_T, MPI_SUM, 0, world);
   constexpr int n = sizeof(Ledger) / sizeof(double);
   MPI_Reduce(&ledger, g.book, n, MPI_DOUBLE, MPI_SUM, 0, world);
   if (comm->me) return;
-  g.version = 1;
+  g.version = 2;
+  g.rows = all[0];
+  g.hash = all[1];
   g.fields = (int) fields.mask();
   g.started = started;
   g.cause = dt_cause;
@@ -68,7 +112,9 @@ void FixSPHTM::restart(char *buf)
 {
   GlobalState g;
   memcpy(&g, buf, sizeof(g));
-  if (g.version != 1) error->all(FLERR, "Fix sph/tm: restart data of version {}, 1 expected", g.version);
+  if (g.version != 2) error->all(FLERR, "Fix sph/tm: restart data of version {}, 2 expected", g.version);
+  read.rows_written = g.rows;
+  read.hash_written = g.hash;
   fields.enable_mask((unsigned) g.fields, atom->nmax);
   maxexchange = fields.columns();
   started = g.started != 0;

@@ -3,7 +3,7 @@
 
    rate_loop(effects) returns the rate pass for the literal bits of `effects` (TM_FX_RATE_MASK, the
    kernel, and TM_FX_EXTENDED when any extended effect is on), one instantiation per set of bits.
-   Prediction and update test the effects at run time. */
+   Prediction and update find the loop for their effects by themselves. */
 #ifndef SPHTM_RATE_LOOPS_H
 #define SPHTM_RATE_LOOPS_H
 

@@ -13,24 +13,59 @@ template <unsigned EFFECTS> void moments(int begin, int end, const tm_rates_args
   for (int i = begin; i < end; i++) tm_moment(i, args, EFFECTS);
 }
 
+// Prediction and update: scenes without the rare effects have loops for just their set; with one of
+// those all effects are tested at run time.
+constexpr unsigned RARE = TM_FX_DAMAGE | TM_FX_ENERGY | TM_FX_BALSARA | TM_FX_XSPH | TM_FX_PLANE_STRESS |
+    TM_FX_SMOOTHING | TM_FX_FORM_F14;
+// of the correction update needs one constant, of the others prediction and update need nothing
+constexpr unsigned TESTED = TM_FX_CORRECTION | TM_FX_ARTSTRESS;
+
 // in chunks, so that the records are still in the cache for the artificial stress
-void predict(int begin, int end, const tm_predict_args *args, unsigned effects)
+template <unsigned SET, unsigned ASK>
+void predict_set(int begin, int end, const tm_predict_args *args, unsigned given)
 {
+  const unsigned effects = SET | (given & ASK);
   for (; begin < end; begin += TM_CHUNK) {
     const int last = end - begin < TM_CHUNK ? end : begin + TM_CHUNK;
     for (int i = begin; i < last; i++) tm_predict(i, args, effects);
-    if (effects & TM_FX_ARTSTRESS) tm_predict_artstress(begin, last, args, effects);
+    if (effects & TM_FX_PRESENT & TM_FX_ARTSTRESS) tm_predict_artstress(begin, last, args, effects);
   }
+}
+
+void predict(int begin, int end, const tm_predict_args *args, unsigned effects)
+{
+  if (effects & RARE) predict_set<0u, ~0u>(begin, end, args, effects);
+  else if (effects & TM_FX_HEAT) predict_set<TM_FX_HEAT, TESTED | TM_FX_3D>(begin, end, args, effects);
+  else predict_set<0u, TESTED | TM_FX_3D>(begin, end, args, effects);
+}
+
+template <unsigned SET, unsigned ASK>
+tm_update_result update_set(int begin, int end, const tm_update_args *args, unsigned given)
+{
+  const unsigned effects = SET | (given & ASK);
+  tm_update_result sum = tm_update_nothing();
+  for (int i = begin; i < end && sum.status == TM_OK; i++) {
+    const tm_update_result r = tm_update(i, args, effects);
+    tm_update_sum(&sum, &r, (effects & TM_FX_PRESENT & TM_FX_LEDGER) != 0);
+  }
+  return sum;
+}
+
+// each of the bits is in the set, or not
+template <unsigned SET> SPHTM_NS::update_loop_t update_of(unsigned) { return update_set<SET, TESTED>; }
+template <unsigned SET, unsigned BIT, unsigned... BITS> SPHTM_NS::update_loop_t update_of(unsigned effects)
+{
+  if (effects & BIT) return update_of<SET | BIT, BITS...>(effects);
+  return update_of<SET, BITS...>(effects);
 }
 
 tm_update_result update(int begin, int end, const tm_update_args *args, unsigned effects)
 {
-  tm_update_result sum = tm_update_nothing();
-  for (int i = begin; i < end && sum.status == TM_OK; i++) {
-    const tm_update_result r = tm_update(i, args, effects);
-    tm_update_sum(&sum, &r, (effects & TM_FX_LEDGER) != 0);
-  }
-  return sum;
+  constexpr unsigned HEAT = TM_FX_HEAT, CONDUCTION = TM_FX_CONDUCTION, FLOW = TM_FX_PLASTICITY;
+  const SPHTM_NS::update_loop_t run = (effects & RARE) ? update_set<0u, ~0u>
+      : (effects & HEAT) ? update_of<HEAT, CONDUCTION, FLOW, TM_FX_LEDGER, TM_FX_3D>(effects)
+                         : update_of<0u, FLOW, TM_FX_LEDGER, TM_FX_3D>(effects);
+  return run(begin, end, args, effects);
 }
 
 }    // namespace

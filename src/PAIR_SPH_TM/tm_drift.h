@@ -19,6 +19,7 @@ typedef struct {
 /* Nonzero: the particle is lost. */
 TM_FN int tm_drift(int i, const tm_drift_args *a, unsigned effects)
 {
+  effects &= TM_FX_PRESENT;
   const tm_state *s = &a->state;
   const int dim = (effects & TM_FX_3D) ? 3 : 2;
   double *x = s->x + 3 * (ptrdiff_t) i;

@@ -40,6 +40,7 @@ TM_FN tm_vec3 tm_predict_velocity(int i, const tm_predict_args *a)
 /* The record of particle i, all but the artificial stress. */
 TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
 {
+  effects &= TM_FX_PRESENT;
   const tm_state *s = &a->state;
   const tm_material *m = s->material + s->type[i];
   const tm_real c1 = (1.0 + 2.0 * TM_PREDICT_BETA) * a->dt_ahead;

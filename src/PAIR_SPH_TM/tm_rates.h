@@ -156,8 +156,8 @@ TM_FN int tm_within_reach(const tm_pair *rec, const tm_pair *size, tm_pair inv_h
 TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
 {
   const int kernel = tm_fx_kernel(effects);
-  const unsigned fx =
-      (effects & TM_FX_EXTENDED) ? (effects & (TM_FX_3D | TM_FX_KERNEL_MASK)) | a->effects : effects;
+  const unsigned fx = TM_FX_PRESENT &
+      ((effects & TM_FX_EXTENDED) ? (effects & (TM_FX_3D | TM_FX_KERNEL_MASK)) | a->effects : effects);
   const int dim3 = (effects & TM_FX_3D) != 0;
   const int viscosity = (fx & TM_FX_VISCOSITY) != 0, artstress = (fx & TM_FX_ARTSTRESS) != 0;
   const int conduction = (fx & TM_FX_CONDUCTION) != 0, form_f14 = (fx & TM_FX_FORM_F14) != 0;

@@ -202,6 +202,7 @@ TM_FN tm_real tm_update_temperature(int i, const tm_update_args *a, const tm_mat
 
 TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effects)
 {
+  effects &= TM_FX_PRESENT;
   const tm_state *s = &a->state;
   const tm_material *m = s->material + s->type[i];
   const tm_real *rec = tm_main_record(&a->rec, i);
@@ -297,7 +298,10 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     if (a2 > 0.0) out.dt[TM_DT_FORCE] = sqrt(h / sqrt(a2));
     const double *v = s->v + 3 * (ptrdiff_t) i;
     const tm_real v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-    const tm_real check = q.rho + q.s.xx + q.s.xy + q.s.yz + v2;
+    tm_real check = q.rho + q.s.xx + q.s.yy + q.s.xy + q.s.xz + q.s.yz + v2;
+    if (pl) check += pl[0];
+    if (e) check += *e;
+    if (dmg) check += dmg[0] + dmg[1];
     if (!(check - check == 0.0)) out.status = TM_BAD_NAN;
     else if (!(q.rho > 0.0)) out.status = TM_BAD_DENSITY;
     else if (v2 > 100.0 * rec[tm_part(TM_REC_C)] * rec[tm_part(TM_REC_C)]) out.status = TM_BAD_VELOCITY;

@@ -42,6 +42,18 @@ enum tm_effect {
                TM_FX_SMOOTHING))
 #define TM_FX_KERNEL_MASK (7u << TM_FX_KERNEL_SHIFT)
 
+/* Effects a build has: all, or of those that a scene may call for only TM_FX_MINIMAL, and the others
+   are not in its machine code (CMake: SPHTM_MINIMAL_EFFECTS). */
+#ifdef TM_FX_MINIMAL
+#define TM_FX_PRESENT                                                                              \
+  ((unsigned) (TM_FX_MINIMAL) |                                                                    \
+   ~((unsigned) (TM_FX_VISCOSITY | TM_FX_ARTSTRESS | TM_FX_CONDUCTION | TM_FX_CORRECTION |         \
+                 TM_FX_BALSARA | TM_FX_XSPH | TM_FX_SURFACE | TM_FX_HEAT | TM_FX_PLASTICITY |      \
+                 TM_FX_DAMAGE | TM_FX_ENERGY | TM_FX_BODIES | TM_FX_LEDGER | TM_FX_SMOOTHING)))
+#else
+#define TM_FX_PRESENT (~0u)
+#endif
+
 TM_FN int tm_fx_kernel(unsigned fx) { return (int) ((fx >> TM_FX_KERNEL_SHIFT) & 7u); }
 
 #endif
