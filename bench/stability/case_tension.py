@@ -1,0 +1,42 @@
+"""A strip of hardening metal, pulled to three times its length."""
+import numpy as np
+
+from frame import PLANE, Case
+
+
+def judge(r):
+    """1 minus the least cross section of the gauge over its mean; 1 where the strip came apart."""
+    e, dx = r.end, r.settings["dx"]
+    lo, hi = e["x"].min() + 6 * dx, e["x"].max() - 6 * dx
+    inside = (e["x"] > lo) & (e["x"] < hi)
+    bins = np.histogram(e["x"][inside], bins=int((hi - lo) / (4 * dx)))[0]
+    return 1 - bins.min() / bins.mean()
+
+
+CASE = Case(
+    title="tension to 200 %",
+    criterion="1 - least cross section over the mean one, in the gauge",
+    counter="no artificial stress",
+    setup=PLANE + """
+lattice         sq {dx} origin 0.5 0.5 0
+region          box block -0.03 0.06 -0.01 0.01 -0.1 0.1 units box
+create_box      1 box
+region          work block -0.012 0.012 -0.003 0.003 INF INF units box
+create_atoms    1 region work
+region          base block INF -0.010 INF INF INF INF units box
+region          head block 0.010 INF INF INF INF INF units box
+group           base region base
+group           head region head
+pair_style      sph/tm hyperbolic 1.2 spacing {dx} artstress {eps} 4
+pair_coeff      1 1 density 8930 elastic 117e9 0.35 strength plastic 100e6 5e9
+""",
+    model="""
+fix             body all sph/tm courant 0.4 energy yes
+variable        v equal 100*((time<2e-5)*time/2e-5+(time>=2e-5))
+fix             hold base sph/tm/drive 0 0 0
+fix             pull head sph/tm/drive v_v 0 0
+thermo          500
+variable        long equal (xcm(head,x)-xcm(base,x))/0.022
+thermo_style    custom step time dt v_long f_pull[1] f_body[3] f_body[7] f_body[9]
+""",
+    steps="steps", settings={"dx": 5e-4, "eps": 0.3, "steps": 16400}, bad={"eps": 0.0}, judge=judge, limit=0.5)
