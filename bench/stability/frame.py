@@ -87,6 +87,8 @@ def run_case(case, settings, half=False):
     one = Run(case, settings, run(text + end, folder=folder, expect_error=True, timeout=3000), time.time() - began)
     if not half:
         return one
+    if one.error:
+        return one, None
     with open(os.path.join(folder, "end.dump")) as f:
         whole = f.read()
     text = "read_restart half.restart\n" + case.model.format(**settings) + "run %d\n" % (steps - first)
@@ -101,7 +103,7 @@ def measure(case, quick=False):
               "unit": case.unit}
     if case.restart:
         good, same = run_case(case, settings, half=True)
-        answer["restart"] = "same bits" if same else "differs"
+        answer["restart"] = "not reached" if good.error else "same bits" if same else "differs"
     else:
         good, answer["restart"] = run_case(case, settings), "not tried"
     answer.update(steps=good.steps, seconds=round(good.seconds, 1), error=good.error)

@@ -51,7 +51,7 @@ std::map<unsigned, double> FixSPHTM::probe_effects(double seconds, bigint steps)
   const double budget = std::max(PROBE_SHARE * seconds, PROBE_ALWAYS);
   double rounds = all > 0.0 ? std::min(budget / all, (double) PROBE_ROUNDS) : 0.0;
   MPI_Bcast(&rounds, 1, MPI_DOUBLE, 0, world);
-  if (rounds < 1.0) return {};
+  if (rounds < 2.0) return {};    // one round can be disturbed
   std::map<unsigned, double> share;
   if (atom->nlocal > 0)
     share = EffectProbe(*this, std::min(atom->nlocal, PROBE_PARTICLES)).shares((int) rounds);
