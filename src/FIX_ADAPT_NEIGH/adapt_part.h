@@ -25,6 +25,8 @@ class AdaptPart {
   virtual std::vector<std::string> keywords() const = 0;
   virtual bool in_use() const = 0;
 
+  virtual void ready() {}    // once, when all keywords are read and the fix is LAMMPS's; may add other fixes
+
   // the calls of LAMMPS, in the order of a step; body and pair of the fix are known from init on
   virtual void init() {}
   virtual void setup_pre_exchange() {}
@@ -35,6 +37,11 @@ class AdaptPart {
   virtual void pre_force() {}
   virtual void end_of_step() {}
   virtual void post_run() {}
+
+  // refinement, in pre_exchange: owned particle i has come out of a split or a merge, its h is that factor of
+  // what it was; the neighbors of i have changed, i not
+  virtual void remade(int /*i*/, double /*factor*/) {}
+  virtual void neighborhood_changed(int /*i*/) {}
 
   // values of particles
   virtual void grow(int /*nmax*/) {}

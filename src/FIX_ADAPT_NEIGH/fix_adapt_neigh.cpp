@@ -5,9 +5,11 @@
 #include "adapt_lists.h"
 #include "fix_sph_tm.h"
 #include "pair_sph_tm.h"
+#include "refinement.h"
 
 #include "atom.h"
 #include "comm.h"
+#include "domain.h"
 #include "error.h"
 #include "force.h"
 #include "modify.h"
@@ -29,10 +31,12 @@ FixAdaptNeigh::FixAdaptNeigh(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
   global_freq = 1;
   extvector = 0;
   nevery = 1;
+  comm_forward = Cloud::MOST_COLUMNS;
   force_reneighbor = 1;
   next_reneighbor = -1;
   parts.push_back(std::make_unique<AdaptSmoothing>(*this));
   parts.push_back(std::make_unique<AdaptLists>(*this));
+  parts.push_back(std::make_unique<Refinement>(*this));
   read_keywords(3, narg, arg);
   for (const auto &p : parts)
     if (p->in_use()) used.push_back(p.get());
@@ -42,6 +46,11 @@ FixAdaptNeigh::FixAdaptNeigh(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
   for (AdaptPart *p : used) p->grow(atom->nmax);
   atom->add_callback(Atom::GROW);
   atom->add_callback(Atom::RESTART);
+}
+
+void FixAdaptNeigh::post_constructor()
+{
+  for (AdaptPart *p : used) p->ready();
 }
 
 FixAdaptNeigh::~FixAdaptNeigh()
@@ -134,6 +143,51 @@ void *FixAdaptNeigh::extract(const char *what, int &dim)
   for (AdaptPart *p : used)
     if (void *found = p->extract(what)) return found;
   return nullptr;
+}
+
+bool FixAdaptNeigh::uses(const std::string &keyword) const
+{
+  for (const AdaptPart *p : used)
+    for (const std::string &k : p->keywords())
+      if (k == keyword) return true;
+  return false;
+}
+void FixAdaptNeigh::remade(int i, double factor)
+{
+  for (AdaptPart *p : used) p->remade(i, factor);
+}
+void FixAdaptNeigh::neighborhood_changed(int i)
+{
+  for (AdaptPart *p : used) p->neighborhood_changed(i);
+}
+
+/* ---------------------------------------------------------------------- to ghosts */
+
+void FixAdaptNeigh::forward(double *rows, int columns)
+{
+  forwarded = rows;
+  forwarded_columns = columns;
+  comm->forward_comm(this, columns);
+}
+
+int FixAdaptNeigh::pack_forward_comm(int n, int *list, double *buf, int pbc_flag, int *pbc)
+{
+  const double shift[3] = {domain->xprd, domain->yprd, domain->zprd};
+  for (int k = 0; k < n; k++) {
+    double *to = buf + (size_t) k * forwarded_columns;
+    std::copy_n(forwarded + (size_t) list[k] * forwarded_columns, forwarded_columns, to);
+    for (int d = 0; pbc_flag && d < 3; d++) to[d] += pbc[d] * shift[d];
+    if (pbc_flag && domain->triclinic) {
+      to[0] += pbc[5] * domain->xy + pbc[4] * domain->xz;
+      to[1] += pbc[3] * domain->yz;
+    }
+  }
+  return n * forwarded_columns;
+}
+
+void FixAdaptNeigh::unpack_forward_comm(int n, int first, double *buf)
+{
+  std::copy_n(buf, (size_t) n * forwarded_columns, forwarded + (size_t) first * forwarded_columns);
 }
 
 /* ---------------------------------------------------------------------- values of particles */

@@ -22,6 +22,7 @@ class FixAdaptNeigh : public Fix {
  public:
   FixAdaptNeigh(class LAMMPS *, int, char **);
   ~FixAdaptNeigh() override;
+  void post_constructor() override;
   int setmask() override;
   void init() override;
   void setup_pre_exchange() override;
@@ -46,6 +47,8 @@ class FixAdaptNeigh : public Fix {
   int maxsize_restart() override;
   void write_restart(FILE *) override;
   void restart(char *) override;
+  int pack_forward_comm(int, int *, double *, int, int *) override;
+  void unpack_forward_comm(int, int, double *) override;
   double memory_usage() override;
 
   // for the parts; valid from init on
@@ -54,12 +57,19 @@ class FixAdaptNeigh : public Fix {
   LAMMPS *host() { return lmp; }
   void renew_lists();           // in the next step
   void update_packed_size();    // when the most a particle packs has changed
+  // rows of owned particles to their ghosts; the first three columns are the position
+  void forward(double *rows, int columns);
+  bool uses(const std::string &keyword) const;    // the part that has it is in use
+  void remade(int i, double factor);
+  void neighborhood_changed(int i);
 
  private:
   std::vector<std::unique_ptr<SPHTM_NS::AdaptPart>> parts;    // all that there are
   std::vector<SPHTM_NS::AdaptPart *> used;                    // those in use
   FixSPHTM *sph = nullptr;
   PairSPHTM *pair_sph = nullptr;
+  double *forwarded = nullptr;
+  int forwarded_columns = 0;
 
   void read_keywords(int, int, char **);
 };

@@ -225,5 +225,5 @@ int tm_split_make(int kind, int kernel, double epsilon, double alpha, tm_split_p
     for (int s = 0; s < n; s++) value += p->mass[r] * a0[r][s] * p->mass[s];
   }
   p->error = sqrt(tm_max(value, 0.0) / c);
-  return least > 0.0 ? TM_SPLIT_OK : TM_SPLIT_NEGATIVE;
+  return least > TM_SPLIT_LEAST ? TM_SPLIT_OK : TM_SPLIT_NEGATIVE;
 }

@@ -22,6 +22,7 @@ enum tm_split_kind {
   TM_SPLIT_KINDS
 };
 enum { TM_SPLIT_MOST = 13 };
+#define TM_SPLIT_LEAST 1e-6    /* a smaller share of the mass is none: alpha 1 leaves it all in the centre */
 
 enum tm_split_status {
   TM_SPLIT_OK = 0,

@@ -24,6 +24,11 @@ const char *const ATTRIBUTES[] = {TM_OUTPUT_TABLE(TM_OUTPUT_NAME)};
 
 }    // namespace
 
+bool ComputeSPHTMAtom::knows(const std::string &attribute)
+{
+  return std::find(std::begin(ATTRIBUTES), std::end(ATTRIBUTES), attribute) != std::end(ATTRIBUTES);
+}
+
 ComputeSPHTMAtom::ComputeSPHTMAtom(LAMMPS *lmp, int narg, char **arg) : Compute(lmp, narg, arg)
 {
   std::string known;
@@ -116,7 +121,21 @@ void ComputeSPHTMAtom::compute_peratom()
     if (size_peratom_cols == 0) memory->create(vector_atom, nmax, "sph/tm/atom:vector");
     else memory->create(array_atom, nmax, size_peratom_cols, "sph/tm/atom:array");
   }
-  if (atom->nlocal) run_output(size_peratom_cols == 0 ? vector_atom : array_atom[0]);
+  if (!atom->nlocal) return;
+  double *value = size_peratom_cols == 0 ? vector_atom : array_atom[0];
+  run_output(value);
+  if (wants(TM_OUT_LEVEL)) put_level(value);
+}
+
+// fix adapt/neigh, where there is one, keeps the levels on the host
+void ComputeSPHTMAtom::put_level(double *value)
+{
+  int dim;
+  const auto fixes = modify->get_fix_by_style("^adapt/neigh$");
+  const auto *level = fixes.empty() ? nullptr : (const double *) fixes[0]->extract("level", dim);
+  for (size_t k = 0; level && k < wanted.size(); k++)
+    for (int i = 0; wanted[k] == TM_OUT_LEVEL && i < atom->nlocal; i++)
+      if (atom->mask[i] & groupbit) value[i * wanted.size() + k] = level[i];
 }
 
 double ComputeSPHTMAtom::memory_usage() { return (double) nmax * wanted.size() * sizeof(double); }

@@ -7,6 +7,7 @@
 #include "compute.h"
 #include "tm_output.h"
 
+#include <string>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -18,6 +19,7 @@ class ComputeSPHTMAtom : public Compute {
   void init() override;
   void compute_peratom() override;
   double memory_usage() override;
+  static bool knows(const std::string &attribute);
 
  protected:
   class FixSPHTM *fix = nullptr;
@@ -30,6 +32,7 @@ class ComputeSPHTMAtom : public Compute {
   int nmax = 0;
 
   void find_fix();
+  void put_level(double *value);
   bool wants(int attribute) const;
 };
 

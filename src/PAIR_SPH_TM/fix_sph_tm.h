@@ -82,6 +82,14 @@ class FixSPHTM : public Fix {
   void need(unsigned effect, const std::string &reason);
   // time of the run's parts: of the pair style's by name, of another fix's by its address
   SPHTM_NS::RunClock run_clock;
+  // all of LAMMPS's arrays of particles on the host, to be read and written; back to where the loops run
+  virtual void host_particles() {}
+  virtual void host_particles_changed() {}
+  // refinement: the step that particle i would allow with another h; the next step is at most limit
+  double dt_of_size(int i, double h);
+  void lower_next_dt(double limit);
+  // what splits and merges change, in mass length^2/time^2; heat: kinetic energy that has become heat
+  void book_remap(double kinetic, double elastic, double heat);
   // upper limit of the time step, already with its safety factor; valid for the next step
   void limit_dt(double limit, int cause);
 

@@ -131,6 +131,12 @@ void FixSPHTMKokkos::atoms_to_host()
   atomKK->modified(execution_space, datamask_modify);
   atomKK->sync(Host, ALL_MASK);
 }
+void FixSPHTMKokkos::host_particles() { atomKK->sync(Host, ALL_MASK); }
+void FixSPHTMKokkos::host_particles_changed()
+{
+  atomKK->modified(Host, ALL_MASK);
+  atomKK->sync(execution_space, ALL_MASK);
+}
 
 void FixSPHTMKokkos::point_to_atoms(tm_state &s)
 {

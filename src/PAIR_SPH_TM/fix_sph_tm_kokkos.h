@@ -17,6 +17,8 @@ class FixSPHTMKokkos : public FixSPHTM, public KokkosBase {
   FixSPHTMKokkos(class LAMMPS *, int, char **);
   void init() override;
   void setup(int) override;
+  void host_particles() override;
+  void host_particles_changed() override;
   int pack_exchange_kokkos(const int &, DAT::tdual_xfloat_2d &, DAT::tdual_int_1d, DAT::tdual_int_1d,
                            ExecutionSpace) override;
   void unpack_exchange_kokkos(DAT::tdual_xfloat_2d &, DAT::tdual_int_1d &, int, int, int,

@@ -102,3 +102,23 @@ void FixSPHTM::reduce_dt()
   dt_next = next;
   std::fill(dt_limits, dt_limits + TM_DT_CAUSES, 1e300);
 }
+
+double FixSPHTM::dt_of_size(int i, double h)
+{
+  const tm_material *m = pair_sph->materials() + atom->type[i];
+  const double rho = field(TM_F_RHO)[i], *e = field(TM_F_ENERGY);
+  double limit = courant * tm_sound_time_step(h, tm_eos_sound_speed(m, rho, e ? e[i] : 0.0),
+                                              pair_sph->settings_in_use().visc_alpha, fx);
+  const double k = has(TM_FX_CONDUCTION) ? tm_conductivity(m, temperature(i)) : 0.0;
+  if (k > 0.0)
+    limit = std::min(limit, tm_heat_time_step(rho, tm_capacity(m, temperature(i)), h, k, pair_sph->largest_conductivity(),
+                                              pair_sph->fastest_heat_rate()));
+  return limit;
+}
+
+void FixSPHTM::lower_next_dt(double limit)
+{
+  if (fixed_dt > 0.0 || limit >= dt_next) return;
+  dt_next = limit;
+  dt_cause = TM_DT_SOUND;
+}

@@ -98,7 +98,7 @@ void PairSPHTM::init_style()
       if (comm->me == 0)
         utils::logmesg(lmp, "sph/tm: neighbor skin {:.6g}, a tenth of the reach\n", neighbor->skin);
     }
-  check_list_size();
+  check_list_size(least_spacing);
   make_tables();
   find_row_source();
   if (!row_source) neighbor->add_request(this, NeighConst::REQ_FULL);

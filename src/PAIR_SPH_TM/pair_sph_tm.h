@@ -91,6 +91,7 @@ class PairSPHTM : public Pair {
   // particles of different size (effect smoothing): smoothing lengths up to h are in the rows, the
   // smallest particle has the edge dp. Collective; from init() on, before LAMMPS makes its lists
   void cover_sizes(double h, double dp);
+  void make_room_for(double share);    // in the lists, for spacings down to that share of the smallest
   double covered_h() const { return list_h; }
   double smallest_spacing() const { return least_spacing; }
   // valid from init_style on
@@ -147,7 +148,7 @@ class PairSPHTM : public Pair {
   void make_room_for_rows();
   void check_volume();
   void check_masses();
-  void check_list_size();
+  void check_list_size(double dp);
   void make_tables();
   void resize_arrays();
   void fill_args(const tm_state &);

@@ -21,6 +21,8 @@ void PairSPHTM::check_masses()
     return fabs(mass - particle_mass(type)) > 1e-6 * particle_mass(type);
   };
   std::vector<bigint> wrong(atom->ntypes + 1, 0), all(atom->ntypes + 1, 0);
+  for (int i = 0; atom->rmass_flag && i < atom->nlocal; i++)    // none is given: it follows from the material
+    if (atom->rmass[i] == 0.0) atom->rmass[i] = particle_mass(atom->type[i]);
   if (atom->rmass_flag && !fix->wants(TM_FX_SMOOTHING)) {
     for (int i = 0; i < atom->nlocal; i++) wrong[atom->type[i]] += differs(atom->rmass[i], atom->type[i]);
     MPI_Allreduce(wrong.data(), all.data(), atom->ntypes + 1, MPI_LMP_BIGINT, MPI_SUM, world);
@@ -56,15 +58,17 @@ void PairSPHTM::check_volume()
 }
 
 // room for the neighbors of a body compressed to a third: LAMMPS's own is meant for molecules
-void PairSPHTM::check_list_size()
+void PairSPHTM::check_list_size(double dp)
 {
   // smoothing lengths may double during a run
   const double h = (fix->has(TM_FX_SMOOTHING) ? 2.0 : 1.0) * list_h;
-  const double cut = (tm_kernel_support(set.kernel) * h + neighbor->skin) / least_spacing;
-  const int need = (int) (3.0 * (domain->dimension == 3 ? 4.0 / 3.0 * TM_PI * cut * cut * cut : TM_PI * cut * cut));
+  const double cut = (tm_kernel_support(set.kernel) * h + neighbor->skin) / dp;
+  const int need = (int) std::min(1e7, 3.0 * (domain->dimension == 3 ? 4.0 / 3.0 * TM_PI * cut * cut * cut : TM_PI * cut * cut));
   if (neighbor->oneatom >= need) return;
   neighbor->oneatom = need;
   neighbor->pgsize = std::max(neighbor->pgsize, 10 * need);
   if (comm->me == 0)
     utils::logmesg(lmp, "sph/tm: neigh_modify one {} page {}, for the reach of the kernel\n", need, neighbor->pgsize);
 }
+
+void PairSPHTM::make_room_for(double share) { check_list_size(share * least_spacing); }

@@ -28,5 +28,5 @@ void PairSPHTM::cover_sizes(double h, double dp)
       if (force->pair != this) force->pair->cutsq[i][j] = std::max(force->pair->cutsq[i][j], cutsq[i][j]);
     }
   if (force->pair != this) force->pair->cutforce = std::max(force->pair->cutforce, cutforce);
-  check_list_size();
+  check_list_size(least_spacing);
 }

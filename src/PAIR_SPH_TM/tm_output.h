@@ -29,6 +29,7 @@
   VALUE(TM_OUT_THICKNESS, "thickness")      \
   VALUE(TM_OUT_SOUND, "soundspeed")         \
   VALUE(TM_OUT_H, "h")                      \
+  VALUE(TM_OUT_LEVEL, "level")              \
   VALUE(TM_OUT_NEIGHBORS, "neighbors")      \
   VALUE(TM_OUT_ADAPTNODE, "adaptnode")      \
   VALUE(TM_OUT_SEARCHES, "searches")        \
@@ -104,7 +105,7 @@ TM_FN tm_real tm_output_value(int which, int i, const tm_output_args *a)
     case TM_OUT_ADAPTNODE: return a->lists ? a->lists[(ptrdiff_t) i * TM_K + TM_K_MARK] : 1.0;
     case TM_OUT_SEARCHES: return a->lists ? a->lists[(ptrdiff_t) i * TM_K + TM_K_SEARCHES] : 0.0;
     case TM_OUT_AREA: return tm_output_area(i, a);
-    default: return 0.0;
+    default: return 0.0;    /* level: fix adapt/neigh knows it, on the host */
   }
 }
 

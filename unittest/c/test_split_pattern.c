@@ -43,6 +43,10 @@ int main(void)
   UT_TRUE(tm_split_make(TM_SPLIT_HEXAGON, TM_KERNEL_CUBIC, 0.4, 0.8, &p) == TM_SPLIT_NEGATIVE);
   UT_WITHIN(p.mass[0], -0.322, 1e-3);
 
+  /* children as wide as the parent: the centre takes all */
+  UT_TRUE(tm_split_make(TM_SPLIT_HEXAGON, TM_KERNEL_CUBIC, 0.6, 1.0, &p) == TM_SPLIT_NEGATIVE);
+  UT_WITHIN(p.mass[0], 1.0, 1e-9);
+
   for (int kind = 0; kind < TM_SPLIT_KINDS; kind++)
     for (int kernel = 0; kernel < TM_KERNEL_COUNT; kernel++) {
       const int status = tm_split_make(kind, kernel, 0.5, 0.9, &p);

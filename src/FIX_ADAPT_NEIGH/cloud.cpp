@@ -1,0 +1,84 @@
+#include "cloud.h"
+
+#include "fix_adapt_neigh.h"
+#include "fix_sph_tm.h"
+#include "pair_sph_tm.h"
+
+#include "atom.h"
+#include "domain.h"
+
+#include <algorithm>
+
+using namespace LAMMPS_NS;
+
+namespace SPHTM_NS {
+
+void Cloud::begin(int columns)
+{
+  const Atom *atom = fix.host()->atom;
+  const int n = atom->nlocal;
+  FixSPHTM &body = fix.body();
+  table.width = TM_CLOUD_STATE + columns;
+  table.kernel = fix.pair().settings_in_use().kernel;
+  table.dim = fix.host()->domain->dimension;
+  rows.assign((size_t) (n + atom->nghost) * table.width, 0.0);
+  table.row = rows.data();
+  links = fix.pair().host_rows();
+  std::fill(at, at + TM_F_COUNT, -1);
+  const double *rho = body.field(TM_F_RHO);
+  for (int i = 0; i < n; i++) {
+    double *r = row(i);
+    std::copy_n(atom->x[i], 3, r + TM_CLOUD_X);
+    std::copy_n(atom->v[i], 3, r + TM_CLOUD_V);
+    r[TM_CLOUD_MASS] = atom->rmass_flag ? atom->rmass[i] : atom->mass[atom->type[i]];
+    r[TM_CLOUD_VOLUME] = r[TM_CLOUD_MASS] / rho[i];
+  }
+}
+
+void Cloud::take_state()
+{
+  FixSPHTM &body = fix.body();
+  int columns = 0;
+  for (int id = 0; id < TM_F_COUNT; id++)
+    if (body.field(id)) columns += tm_field_table[id].columns;
+  begin(columns);
+  columns = TM_CLOUD_STATE;
+  for (int id = 0; id < TM_F_COUNT; id++) {
+    const double *from = body.field(id);
+    if (!from) continue;
+    at[id] = columns;
+    const int width = tm_field_table[id].columns;
+    for (int i = 0; i < fix.host()->atom->nlocal; i++) std::copy_n(from + (size_t) i * width, width, row(i) + columns);
+    columns += width;
+  }
+}
+
+void Cloud::take_values(const std::vector<double> &values)
+{
+  begin(1);
+  for (int i = 0; i < fix.host()->atom->nlocal; i++) row(i)[TM_CLOUD_STATE] = values[i];
+}
+
+void Cloud::forward() { fix.forward(rows.data(), table.width); }
+
+double Cloud::size(int i) const { return fix.body().field(TM_F_SIZE)[(size_t) i * TM_S_COLUMNS + TM_S_H]; }
+
+const std::vector<int> &Cloud::neighbors(int i)
+{
+  near.resize(links.mechanical[i]);
+  for (int k = 0; k < links.mechanical[i]; k++) near[k] = links.index[links.first[i] + k * links.stride];
+  return near;
+}
+
+int Cloud::count_within_reach(int i)
+{
+  int count = 0;
+  const double reach = tm_kernel_support(table.kernel) * size(i);
+  for (int j : neighbors(i)) {
+    tm_real w;
+    count += tm_vec_norm(tm_cloud_link(&table, i, j, 1.0, &w)) < reach;
+  }
+  return count;
+}
+
+}    // namespace SPHTM_NS

@@ -1,0 +1,160 @@
+/* SPH-TM: refinement, particles about a split or a merge move a little until they lie evenly.
+
+   Where particles of two sizes meet, sum_j V_j gradW is not 0, and uniform stress makes forces. A fluid under
+   pressure would even it out; so do a few sweeps of x_i -= 0.3 h_i^2 sum_j V_j gradW_ij. State moves
+   with its gradient. Momentum stays; the spin that the moves would add is taken out as a rotation. */
+#include "fix_adapt_neigh.h"
+#include "fix_sph_tm.h"
+#include "pair_sph_tm.h"
+#include "refinement.h"
+
+#include "atom.h"
+#include "domain.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+
+namespace SPHTM_NS {
+
+// displacements of the particles of this rank; those at a free surface, which lack neighbors, stay
+std::vector<tm_vec3> Refinement::even_out(std::vector<char> &moves)
+{
+  const Atom *atom = lmp()->atom;
+  const int n = atom->nlocal;
+  std::vector<double> h(n);
+  for (int i = 0; i < n; i++) h[i] = cloud.size(i);
+  cloud.take_values(h);
+  cloud.forward();
+  const double farthest = 0.2, at_surface = 0.15;
+  std::vector<tm_vec3> shift(n, tm_vec(0, 0, 0));
+  for (int sweep = 0; sweep < sweeps; sweep++) {
+    std::vector<tm_vec3> step(n);
+    for (int i = 0; i < n; i++) {
+      if (!moves[i]) continue;
+      const std::vector<int> &near = cloud.neighbors(i);
+      const tm_vec3 gap = tm_cloud_unevenness(&cloud.view(), i, near.data(), (int) near.size());
+      const double dp = tm_edge(cloud.row(i)[TM_CLOUD_VOLUME], cloud.view().dim == 3);
+      if (sweep == 0 && tm_vec_norm(gap) * dp > at_surface) moves[i] = 0;
+      step[i] = tm_vec_axpy(shift[i], -0.3 * h[i] * h[i], gap);
+      const double length = tm_vec_norm(step[i]), most = farthest * dp;
+      if (length > most) step[i] = tm_vec_scale(most / length, step[i]);
+    }
+    for (int i = 0; i < n; i++) {
+      if (!moves[i]) continue;
+      double *x = cloud.row(i) + TM_CLOUD_X;
+      x[0] += step[i].x - shift[i].x;
+      x[1] += step[i].y - shift[i].y;
+      x[2] += step[i].z - shift[i].z;
+      shift[i] = step[i];
+    }
+    cloud.forward();
+  }
+  return shift;
+}
+
+// about the centre of the moved particles, on all ranks: mass, centre, spin that the moves add, inertia
+struct Refinement::Moved {
+  double mass = 0.0;
+  tm_vec3 centre = {0, 0, 0}, mean = {0, 0, 0}, spin = {0, 0, 0};
+  tm_sym3 inertia = {0, 0, 0, 0, 0, 0};
+};
+
+static tm_vec3 from(const double *x) { return tm_vec(x[0], x[1], x[2]); }
+
+Refinement::Moved Refinement::measure(const std::vector<char> &moves, const std::vector<tm_vec3> &shift)
+{
+  const Atom *atom = lmp()->atom;
+  double mine[16] = {}, all[16];
+  auto unwrapped = [&](int i) {
+    double x[3];
+    lmp()->domain->unmap(atom->x[i], atom->image[i], x);
+    return from(x);
+  };
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!moves[i]) continue;
+    const tm_vec3 x = unwrapped(i), d = shift[i];
+    const double m = atom->rmass[i], values[7] = {m, m * x.x, m * x.y, m * x.z, m * d.x, m * d.y, m * d.z};
+    for (int k = 0; k < 7; k++) mine[k] += values[k];
+  }
+  MPI_Allreduce(mine, all, 7, MPI_DOUBLE, MPI_SUM, lmp()->world);
+  Moved s;
+  s.mass = all[0];
+  if (s.mass == 0.0) return s;
+  s.centre = tm_vec_scale(1.0 / s.mass, from(all + 1));
+  s.mean = tm_vec_scale(1.0 / s.mass, from(all + 4));
+  std::fill(mine, mine + 16, 0.0);
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!moves[i]) continue;
+    const tm_vec3 d = tm_vec_sub(shift[i], s.mean), r = tm_vec_add(tm_vec_sub(unwrapped(i), s.centre), d);
+    const double m = atom->rmass[i], r2 = tm_vec_dot(r, r);
+    const tm_vec3 spin = tm_vec_cross(d, tm_vec_scale(m, from(atom->v[i])));
+    const double values[9] = {spin.x, spin.y, spin.z, m * (r2 - r.x * r.x), m * (r2 - r.y * r.y), m * (r2 - r.z * r.z),
+                              -m * r.x * r.y, -m * r.x * r.z, -m * r.y * r.z};
+    for (int k = 0; k < 9; k++) mine[k] += values[k];
+  }
+  MPI_Allreduce(mine, all, 9, MPI_DOUBLE, MPI_SUM, lmp()->world);
+  s.spin = from(all);
+  s.inertia = tm_sym_load(all + 3);
+  return s;
+}
+
+void Refinement::settle()
+{
+  Atom *atom = lmp()->atom;
+  const int n = atom->nlocal, dim = lmp()->domain->dimension;
+  settle_at = -1;
+  fix.body().host_particles();
+  std::vector<char> moves(n);
+  for (int i = 0; i < n; i++) {
+    moves[i] = fresh[i] > 0.0;
+    fresh[i] = 0.0;
+  }
+  const std::vector<tm_vec3> shift = even_out(moves);
+  const Moved s = measure(moves, shift);
+  if (s.mass == 0.0) return;
+  // spin = inertia turn
+  tm_vec3 turn = tm_vec(0, 0, 0);
+  tm_sym3 inverse;
+  if (dim == 2) turn.z = s.inertia.zz > 0.0 ? s.spin.z / s.inertia.zz : 0.0;
+  else if (tm_sym_inverse(s.inertia, 1e-6, &inverse)) turn = tm_sym_mul_vec(inverse, s.spin);
+
+  cloud.take_state();
+  cloud.forward();
+  const int width = cloud.view().width;
+  std::vector<std::vector<double>> rows(n);
+  for (int i = 0; i < n; i++) {
+    if (!moves[i]) continue;
+    const tm_vec3 d = tm_vec_sub(shift[i], s.mean);
+    const double place[3] = {d.x, d.y, d.z};
+    rows[i].assign(cloud.row(i), cloud.row(i) + width);
+    spread(i, place, 1, 1.0, rows[i].data());
+    const double *c = cloud.row(i) + TM_CLOUD_X;
+    double x[3];
+    lmp()->domain->unmap(atom->x[i], atom->image[i], x);
+    const tm_vec3 r = tm_vec_add(tm_vec_sub(from(x), s.centre), d), dv = tm_vec_scale(-1.0, tm_vec_cross(turn, r));
+    rows[i][TM_CLOUD_V] += dv.x;
+    rows[i][TM_CLOUD_V + 1] += dv.y;
+    rows[i][TM_CLOUD_V + 2] += dv.z;
+    rows[i][TM_CLOUD_X] = c[0] + d.x;
+    rows[i][TM_CLOUD_X + 1] = c[1] + d.y;
+    rows[i][TM_CLOUD_X + 2] = c[2] + d.z;
+    rows[i][TM_CLOUD_VOLUME] = rows[i][TM_CLOUD_MASS] / rows[i][cloud.column(TM_F_RHO)];
+    const double at[3] = {c[0] - r.x + d.x, c[1] - r.y + d.y, c[2] - r.z + d.z};    // the centre, among the images of i
+    tm_content change = tm_content_nothing();
+    add_content(change, 1.0, rows[i].data(), at, atom->type[i]);
+    add_content(change, -1.0, cloud.row(i), at, atom->type[i]);
+    tm_content_sum(&error, &change);
+    fix.body().book_remap(change.kinetic, change.elastic, 0.0);
+  }
+  for (int i = 0; i < n; i++) {
+    if (!moves[i]) continue;
+    std::copy_n(rows[i].data() + TM_CLOUD_X, 3, atom->x[i]);
+    write_row(i, rows[i].data());
+    fix.neighborhood_changed(i);
+  }
+  fix.body().host_particles_changed();
+}
+
+}    // namespace SPHTM_NS

@@ -1,0 +1,373 @@
+#include "refinement.h"
+
+#include "argument.h"
+#include "fix_adapt_neigh.h"
+#include "fix_sph_tm.h"
+#include "pair_sph_tm.h"
+
+#include "atom.h"
+#include "atom_vec.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "force.h"
+#include "modify.h"
+#include "update.h"
+#include "utils.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+
+namespace SPHTM_NS {
+
+Refinement::Refinement(FixAdaptNeigh &owner) :
+    AdaptPart(owner), when(owner, "refine"), coarsen_when(owner, "coarsen"), cloud(owner), error(tm_content_nothing())
+{
+}
+
+LAMMPS *Refinement::lmp() const { return fix.host(); }
+
+/* ---------------------------------------------------------------------- input */
+
+int Refinement::keyword(int narg, char **arg)
+{
+  if (strcmp(arg[0], "refine") == 0) return read_refine(narg, arg);
+  if (strcmp(arg[0], "coarsen") != 0) return 0;
+  Error *error = lmp()->error;
+  const std::string what = "Fix adapt/neigh coarsen";
+  if (narg < 2) error->all(FLERR, "{} needs 'fallen' or 'when' with criteria", what);
+  if (strcmp(arg[1], "fallen") == 0) {
+    coarsen = FALLEN;
+    return 2;
+  }
+  if (strcmp(arg[1], "when") != 0) error->all(FLERR, "{} must be followed by fallen or when, got {}", what, arg[1]);
+  coarsen = WHEN;
+  return 2 + coarsen_when.read(what + " when", narg - 2, arg + 2);
+}
+
+// refine <pattern> epsilon E alpha A when <criteria> [level N] [every M] [velocity parent|linear] [settle N]
+int Refinement::read_refine(int narg, char **arg)
+{
+  Error *error = lmp()->error;
+  const std::string what = "Fix adapt/neigh refine";
+  if (kind >= 0) error->all(FLERR, "{} is given twice; join criteria with and, or", what);
+  std::string known;
+  for (int k = 0; k < TM_SPLIT_KINDS; k++) known += std::string(k ? ", " : "") + tm_split_name(k);
+  if (narg < 2) error->all(FLERR, "{} needs a pattern: {}", what, known);
+  for (int k = 0; k < TM_SPLIT_KINDS; k++)
+    if (strcmp(arg[1], tm_split_name(k)) == 0) kind = k;
+  if (kind < 0) error->all(FLERR, "{}: unknown pattern {}; known are {}", what, arg[1], known);
+  if (tm_split_dim(kind) != lmp()->domain->dimension)
+    error->all(FLERR, "{} {}: the pattern has {} dimensions, the run {}", what, arg[1], tm_split_dim(kind),
+               lmp()->domain->dimension);
+  int iarg = 2;
+  while (iarg < narg) {
+    const std::string key = arg[iarg];
+    auto value = [&]() {
+      if (iarg + 1 >= narg) error->all(FLERR, "{} {} needs a value", what, key);
+      return arg[iarg + 1];
+    };
+    if (key == "epsilon") epsilon = positive(lmp(), what + " epsilon", value());
+    else if (key == "alpha") alpha = number_within(lmp(), what + " alpha", value(), 0.0, 1.0);
+    else if (key == "level") most_level = integer_within(lmp(), what + " level", value(), 1, 8);
+    else if (key == "every") every = integer_within(lmp(), what + " every", value(), 1, 1000000000);
+    else if (key == "settle") asked_sweeps = integer_within(lmp(), what + " settle", value(), 0, 100);
+    else if (key == "velocity") {
+      const std::string choice = value();
+      if (choice != "parent" && choice != "linear")
+        error->all(FLERR, "{} velocity must be parent or linear, got {}", what, choice);
+      linear = choice == "linear";
+    } else if (key == "when") {
+      if (!when.empty()) error->all(FLERR, "{} when is given twice; join criteria with and, or", what);
+      iarg += 1 + when.read(what + " when", narg - iarg - 1, arg + iarg + 1);
+      continue;
+    } else
+      break;
+    iarg += 2;
+  }
+  if (epsilon == 0.0 || alpha == 0.0)
+    error->all(FLERR, "{} {} needs '{} <number>', in smoothing lengths of the particle that is split", what, arg[1],
+               epsilon == 0.0 ? "epsilon" : "alpha");
+  if (when.empty()) error->all(FLERR, "{} {} needs 'when' with a criterion", what, arg[1]);
+  const auto *pair = dynamic_cast<PairSPHTM *>(lmp()->force->pair_match("^sph/tm", 0));
+  if (pair) make_pattern(pair->settings_in_use().kernel);
+  return iarg;
+}
+
+void Refinement::make_pattern(int kernel)
+{
+  static const char *const kernels[] = {"hyperbolic", "cubic", "quintic", "wendland/c2", "wendland/c4"};
+  const int status = tm_split_make(kind, kernel, epsilon, alpha, &pattern);
+  if (status == TM_SPLIT_OK) return;
+  std::string masses;
+  for (int k = 0; k < pattern.n; k++) masses += fmt::format(" {:.4g}", pattern.mass[k]);
+  const bool none = pattern.mass[0] > 0.5;    // all in the centre
+  lmp()->error->all(FLERR, "Fix adapt/neigh refine {} epsilon {:.6g} alpha {:.6g} with the {} kernel {}; take {}",
+                    tm_split_name(kind), epsilon, alpha, kernels[kernel],
+                    status == TM_SPLIT_SINGULAR
+                        ? "puts the children so close together that their masses are not determined"
+                        : fmt::format("would give {} of the children {} mass, in parts of the whole:{}",
+                                      none ? "all but one" : "one", none ? "no" : "a negative", masses),
+                    status == TM_SPLIT_NEGATIVE && none ? "a smaller alpha" : "a larger epsilon");
+}
+
+// all keywords are read
+void Refinement::ready()
+{
+  if (kind < 0) lmp()->error->all(FLERR, "Fix adapt/neigh coarsen needs the keyword refine: it merges what was split");
+  if (fix.uses("threshold"))
+    lmp()->error->all(FLERR, "Fix adapt/neigh refine does not work with threshold yet: kept rows do not know of children; "
+                             "remove one of them");
+  const auto bodies = lmp()->modify->get_fix_by_style("^sph/tm$");
+  auto *body = bodies.empty() ? nullptr : dynamic_cast<FixSPHTM *>(bodies[0]);
+  if (!body) lmp()->error->all(FLERR, "Fix adapt/neigh refine needs a fix sph/tm before it; write 'fix body all sph/tm'");
+  body->need(TM_FX_SMOOTHING, "particles are refined");
+  if (lmp()->atom->rmass_flag) return;
+  lmp()->modify->add_fix(fmt::format("{}_mass all property/atom rmass ghost yes", fix.id));
+}
+
+/* ---------------------------------------------------------------------- calls of LAMMPS */
+
+bigint Refinement::next_check() const
+{
+  const bigint now = lmp()->update->ntimestep;
+  return (now / every + 1) * every;
+}
+
+void Refinement::init()
+{
+  make_pattern(fix.pair().settings_in_use().kernel);
+  when.init(every);
+  coarsen_when.init(every);
+  forget_plans();
+  settle_at = apply_at = -1;
+  sweeps = asked_sweeps >= 0 ? asked_sweeps : fix.pair().settings_in_use().art_eps > 0.0 ? 0 : 10;
+  fix.pair().make_room_for(pow(*std::min_element(pattern.mass, pattern.mass + pattern.n), (double) most_level / pattern.dim));
+  const bigint now = lmp()->update->ntimestep;
+  lmp()->modify->addstep_compute_all(now % every == 0 ? now : next_check());
+}
+
+void Refinement::setup()
+{
+  if (lmp()->update->ntimestep % every == 0) decide();
+}
+
+void Refinement::end_of_step()
+{
+  const Update *update = lmp()->update;
+  if (update->ntimestep == settle_at) settle();
+  // the last step is looked at by the set-up of the next run: particles may change in between
+  if (update->ntimestep % every == 0 && update->ntimestep != update->laststep) decide();
+}
+
+void Refinement::forget_plans()
+{
+  splits.clear();
+  merges.clear();
+  leaving.clear();
+  touched.clear();
+  pending = false;
+}
+
+void Refinement::decide()
+{
+  forget_plans();
+  fix.body().host_particles();
+  Modify *modify = lmp()->modify;
+  modify->clearstep_compute();
+  const std::vector<char> wanted = mark();
+  modify->addstep_compute(next_check());
+
+  double mine[2] = {0, 0}, all[2];
+  for (char c : wanted) {
+    mine[0] += c == SPLIT;
+    mine[1] += c == FALLEN_BACK;
+  }
+  MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, lmp()->world);
+  if (all[0] + all[1] == 0.0) return;
+
+  const Atom *atom = lmp()->atom;
+  cloud.take_state();
+  for (int i = 0; i < atom->nlocal; i++) {
+    double *r = cloud.row(i);
+    r[TM_CLOUD_MARK] = wanted[i];
+    r[TM_CLOUD_LEVEL] = level[i];
+    r[TM_CLOUD_FAMILY] = level[i] > 0 ? family_at(i, (int) level[i]) : 0.0;
+  }
+  cloud.forward();
+  for (int i = 0; i < atom->nlocal; i++)
+    if (wanted[i] == SPLIT) plan_split(i);
+  if (all[1] > 0.0) plan_merges();
+  double work = (double) (splits.size() + merges.size()), total;
+  MPI_Allreduce(&work, &total, 1, MPI_DOUBLE, MPI_SUM, lmp()->world);
+  pending = total > 0.0;
+  if (!pending) return;
+  plan_leaving();
+  apply_at = lmp()->update->ntimestep + 1;
+  fix.renew_lists();
+  foresee_time_step();
+}
+
+// what is to be done to each particle
+std::vector<char> Refinement::mark()
+{
+  const Atom *atom = lmp()->atom;
+  const tm_material *material = fix.pair().materials();
+  std::vector<char> what(atom->nlocal, NOTHING);
+  const std::vector<char> split = when.hold(cloud);
+  std::vector<char> merge;
+  if (coarsen == WHEN) merge = coarsen_when.hold(cloud);
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & fix.groupbit) || material[atom->type[i]].body != TM_BODY_SOLID) continue;
+    if (split[i] && level[i] < most_level) what[i] = SPLIT;
+    else if (coarsen != NEVER && level[i] > 0 && !split[i] && (coarsen == FALLEN || merge[i])) what[i] = FALLEN_BACK;
+  }
+  return what;
+}
+
+void Refinement::pre_exchange()
+{
+  if (!pending || apply_at != lmp()->update->ntimestep) return;
+  fix.body().host_particles();
+  report_levels();
+  Atom *atom = lmp()->atom;
+  if (atom->map_style != Atom::MAP_NONE) atom->map_clear();
+  atom->nghost = 0;
+  atom->avec->clear_bonus();
+  drop_outside();
+  for (int i : touched) {
+    fix.neighborhood_changed(i);
+    fresh[i] = 1.0;
+  }
+  if (sweeps) settle_at = lmp()->update->ntimestep;
+  make_children();
+  make_merged();
+  remove_leaving();
+  const bigint mine = atom->nlocal;
+  MPI_Allreduce(&mine, &atom->natoms, 1, MPI_LMP_BIGINT, MPI_SUM, lmp()->world);
+  if (atom->map_style != Atom::MAP_NONE) {
+    atom->map_init();
+    atom->map_set();
+  }
+  fix.body().host_particles_changed();
+  forget_plans();
+  const tm_size_range r = fix.body().sizes();
+  fix.pair().cover_sizes(std::max(r.largest_h, fix.pair().covered_h()), r.smallest_dp);
+}
+
+/* ---------------------------------------------------------------------- values of particles */
+
+void Refinement::grow(int nmax)
+{
+  level.resize(nmax, 0.0);
+  fresh.resize(nmax, 0.0);
+  family.resize((size_t) nmax * most_level, 0.0);
+}
+
+void Refinement::copy(int from, int to)
+{
+  level[to] = level[from];
+  fresh[to] = fresh[from];
+  for (int k = 1; k <= most_level; k++) family_at(to, k) = family_at(from, k);
+}
+
+void Refinement::set_new(int i)
+{
+  level[i] = fresh[i] = 0.0;
+  for (int k = 1; k <= most_level; k++) family_at(i, k) = 0.0;
+}
+
+int Refinement::pack(int i, double *buf)
+{
+  *buf++ = level[i];
+  *buf++ = fresh[i];
+  for (int k = 1; k <= most_level; k++) *buf++ = family_at(i, k);
+  return 2 + most_level;
+}
+
+int Refinement::unpack(int i, const double *buf)
+{
+  level[i] = *buf++;
+  fresh[i] = *buf++;
+  for (int k = 1; k <= most_level; k++) family_at(i, k) = *buf++;
+  return 2 + most_level;
+}
+
+/* ---------------------------------------------------------------------- restart, outputs */
+
+namespace {
+enum { SPLITS, MERGES, OUTSIDE, MASS, PX, PY, PZ, LX, LY, LZ, KINETIC, ELASTIC, SUMS };
+enum { KIND = SUMS, EPSILON, ALPHA, LEVELS, NEXT_TAG, TOLD, SAVED };
+}    // namespace
+
+std::vector<double> Refinement::sums() const
+{
+  const double mine[SUMS] = {n_splits,         n_merges,         n_outside,       error.mass,
+                             error.momentum.x, error.momentum.y, error.momentum.z, error.angular.x,
+                             error.angular.y,  error.angular.z,  error.kinetic,   error.elastic};
+  std::vector<double> all(SUMS);
+  MPI_Allreduce(mine, all.data(), SUMS, MPI_DOUBLE, MPI_SUM, lmp()->world);
+  return all;
+}
+
+std::vector<double> Refinement::state()
+{
+  std::vector<double> s = sums();
+  s.insert(s.end(), {(double) kind, epsilon, alpha, (double) most_level, next_tag, (double) levels_told});
+  return s;
+}
+
+void Refinement::restore(const double *s, size_t n)
+{
+  const auto text = [](double k, double e, double a, double l) {
+    return fmt::format("{} epsilon {:.8g} alpha {:.8g} level {}", tm_split_name((int) k), e, a, (int) l);
+  };
+  if (n != SAVED) lmp()->error->all(FLERR, "Fix adapt/neigh refine: the restart file is of another version");
+  if (s[KIND] != kind || s[EPSILON] != epsilon || s[ALPHA] != alpha || s[LEVELS] != most_level)
+    lmp()->error->all(FLERR, "Fix adapt/neigh refine {}: the restart file was written with {}; write the same",
+                      text(kind, epsilon, alpha, most_level), text(s[KIND], s[EPSILON], s[ALPHA], s[LEVELS]));
+  next_tag = s[NEXT_TAG];
+  levels_told = (int) s[TOLD];
+  if (lmp()->comm->me) return;
+  n_splits = s[SPLITS];
+  n_merges = s[MERGES];
+  n_outside = s[OUTSIDE];
+  error.mass = s[MASS];
+  error.momentum = tm_vec(s[PX], s[PY], s[PZ]);
+  error.angular = tm_vec(s[LX], s[LY], s[LZ]);
+  error.kinetic = s[KINETIC];
+  error.elastic = s[ELASTIC];
+}
+
+std::vector<std::string> Refinement::outputs() const
+{
+  std::vector<std::string> names = {"splits",         "merges",          "kept at the box", "smallest h",    "mass error",
+                                    "momentum error", "angular momentum error", "kinetic energy error", "elastic energy error"};
+  for (int l = 0; l <= most_level; l++) names.push_back(fmt::format("particles of level {}", l));
+  return names;
+}
+
+double Refinement::output(int n)
+{
+  if (summed_at != lmp()->update->ntimestep || !lmp()->update->whichflag) sum_outputs();
+  return summed[n];
+}
+
+void Refinement::sum_outputs()
+{
+  summed_at = lmp()->update->ntimestep;
+  const Atom *atom = lmp()->atom;
+  const UnitScale &unit = fix.pair().units();
+  const std::vector<double> s = sums();
+  std::vector<double> count(most_level + 1, 0.0), all(most_level + 1);
+  for (int i = 0; i < atom->nlocal; i++) count[(int) level[i]] += 1.0;
+  MPI_Allreduce(count.data(), all.data(), most_level + 1, MPI_DOUBLE, MPI_SUM, lmp()->world);
+  summed = {s[SPLITS], s[MERGES], s[OUTSIDE], fix.body().sizes().smallest_h, s[MASS], tm_vec_norm(tm_vec(s[PX], s[PY], s[PZ])),
+            tm_vec_norm(tm_vec(s[LX], s[LY], s[LZ])), s[KINETIC] / unit.energy, s[ELASTIC] / unit.energy};
+  summed.insert(summed.end(), all.begin(), all.end());
+}
+
+}    // namespace SPHTM_NS
