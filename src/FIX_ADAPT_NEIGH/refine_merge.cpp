@@ -103,6 +103,8 @@ void Refinement::plan_leaving()
 {
   const Atom *atom = lmp()->atom;
   const int nlocal = atom->nlocal, nall = nlocal + atom->nghost;
+  const int size = cloud.column(TM_F_SIZE) + TM_S_H;
+  const double support = tm_kernel_support(cloud.view().kernel);
   for (const Merge &m : merges) cloud.row(m.i)[TM_CLOUD_MARK] = STAYS;
   cloud.forward();
   std::vector<std::pair<double, int>> staying;    // family, particle
@@ -119,11 +121,16 @@ void Refinement::plan_leaving()
           break;
         }
     }
-    for (int j : cloud.neighbors(i))
-      if (cloud.row(j)[TM_CLOUD_MARK] == SPLIT || cloud.row(j)[TM_CLOUD_MARK] == STAYS) {
+    for (int j : cloud.neighbors(i)) {
+      const double *r = cloud.row(j);
+      tm_real w;
+      // within reach: not by the list, whose skin depends on when it was made
+      if ((r[TM_CLOUD_MARK] == SPLIT || r[TM_CLOUD_MARK] == STAYS) &&
+          tm_vec_norm(tm_cloud_link(&cloud.view(), i, j, 1.0, &w)) < support * sqrt(own[size] * r[size])) {
         touched.push_back(i);
         break;
       }
+    }
   }
   double mine[2] = {(double) merges.size() * (pattern.n - 1), (double) leaving.size()}, all[2];
   MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, lmp()->world);

@@ -63,40 +63,54 @@ struct Refinement::Moved {
 
 static tm_vec3 from(const double *x) { return tm_vec(x[0], x[1], x[2]); }
 
+// sums of the columns over all particles of all ranks, whose last bits do not depend on the order
+static std::vector<double> sum_in_any_order(const std::vector<double> &values, int columns, MPI_Comm world)
+{
+  std::vector<double> mine(columns, 0.0), most(columns), sums(columns);
+  for (size_t k = 0; k < values.size(); k++) mine[k % columns] = std::max(mine[k % columns], fabs(values[k]));
+  MPI_Allreduce(mine.data(), most.data(), columns, MPI_DOUBLE, MPI_MAX, world);
+  const double parts = 1099511627776.0;    // 2^40 of the largest; room for 2^22 of it
+  std::vector<long long> whole(columns, 0), all(columns);
+  for (size_t k = 0; k < values.size(); k++)
+    if (most[k % columns] > 0.0) whole[k % columns] += llround(values[k] / most[k % columns] * parts);
+  MPI_Allreduce(whole.data(), all.data(), columns, MPI_LONG_LONG, MPI_SUM, world);
+  for (int k = 0; k < columns; k++) sums[k] = (double) all[k] / parts * most[k];
+  return sums;
+}
+
 Refinement::Moved Refinement::measure(const std::vector<char> &moves, const std::vector<tm_vec3> &shift)
 {
   const Atom *atom = lmp()->atom;
-  double mine[16] = {}, all[16];
   auto unwrapped = [&](int i) {
     double x[3];
     lmp()->domain->unmap(atom->x[i], atom->image[i], x);
     return from(x);
   };
+  std::vector<double> values;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!moves[i]) continue;
     const tm_vec3 x = unwrapped(i), d = shift[i];
-    const double m = atom->rmass[i], values[7] = {m, m * x.x, m * x.y, m * x.z, m * d.x, m * d.y, m * d.z};
-    for (int k = 0; k < 7; k++) mine[k] += values[k];
+    const double m = atom->rmass[i];
+    values.insert(values.end(), {m, m * x.x, m * x.y, m * x.z, m * d.x, m * d.y, m * d.z});
   }
-  MPI_Allreduce(mine, all, 7, MPI_DOUBLE, MPI_SUM, lmp()->world);
+  std::vector<double> all = sum_in_any_order(values, 7, lmp()->world);
   Moved s;
   s.mass = all[0];
   if (s.mass == 0.0) return s;
-  s.centre = tm_vec_scale(1.0 / s.mass, from(all + 1));
-  s.mean = tm_vec_scale(1.0 / s.mass, from(all + 4));
-  std::fill(mine, mine + 16, 0.0);
+  s.centre = tm_vec_scale(1.0 / s.mass, from(&all[1]));
+  s.mean = tm_vec_scale(1.0 / s.mass, from(&all[4]));
+  values.clear();
   for (int i = 0; i < atom->nlocal; i++) {
     if (!moves[i]) continue;
     const tm_vec3 d = tm_vec_sub(shift[i], s.mean), r = tm_vec_add(tm_vec_sub(unwrapped(i), s.centre), d);
     const double m = atom->rmass[i], r2 = tm_vec_dot(r, r);
     const tm_vec3 spin = tm_vec_cross(d, tm_vec_scale(m, from(atom->v[i])));
-    const double values[9] = {spin.x, spin.y, spin.z, m * (r2 - r.x * r.x), m * (r2 - r.y * r.y), m * (r2 - r.z * r.z),
-                              -m * r.x * r.y, -m * r.x * r.z, -m * r.y * r.z};
-    for (int k = 0; k < 9; k++) mine[k] += values[k];
+    values.insert(values.end(), {spin.x, spin.y, spin.z, m * (r2 - r.x * r.x), m * (r2 - r.y * r.y), m * (r2 - r.z * r.z),
+                                 -m * r.x * r.y, -m * r.x * r.z, -m * r.y * r.z});
   }
-  MPI_Allreduce(mine, all, 9, MPI_DOUBLE, MPI_SUM, lmp()->world);
-  s.spin = from(all);
-  s.inertia = tm_sym_load(all + 3);
+  all = sum_in_any_order(values, 9, lmp()->world);
+  s.spin = from(&all[0]);
+  s.inertia = tm_sym_load(&all[3]);
   return s;
 }
 

@@ -54,9 +54,9 @@ def conservation(checks):
                 checks.near(name + ": mean of " + what, np.sum(b["mass"] * y), np.sum(a["mass"] * x), relative=1e-11)
 
 
-def same(checks, name, a, b, frame="d.dump"):
-    a, b = a.dump(frame)[-1], b.dump(frame)[-1]
-    equal = len(a["id"]) == len(b["id"]) and all(np.array_equal(a[k], b[k]) for k in a)
+def same(checks, name, frames, run_of_b):
+    a, b = frames[-1], run_of_b.dump("d.dump")[-1]
+    equal = len(a["id"]) == len(b["id"]) and all(np.array_equal(a[k], b[k]) for k in a if k != "box")
     checks.true(name, equal, "%d and %d particles" % (len(a["id"]), len(b["id"])))
 
 
@@ -67,7 +67,8 @@ def bits(checks):
     refine = SQUARE + "when v_near above 0.5 level 2 settle 4 coarsen fallen"
     body = styles(refine, more=more)
     make = start(spin=2000.0, squeeze=3e3, size=(24, 12, 8))
-    whole = run(make + body + "restart 90 at.*.restart\nrun 300\n" + dump(1) + "run 0\n")
+    whole = run(make + body + "write_restart start.restart\nrestart 90 at.*.restart\nrun 300\n" +
+                dump(1) + "run 0\n")
     t = whole.thermo[0]
     checks.above("moving circle: splits", t["f_ad[1]"][-1], 100)
     checks.above("moving circle: merges", t["f_ad[2]"][-1], 50)
@@ -80,16 +81,17 @@ def bits(checks):
     checks.note("moving circle: kinetic, elastic energy changed by splits and merges", "%.3g, %.3g of the kinetic energy" %
                 (t["f_ad[8]"][-1] / energy[0], t["f_ad[9]"][-1] / energy[0]))
     checks.note("moving circle: angular momentum lost in merges", "%.3g of the whole" % (t["f_ad[7]"][-1] / abs(t["c_sum[4]"][0])))
+    first = read_dump(whole.path("d.dump"))
+
+    def read(grid, name):
+        return "units si\nnewton off\nprocessors %s\nread_restart %s.restart\n" % (grid, name) + body
+
+    end = dump(1) + "run 0\n"
     for ranks, grid in ((2, "2 1 1"), (4, "2 2 1")):
-        other = run(start(spin=2000.0, squeeze=3e3, size=(24, 12, 8), grid=grid) + body + "run 300\n" + dump(1) + "run 0\n", ranks=ranks)
-        same(checks, "%d ranks" % ranks, whole, other)
-    cut = run(make + body + "run 90\nrun 210\n" + dump(1) + "run 0\n")
-    same(checks, "a run cut in two", whole, cut)
-    again = run("units si\nnewton off\nread_restart at.90.restart\n" + body + "run 210\n" + dump(1) + "run 0\n", folder=whole.folder,
-                files={"d.dump.first": open(whole.path("d.dump")).read()})
-    a, b = read_dump(whole.path("d.dump.first"))[-1], again.dump("d.dump")[-1]
-    checks.true("restart", len(a["id"]) == len(b["id"]) and all(np.array_equal(a[k], b[k]) for k in a),
-                "%d and %d particles" % (len(a["id"]), len(b["id"])))
+        other = run(read(grid, "start") + "run 300\n" + end, ranks=ranks, folder=whole.folder)
+        same(checks, "%d ranks" % ranks, first, other)
+    same(checks, "a run cut in two", first, run(read("* * 1", "start") + "run 90\nrun 210\n" + end, folder=whole.folder))
+    same(checks, "restart", first, run(read("* * 1", "at.90") + "run 210\n" + end, folder=whole.folder))
     wrong = run("units si\nnewton off\nread_restart at.90.restart\n" + body.replace("alpha 0.6", "alpha 0.7") + "run 1\n", folder=whole.folder,
                 expect_error=True)
     checks.true("restart with another pattern", "alpha 0.7" in wrong.errors() and "alpha 0.6" in wrong.errors(), wrong.errors())
@@ -110,9 +112,24 @@ def periodic(checks):
     checks.below("periodic: places", np.max(np.abs(b["xu"] - a["xu"] - 12 * DX)) / DX if len(a["id"]) == len(b["id"]) else 1.0, 1e-6)
 
 
+def settling(checks):
+    """Particles that settle after a split: momentum and angular momentum stay."""
+    make = start(spin=2000.0, squeeze=6e3)
+    refine = "refine square epsilon 0.41666667 alpha 0.6 when pstrain above 0.005 every %d settle 10"
+    base = run(make + styles(refine % 1000000) + "run 120\nwrite_restart at.restart\n" + dump(1, "before.dump") + "run 0\n")
+    done = run("units si\nnewton off\nread_restart at.restart\n" + styles(refine % 120, body="dt 1e-18", thermo=1) + "run 1\n" +
+               dump(1, "after.dump") + "run 0\n", folder=base.folder)
+    one, other = momenta(base.dump("before.dump")[-1]), momenta(done.dump("after.dump")[-1])
+    checks.above("settling: splits", done.thermo[0]["f_ad[1]"][-1], 20)
+    checks.near("settling: momentum", other["px"], one["px"], relative=1e-11)
+    checks.near("settling: angular momentum", other["lz"], one["lz"], relative=1e-9)
+    checks.near("settling: kinetic energy", other["kinetic"], one["kinetic"], relative=5e-3)
+
+
 def main():
     checks = Checks()
     conservation(checks)
+    settling(checks)
     bits(checks)
     periodic(checks)
     checks.end()
