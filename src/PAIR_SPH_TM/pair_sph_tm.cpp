@@ -33,7 +33,9 @@ PairSPHTM::PairSPHTM(LAMMPS *lmp, Backend &loops) : Pair(lmp), backend(loops)
   for (auto *a : {&rec_heat, &rec_correction, &rec_size, &heat, &correction, &xsph_v, &surface, &artificial, &near_count,
                   &tally, &force_internal})
     a->live_in(loops);
-  for (auto *a : {&single_main, &single_more, &single_correction, &single_size}) a->live_in(loops);
+  single_main.live_in(loops, TM_REC, 4);
+  single_more.live_in(loops, TM_MORE, 4);
+  for (auto *a : {&single_correction, &single_size}) a->live_in(loops);
   restartinfo = 1;
   single_enable = 0;
   one_coeff = 0;

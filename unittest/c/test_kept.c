@@ -10,7 +10,7 @@ enum { SIDE = 6, MOST = SIDE * SIDE * SIDE, ROOM = 128 };
 #define DP 1e-3
 #define H (1.2 * DP)
 
-static int N, dim3;
+static int N, in_3d;
 static double X[MOST][3], x[MOST][3], force[MOST][3];
 static tm_real main_rec[MOST * TM_REC], stress_rec[MOST * TM_REC_STRESS], heat_rec[MOST * TM_REC_HEAT];
 static tm_real shown[MOST * TM_KEPT], told[MOST * TM_TOLD], memory[MOST * TM_K];
@@ -64,7 +64,7 @@ static tm_settle_args settle_args(int corrected)
   a.corrected = corrected;
   a.threshold = a.strain = INFINITY;
   a.h = H;
-  a.slope_norm = tm_kernel_norm(TM_KERNEL_HYPERBOLIC, dim3 ? 3 : 2, H) / H;
+  a.slope_norm = tm_kernel_norm(TM_KERNEL_HYPERBOLIC, in_3d ? 3 : 2, H) / H;
   a.art_inv_w = 1.0;
   a.art_n = 4;
   a.first = 1;
@@ -134,16 +134,16 @@ static void start(void)
   N = 0;
   for (int a = 0; a < SIDE; a++)
     for (int b = 0; b < SIDE; b++)
-      for (int c = 0; c < (dim3 ? SIDE : 1); c++, N++) {
+      for (int c = 0; c < (in_3d ? SIDE : 1); c++, N++) {
         X[N][0] = DP * (a + ut_random(-0.1, 0.1));
         X[N][1] = DP * (b + ut_random(-0.1, 0.1));
-        X[N][2] = dim3 ? DP * (c + ut_random(-0.1, 0.1)) : 0.0;
+        X[N][2] = in_3d ? DP * (c + ut_random(-0.1, 0.1)) : 0.0;
         tm_real *r = main_rec + N * TM_REC;
         r[TM_REC_RHO] = ut_random(2000, 3000);
-        r[TM_REC_M] = ut_random(0.9, 1.1) * 2700 * DP * DP * (dim3 ? DP : 1.0);
-        for (int k = 0; k < 6; k++) r[TM_REC_P + k] = (dim3 || k != 4 ? (dim3 || k != 5) : 0) * ut_random(-1, 1) * 30.0;
+        r[TM_REC_M] = ut_random(0.9, 1.1) * 2700 * DP * DP * (in_3d ? DP : 1.0);
+        for (int k = 0; k < 6; k++) r[TM_REC_P + k] = (in_3d || k != 4 ? (in_3d || k != 5) : 0) * ut_random(-1, 1) * 30.0;
         r[TM_REC_C] = 5000;
-        for (int k = 0; k < 6; k++) stress_rec[N * TM_REC_STRESS + k] = dim3 || k == 0 || k == 1 || k == 3 ? ut_random(-5, 0) : 0.0;
+        for (int k = 0; k < 6; k++) stress_rec[N * TM_REC_STRESS + k] = in_3d || k == 0 || k == 1 || k == 3 ? ut_random(-5, 0) : 0.0;
         heat_rec[N * TM_REC_HEAT] = ut_random(300, 400);
         heat_rec[N * TM_REC_HEAT + 1] = 100;
         first[N] = (ptrdiff_t) N * ROOM;
@@ -154,11 +154,11 @@ static void start(void)
 
 static void run(int corrected, unsigned fx)
 {
-  dim3 = (fx & TM_FX_3D) != 0;
+  in_3d = (fx & TM_FX_3D) != 0;
   start();
   tm_mat3 zero = tm_mat_scale(0.0, tm_mat_identity()), L = zero;
   L.xx = 300; L.xy = -200; L.yx = 500; L.yy = -100;
-  if (dim3) { L.xz = 40; L.zx = -60; L.yz = 20; L.zy = 70; L.zz = 250; }
+  if (in_3d) { L.xz = 40; L.zx = -60; L.yz = 20; L.zy = 70; L.zz = 250; }
   place(tm_mat_identity(), L);
   for (int i = 0; i < N; i++) search(i, NULL);
   memset(gradient, 0, sizeof gradient);
@@ -177,7 +177,7 @@ static void run(int corrected, unsigned fx)
   if (corrected) {
     tm_mat3 U = tm_mat_identity();
     U.xx = 1.3; U.xy = 0.2; U.yy = 0.8;
-    if (dim3) { U.xz = -0.1; U.zz = 1.2; }
+    if (in_3d) { U.xz = -0.1; U.zz = 1.2; }
     A = tm_mat_mul(A, U);
   }
   const tm_mat3 R = turn(1.1), now = corrected ? L : tm_mat_mul(tm_mat_mul(R, L), tm_mat_transposed(R));
@@ -203,6 +203,7 @@ static void run(int corrected, unsigned fx)
   UT_TRUE(kept[N / 2] == 0);
   for (int i = 0; i < N; i++) search(i, which);
   memory[(N / 2) * TM_K + TM_K_SEARCHED] = 1.0;
+  memory[(N / 2) * TM_K + TM_K_NEAR] = 0.0;
   memset(gradient, 0, sizeof gradient);
   rates(fx);
   for (int i = 0; i < N; i++)

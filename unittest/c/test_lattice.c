@@ -57,13 +57,14 @@ int main(void)
       }
 
   /* one particle: m = 2, rho = 4, V = 0.5, cp = 10, carrying a third of a face */
-  const tm_real main_record[TM_REC] = {0, 0, 0, 2, 0, 0, 0, 4}, heat[TM_REC_HEAT] = {400, 50}, n[3] = {-3, 4, 0};
+  tm_real main_record[TM_REC] = {0, 0, 0, 2, 0, 0, 0, 4}, heat[TM_REC_HEAT] = {400, 50};
+  const tm_real n[3] = {-3, 4, 0};
   const int type[1] = {0};
   tm_material m = {0};
   m.capacity.value = 10;
   m.emissivity = 0.25;
   tm_exchange_args a = {0};
-  a.main = main_record; a.heat = heat; a.normal = n; a.type = type; a.material = &m;
+  a.rec.main = main_record; a.rec.heat = heat; a.normal = n; a.type = type; a.material = &m;
   a.surface.least = 1; a.surface.scale = 0.1; a.area_factor = 2; a.emissivity = -1;
   a.strength = 7; a.T_inf = 300;
   a.mode = TM_EXCHANGE_FLUX;

@@ -8,7 +8,7 @@ enum { N = 600, OWN = 500, TYPES = 3, ROOM = 400 };
 
 static double x[N][3];
 static tm_real reach[N];
-static int type[N], tag[N], cell[N], order[N + TM_COLUMN], begin[100000];
+static int type[N], tag[N], cell[N], order[N + TM_COLUMN], begin[100000], marked[N + 1];
 static tm_real column[4][N + TM_COLUMN];
 static int row[N * ROOM], count[TM_SEGMENTS][N];
 static ptrdiff_t first[N];
@@ -95,6 +95,8 @@ static void run(int dim3, int own_reach, int types, int some, ptrdiff_t stride)
   memset(&a, 0, sizeof a);
   a.cells.reach = own_reach ? reach : NULL;
   sort(&a.cells, dim3, 2.4);
+  for (int k = 0; k < N; k++) marked[k + 1] = marked[k] + searched[order[k]];
+  a.cells.marked = marked;
   a.reach = 2.4;
   a.meets = types ? meets : NULL;
   a.segments = types ? 7 : 1;
