@@ -158,6 +158,7 @@ void AdaptLists::kept_rates(const tm_rates_args &rates, unsigned effects)
   stretch.make_room(true, (size_t) own() * 9 + 9);
   tm_kept_args a = kept_args(rates.rec);
   a.force = rates.force;
+  a.force_begins = rates.force_begins;
   a.gradient = rates.gradient;
   a.heat = rates.heat;
   a.artificial = rates.artificial;

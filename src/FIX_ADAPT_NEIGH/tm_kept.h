@@ -80,17 +80,26 @@ typedef struct {
   const tm_real *memory;       /* TM_K, owned */
   tm_real h, slope_norm;       /* as in tm_rates_args */
   tm_real visc_alpha, visc_beta, force_unit;
+  int force_begins;            /* as in tm_rates_args */
   /* results; added to those of the pairs searched in this step */
   double *force;
-  tm_real *gradient, *heat, *artificial;
+  tm_real *gradient;           /* L, 9 in rows of tm_layout.h */
+  tm_real *heat, *artificial;
   tm_real *stretch;            /* G, 9 */
 } tm_kept_args;
+
+/* A symmetric tensor from columns c on of a record. */
+TM_FN tm_sym3 tm_kept_sym(const tm_real *r, int c)
+{
+  return tm_sym(r[tm_part(c)], r[tm_part(c + 1)], r[tm_part(c + 2)], r[tm_part(c + 3)], r[tm_part(c + 4)],
+                r[tm_part(c + 5)]);
+}
 
 /* What particle i shows, from its record. */
 TM_FN void tm_kept_show(int i, const tm_kept_args *a, tm_real *shown)
 {
   const tm_real *r = tm_main_record(&a->rec, i), rho = r[tm_part(TM_REC_RHO)];
-  const tm_sym3 P = tm_sym_from_record(r, TM_REC_P);
+  const tm_sym3 P = tm_kept_sym(r, TM_REC_P);
   const tm_real *B = a->memory + (ptrdiff_t) i * TM_K + TM_K_B;
   tm_real *out = shown + (ptrdiff_t) i * TM_KEPT;
   for (int c = 0; c < 3; c++) {
@@ -123,13 +132,13 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
   const int *row = a->rows.index + a->rows.first[i];
   const float *weight = tm_weight(&a->rows, i);
 
-  tm_real ri[TM_REC];
-  tm_fetch(tm_main_record(&a->rec, i), TM_REC, ri);
-  const tm_real xi = ri[0], yi = ri[1], zi = ri[2], mi = ri[TM_REC_M];
-  const tm_real vxi = ri[4], vyi = ri[5], vzi = ri[6], rhoi = ri[TM_REC_RHO], ci = ri[TM_REC_C];
+  const tm_real *ri = tm_main_record(&a->rec, i);
+  const tm_real xi = ri[tm_part(0)], yi = ri[tm_part(1)], zi = ri[tm_part(2)], mi = ri[tm_part(TM_REC_M)];
+  const tm_real vxi = ri[tm_part(4)], vyi = ri[tm_part(5)], vzi = ri[tm_part(6)];
+  const tm_real rhoi = ri[tm_part(TM_REC_RHO)], ci = ri[tm_part(TM_REC_C)];
   tm_sym3 qi = tm_sym(0, 0, 0, 0, 0, 0);
   tm_real ti = 0, ki = 0;
-  if (effects & TM_FX_ARTSTRESS) qi = tm_sym_from_record(tm_stress_record(&a->rec, i), 0);
+  if (effects & TM_FX_ARTSTRESS) qi = tm_kept_sym(tm_stress_record(&a->rec, i), 0);
   if (conduction) {
     ti = tm_heat_record(&a->rec, i)[tm_part(TM_REC_T)];
     ki = tm_heat_record(&a->rec, i)[tm_part(TM_REC_K)];
@@ -149,34 +158,43 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
   for (int k = 0; k < n_row; k += TM_CHUNK) {
     const int n = n_row - k < TM_CHUNK ? n_row - k : TM_CHUNK;
     const int lanes = TM_COLUMN == 1 ? 1 : (n + TM_LANES - 1) / TM_LANES * TM_LANES;
-    float tense = 0;
-    for (int l = 0; l < n; l++) {
-      jj[tm_at(l)] = row[(k + l) * stride];
-      tense += weight[TM_W_TENSILE * next + (k + l) * stride];
+    const int *entry = row + k * stride;
+    int tense = 0;
+    if (TM_COLUMN > 1 && stride == 1) {
+      for (int l = 0; l < n; l++) jj[tm_at(l)] = entry[l];
+      for (int c = 0; c < TM_W_DISTANCE; c++) {
+        const float *w = weight + c * next + k;
+#pragma omp simd
+        for (int l = 0; l < n; l++) col[TM_KCOL_WEIGHT + c][tm_at(l)] = w[l];
+      }
+#pragma omp simd reduction(+ : tense)
+      for (int l = 0; l < n; l++) tense += weight[TM_W_TENSILE * next + k + l] > 0.0f;
+    } else {
+      for (int l = 0; l < n; l++) jj[tm_at(l)] = entry[l * stride];
+      for (int c = 0; c < TM_W_DISTANCE; c++)
+        for (int l = 0; l < n; l++) col[TM_KCOL_WEIGHT + c][tm_at(l)] = weight[c * next + (k + l) * stride];
+      for (int l = 0; l < n; l++) tense += col[TM_KCOL_WEIGHT + TM_W_TENSILE][tm_at(l)] > 0;
     }
-    for (int c = 0; c < TM_W_DISTANCE; c++) {
-      const float *w = weight + c * next + k * stride;
-      for (int l = 0; l < n; l++) col[TM_KCOL_WEIGHT + c][tm_at(l)] = w[l * stride];
-      for (int l = n; l < lanes; l++) col[TM_KCOL_WEIGHT + c][tm_at(l)] = 0;
+    for (int l = n; l < lanes; l++) {
+      jj[tm_at(l)] = i;
+      for (int c = 0; c < TM_W_DISTANCE; c++) col[TM_KCOL_WEIGHT + c][tm_at(l)] = 0;
     }
     /* artificial stress acts on few rows */
     const int artstress = (effects & TM_FX_ARTSTRESS) && tense > 0;
-    for (int l = n; l < lanes; l++) jj[tm_at(l)] = i;
-    if (TM_COLUMN == 1) {
-      tm_pair r[TM_KCOL_SHOWN];
-      tm_fetch(tm_main_record(&a->rec, jj[0]), TM_KCOL_SHOWN, r);
-      for (int c = 0; c < TM_KCOL_SHOWN; c++) col[c][0] = r[c];
-      for (int c = 0; c < TM_KEPT; c++) col[TM_KCOL_SHOWN + c][0] = a->shown[(ptrdiff_t) jj[0] * TM_KEPT + c];
-      for (int c = 0; artstress && c < TM_REC_STRESS; c++)
-        col[TM_KCOL_STRESS + c][0] = tm_stress_record(&a->rec, jj[0])[tm_part(c)];
-      for (int c = 0; conduction && c < TM_REC_HEAT; c++)
-        col[TM_KCOL_HEAT + c][0] = tm_heat_record(&a->rec, jj[0])[tm_part(c)];
-    } else {
+    if (TM_COLUMN > 1) {
       tm_transpose_rows(a->rec.main, TM_REC, jj, lanes, TM_KCOL_SHOWN, col[0]);
       tm_transpose_rows(a->shown, TM_KEPT, jj, lanes, TM_KEPT, col[TM_KCOL_SHOWN]);
       if (artstress)
         tm_transpose_rows(a->rec.stress, TM_REC_STRESS, jj, lanes, TM_REC_STRESS, col[TM_KCOL_STRESS]);
       if (conduction) tm_transpose_rows(a->rec.heat, TM_REC_HEAT, jj, lanes, TM_REC_HEAT, col[TM_KCOL_HEAT]);
+    } else {
+      const int j = jj[0];
+      for (int c = 0; c < TM_KCOL_SHOWN; c++) col[c][0] = tm_main_record(&a->rec, j)[tm_part(c)];
+      for (int c = 0; c < TM_KEPT; c++) col[TM_KCOL_SHOWN + c][0] = a->shown[(ptrdiff_t) j * TM_KEPT + c];
+      for (int c = 0; artstress && c < TM_REC_STRESS; c++)
+        col[TM_KCOL_STRESS + c][0] = tm_stress_record(&a->rec, j)[tm_part(c)];
+      for (int c = 0; conduction && c < TM_REC_HEAT; c++)
+        col[TM_KCOL_HEAT + c][0] = tm_heat_record(&a->rec, j)[tm_part(c)];
     }
 #define TM_KCOL(c) col[c][tm_at(l)]
 
@@ -274,6 +292,7 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
   G[6] = w * tm_lanes_sum(gzx); G[7] = w * tm_lanes_sum(gzy); G[8] = w * tm_lanes_sum(gzz);
   const tm_real ux = tm_lanes_sum(sx), uy = tm_lanes_sum(sy), uz = tm_lanes_sum(sz), mf = mi * a->force_unit;
   double *f = a->force + 3 * (ptrdiff_t) i;
+  if (a->force_begins && !add) f[0] = f[1] = f[2] = 0.0;
   f[0] += mf * (w * (A[0] * ux + A[1] * uy + A[2] * uz + tm_lanes_sum(fx)) + tm_lanes_sum(dxs));
   f[1] += mf * (w * (A[3] * ux + A[4] * uy + A[5] * uz + tm_lanes_sum(fy)) + tm_lanes_sum(dys));
   f[2] += mf * (w * (A[6] * ux + A[7] * uy + A[8] * uz + tm_lanes_sum(fz)) + tm_lanes_sum(dzs));

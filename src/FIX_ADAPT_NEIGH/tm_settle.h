@@ -113,7 +113,8 @@ TM_FN int tm_settle_tell(int i, const tm_settle_args *a, unsigned effects)
 TM_FN void tm_settle_pair(int i, int j, int to, const tm_settle_args *a, int kernel, int dim3)
 {
   const tm_real *ri = tm_main_record(&a->rec, i), *rj = tm_main_record(&a->rec, j);
-  const tm_vec3 d = tm_vec(ri[tm_part(0)] - rj[tm_part(0)], ri[tm_part(1)] - rj[tm_part(1)], dim3 ? ri[tm_part(2)] - rj[tm_part(2)] : 0.0);
+  const tm_vec3 d = tm_vec(ri[tm_part(0)] - rj[tm_part(0)], ri[tm_part(1)] - rj[tm_part(1)],
+                           dim3 ? ri[tm_part(2)] - rj[tm_part(2)] : 0.0);
   const tm_real r = tm_vec_norm(d), q = r / a->h, slope = tm_kernel_slope(kernel, q);
   const tm_vec3 w = tm_vec_scale(slope / r, d);
   const tm_real *ei = a->told + (ptrdiff_t) i * TM_TOLD, *ej = a->told + (ptrdiff_t) j * TM_TOLD;
@@ -227,8 +228,10 @@ typedef struct {
 TM_FN tm_real tm_watch_distance(int i, int j, const tm_watch_args *a, tm_real *then)
 {
   const tm_real *ri = tm_main_record(&a->rec, i), *rj = tm_main_record(&a->rec, j);
-  const tm_vec3 d = tm_vec(ri[tm_part(0)] - rj[tm_part(0)], ri[tm_part(1)] - rj[tm_part(1)], ri[tm_part(2)] - rj[tm_part(2)]);
-  const tm_vec3 v = tm_vec(ri[tm_part(4)] - rj[tm_part(4)], ri[tm_part(5)] - rj[tm_part(5)], ri[tm_part(6)] - rj[tm_part(6)]);
+  const tm_vec3 d = tm_vec(ri[tm_part(0)] - rj[tm_part(0)], ri[tm_part(1)] - rj[tm_part(1)],
+                           ri[tm_part(2)] - rj[tm_part(2)]);
+  const tm_vec3 v = tm_vec(ri[tm_part(4)] - rj[tm_part(4)], ri[tm_part(5)] - rj[tm_part(5)],
+                           ri[tm_part(6)] - rj[tm_part(6)]);
   const tm_real r = tm_vec_norm(d);
   *then = (r + a->time * tm_vec_dot(v, d) / r) / a->h;
   return r / a->h;
