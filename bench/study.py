@@ -89,3 +89,9 @@ def loop_times(output):
     walls = [float(w) for w in re.findall(r"^Loop time of (\S+)", output, re.M)]
     shares = [float(s) / 100 for s in re.findall(r"([\d.]+)% CPU use", output)]
     return sum(walls), sum(w * s for w, s in zip(walls, shares))
+
+
+def last_loop(output):
+    """Steps of all run commands, and particles of the last."""
+    loops = re.findall(r"^Loop time of \S+ on \d+ procs for (\d+) steps with (\d+) atoms", output, re.M)
+    return sum(int(s) for s, _ in loops), int(loops[-1][1]) if loops else 0

@@ -6,21 +6,19 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-from scipy.special import erf
+
+from measure import exact
 
 ratio = float(sys.argv[1]) if len(sys.argv) > 1 else 10.0
 t = float(sys.argv[2]) if len(sys.argv) > 2 else 1e-3
 x, T = np.loadtxt("temperature.dump", skiprows=9)[:, 1:3].T
 
 s = np.linspace(x.min(), x.max(), 2001)
-e = np.sqrt(ratio)
-Tc = (300 + e * 400) / (1 + e)
-exact = np.where(s < 0, Tc + (300 - Tc) * erf(-s / (2 * np.sqrt(t))), Tc + (400 - Tc) * erf(s / (2 * np.sqrt(ratio * t))))
 
 plt.rcParams.update({"font.size": 9})
 figure, axes = plt.subplots(figsize=(5, 3.2))
 axes.axvline(0, color="0.8", lw=1)
-axes.plot(s, exact, "k-", lw=1, label="closed form")
+axes.plot(s, exact(s, ratio, t), "k-", lw=1, label="closed form")
 axes.plot(x, T, "o", ms=3, mfc="none", mec="tab:red", label="%d particles" % len(x))
 axes.set(xlabel="x (m)", ylabel="temperature (K)", xlim=(-0.15, 0.35), title="conductivity 1 | %g after %g s" % (ratio, t))
 axes.legend(frameon=False, loc="lower right")

@@ -1,29 +1,22 @@
 """Two layers that conduct differently, against the closed form of REFERENCE: the scene of examples/two_layer_heat."""
 import os
+import sys
 
 import numpy as np
-from scipy.special import erf
-
 from sphtm_scene import SOURCE, Checks, order_of_convergence, run
 
-SCRIPT = os.path.join(SOURCE, "examples", "two_layer_heat", "in.two_layer_heat")
-COLD, HOT = 300.0, 400.0
+EXAMPLE = os.path.join(SOURCE, "examples", "two_layer_heat")
+sys.path.insert(0, EXAMPLE)
+from measure import COLD, HOT, error as error_of, exact                                # noqa: E402
 
-
-def exact(x, ratio, t):
-    """Left k = rho cp = 1, right k = ratio."""
-    e = np.sqrt(ratio)
-    Tc = (COLD + e * HOT) / (1 + e)
-    return np.where(x < 0, Tc + (COLD - Tc) * erf(-x / (2 * np.sqrt(t))),
-                    Tc + (HOT - Tc) * erf(x / (2 * np.sqrt(ratio * t))))
+SCRIPT = os.path.join(EXAMPLE, "in.two_layer_heat")
 
 
 def solve(n, ratio, left, t, text=None):
     """x, T and the share of the jump by which they are off."""
     result = run(text or SCRIPT, dict(n=n, ratio=ratio, left=left, t_end=t))
     frame, time = result.dump("temperature.dump")[-1], result.thermo[-1]["Time"][-1]
-    error = abs(frame["c_T"] - exact(frame["x"], ratio, time)) / (HOT - COLD)
-    return frame["x"], frame["c_T"], error, result
+    return frame["x"], frame["c_T"], error_of(frame, ratio, time), result
 
 
 checks = Checks()

@@ -109,17 +109,24 @@ write_dump      all custom end.dump id x y z c_p[*] modify format float %.17g
 """
 
 
-def patch(dim, kernel, options=""):
-    """Errors of the stress increment over its largest entry: of the particles away from edges, and the share of the
-    others that is off by more than 1e-3."""
+def gradient(dim):
     g = G.copy()
     if dim == 2:
         g[2, :] = g[:, 2] = 0
+    return g
+
+
+def patch_script(dim, kernel, options=""):
+    g = gradient(dim)
     line = ["+".join("(%r)*%s" % (float(g[r, c]), "xyz"[c]) for c in range(dim)) for r in range(3)]
-    frame = run(head(dim, kernel, "f15", "viscosity 0 0 " + options, 8, 8 if dim == 2 else 6) +
-                PATCH.format(dz="1e-4" if dim == 3 else "0", u=line[0], v=line[1], w=line[2],
-                             vz="v_w" if dim == 3 else "NULL")).dump("end.dump")[-1]
-    dt, L = 1e-10, g    # short: the step is of second order in dt times the rate, 1e-7
+    return (head(dim, kernel, "f15", "viscosity 0 0 " + options, 8, 8 if dim == 2 else 6) +
+            PATCH.format(dz="1e-4" if dim == 3 else "0", u=line[0], v=line[1], w=line[2], vz="v_w" if dim == 3 else "NULL"))
+
+
+def patch_errors(dim, frame):
+    """Errors of the stress increment over its largest entry: of the particles away from edges, and the share of the
+    others that is off by more than 1e-3."""
+    dt, L = 1e-10, gradient(dim)    # short: the step is of second order in dt times the rate, 1e-7
     D = 0.5 * (L + L.T)
     shear, bulk = E / (2 * (1 + NU)), E / (3 * (1 - 2 * NU))
     s = dt * (2 * shear * (D - np.trace(D) / 3 * np.eye(3)))
@@ -147,11 +154,11 @@ def table():
                     corrected = wave_speed(dim, kernel, form, "correction yes")
                     # in 3D 12 of the 16 rows of particles of this bar are at faces, 4 of them at edges
                     checks.near(name + " corrected: speed of a bar", corrected, 1.0, relative=0.01 if dim == 2 else 0.1)
-                    inside, dropped = patch(dim, kernel, "correction yes")
+                    inside, dropped = patch_errors(dim, run(patch_script(dim, kernel, "correction yes")).dump("end.dump")[-1])
                     checks.below(name + " corrected: patch test", inside, 1e-6)
                     if dim == 3:
                         checks.note("   share of the edge particles without correction", "%.2f" % dropped)
-                    text += ", patch test by %.2g" % patch(dim, kernel)[0]
+                    text += ", patch test by %.2g" % patch_errors(dim, run(patch_script(dim, kernel)).dump("end.dump")[-1])[0]
                 checks.note(name + " plain: speed of a bar off by", text)
 
 
@@ -217,6 +224,7 @@ def planes():
                             (100 * (xx / strain / modulus - 1), 100 * (force / strain / modulus - 1)))
 
 
-planes()
-table()
-checks.end()
+if __name__ == "__main__":
+    planes()
+    table()
+    checks.end()

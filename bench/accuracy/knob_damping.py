@@ -1,0 +1,25 @@
+"""Strength of the artificial stress and of the artificial viscosity."""
+from cases import decay, plate, rings
+
+TITLE = "artificial stress and viscosity"
+STRENGTHS = ((0, 0), (0, 0.3), (0, 1), (0.1, 1), (0.3, 0), (0.3, 0.3), (0.3, 1))
+
+
+def label(stress, alpha):
+    return "stress %g, viscosity %g" % (stress, alpha)
+
+
+def plates(rows):
+    return {label(s, a): {"rows": rows, "options": "viscosity %g %g artstress %g 4 correction yes" % (a, a, s)}
+            for s, a in STRENGTHS}
+
+
+def all_rings():
+    return {label(s, a): {"eps": s, "options": "viscosity %g %g" % (a, a)} for s, a in STRENGTHS}
+
+
+swings = plate({"quick": plates(6), "full": plates(10), "large": plates(20)}, baseline=label(0, 1))
+lost = plate({"quick": plates(6), "full": plates(10), "large": plates(20)}, baseline=label(0, 1))
+lost.name, lost.quantity, lost.reference, lost.kind = "decay", "energy that artificial terms take from the swing", "elastic: nothing", "closed form"
+lost.measure = decay
+SWEEPS = [swings, lost, rings({"quick": all_rings(), "full": all_rings()}, baseline=label(0.3, 1))]
