@@ -106,7 +106,7 @@ def measure(sweep, size, repeats, clock, lmp="", say=print):
     settings, points = sweep.settings[size], {}
     for repeat in range(repeats):
         for label, variables in settings.items():
-            if repeat and points[label][0]["error"] is None and "value" not in points[label][0]:
+            if repeat and points[label][0].get("error", 0) is None:
                 continue    # it broke, and will again
             points.setdefault(label, []).append(one_run(sweep, variables, lmp, repeat == 0))
     answer = []
@@ -128,8 +128,7 @@ def measure(sweep, size, repeats, clock, lmp="", say=print):
     for p in answer:
         say("  %-34s %s error %-9s time %6.2f  processor %6.2f  (%.2f s, %.2f) %s" % (
             p["setting"], "*" if p["front"] else " ", number(p["error"]), p["relative_time"], p["relative_processor"], p["wall"],
-            p["processor"],
-            p["note"]))
+            p["processor"], p["note"]))
     return answer
 
 

@@ -1,5 +1,6 @@
 """Strength of the artificial stress and of the artificial viscosity."""
 from cases import decay, plate, rings
+from frame import CLOSED
 
 TITLE = "artificial stress and viscosity"
 STRENGTHS = ((0, 0), (0, 0.3), (0, 1), (0.1, 1), (0.3, 0), (0.3, 0.3), (0.3, 1))
@@ -20,6 +21,6 @@ def all_rings():
 
 swings = plate({"quick": plates(6), "full": plates(10), "large": plates(20)}, baseline=label(0, 1))
 lost = plate({"quick": plates(6), "full": plates(10), "large": plates(20)}, baseline=label(0, 1))
-lost.name, lost.quantity, lost.reference, lost.kind = "decay", "energy that artificial terms take from the swing", "elastic: nothing", "closed form"
-lost.measure = decay
+lost.name, lost.quantity = "decay", "energy that artificial terms take from the swing"
+lost.reference, lost.kind, lost.measure = "elastic: nothing", CLOSED, decay
 SWEEPS = [swings, lost, rings({"quick": all_rings(), "full": all_rings()}, baseline=label(0.3, 1))]

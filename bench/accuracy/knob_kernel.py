@@ -22,7 +22,8 @@ def patch_off(run):
 
 
 def each(more, make):
-    return {"%s%s" % (k, " corrected" if c == "yes" else ""): dict(more, **make(k, c)) for k in forms.KERNELS for c in ("no", "yes")}
+    return {"%s%s" % (k, " corrected" if c == "yes" else ""): dict(more, **make(k, c))
+            for k in forms.KERNELS for c in ("no", "yes")}
 
 
 def patches(steps):

@@ -13,6 +13,7 @@ def options(text, **more):
 
 SWEEPS = [
     heat({size: {"double": {"n": 200}, "mixed": {"n": 200, "precision": "mixed"}} for size in ("quick", "full")}),
-    plate({"quick": options(PLATE, rows=8), "full": options(PLATE, rows=10), "large": options(PLATE, rows=20, kernel="hyperbolic 1.2")}),
+    plate({"quick": options(PLATE, rows=8), "full": options(PLATE, rows=10),
+           "large": options(PLATE, rows=20, kernel="hyperbolic 1.2")}),
     taylor({"quick": options(BAR, rings=3), "full": options(BAR, rings=4), "large": options(BAR, rings=9)}),
 ]
