@@ -39,6 +39,7 @@ class AdaptLists : public AdaptPart, public RowSource {
   void *extract(const char *) override;
 
   // for pair sph/tm
+  bool keeps() const override { return threshold > 0.0; }
   void show(const tm_records &) override;
   void renew(bool) override;
   tm_rows mechanical() override;
@@ -55,7 +56,6 @@ class AdaptLists : public AdaptPart, public RowSource {
   Backend *backend = nullptr;
   double reach = 0.0;
   int room = 0;
-  bool keeps() const { return threshold > 0.0; }
   bool first_search = true;   // pairs of the first search of all have no artificial stress
   bool by_tag = false;        // entries of kept rows stand in tags, not in index
   double sum_searched = 0.0, last_searched = 0.0;    // of this rank

@@ -115,4 +115,11 @@ void AdaptSmoothing::pre_exchange()
 
 double AdaptSmoothing::output(int n) { return n == 0 ? smallest_h : n == 1 ? largest_h : widened; }
 
+void *AdaptSmoothing::extract(const char *what)
+{
+  if (mode == NONE || strcmp(what, SmoothingRule::NAME) != 0) return nullptr;
+  rule = {mode == PSI ? table.host_read() : nullptr, least, most};
+  return &rule;
+}
+
 }    // namespace SPHTM_NS

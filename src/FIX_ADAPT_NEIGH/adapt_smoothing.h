@@ -6,6 +6,7 @@
 #include "adapt_part.h"
 
 #include "loop_array.h"
+#include "row_source.h"
 
 namespace SPHTM_NS {
 
@@ -21,6 +22,7 @@ class AdaptSmoothing : public AdaptPart {
   void end_of_step() override;
   std::vector<std::string> outputs() const override { return {"smallest h", "largest h", "lists widened"}; }
   double output(int) override;
+  void *extract(const char *) override;
 
  private:
   enum { NONE, PSI, DENSITY } mode = NONE;
@@ -28,6 +30,7 @@ class AdaptSmoothing : public AdaptPart {
   double least = 0.5, most = 2.0;
   double smallest_h = 0.0, largest_h = 0.0, widened = 0.0;
   LoopArray<tm_asph_table> table;
+  SmoothingRule rule;    // as others ask for it
 
   void follow(bool first);
 };

@@ -6,7 +6,6 @@
 #include "run_clock.h"
 
 #include <algorithm>
-#include <ctime>
 
 using LAMMPS_NS::FixSPHTM;
 
@@ -15,10 +14,7 @@ namespace SPHTM_NS {
 // Time of this thread alone where it runs the loops: on a busy machine wall time would be that of others.
 static double probe_time(const Backend &loops)
 {
-  if (!loops.shared()) return RunClock::now();
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return t.tv_sec + 1e-9 * t.tv_nsec;
+  return loops.shared() ? RunClock::processor_time() : RunClock::now();
 }
 
 EffectProbe::EffectProbe(FixSPHTM &f, int particles) : fix(f), loops(f.loops()), n(particles)

@@ -1,6 +1,7 @@
 /* SPH-TM: fix sph/tm. See doc/fix_sph_tm.rst. */
 #include "fix_sph_tm.h"
 
+#include "accuracy_meter.h"
 #include "argument.h"
 #include "effect_plan.h"
 #include "pair_sph_tm.h"
@@ -85,6 +86,20 @@ FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg, Backend &loops) :
       want_table = wait || yes_no(lmp, what, arg[iarg + 1]);
       run_clock.waits = wait ? &backend : nullptr;
       iarg += 2;
+    } else if (key == "audit") {
+      value(1);
+      if (utils::is_integer(arg[iarg + 1]) || (iarg + 2 < narg && utils::is_integer(arg[iarg + 2]))) {
+        value(2);
+        const int every = integer_within(lmp, what + " N", arg[iarg + 1], 1, 1000000000);
+        const int sample = integer_within(lmp, what + " M", arg[iarg + 2], 1, 1000000);
+        meter.reset(new AccuracyMeter(*this, every, sample));
+        iarg += 3;
+      } else {
+        const bool wanted = yes_no(lmp, what, arg[iarg + 1]);
+        meter.reset(wanted ? new AccuracyMeter(*this, AccuracyMeter::EVERY, AccuracyMeter::SAMPLE) : nullptr);
+        iarg += 2;
+      }
+      size_vector = VECTOR_SIZE + (meter ? AccuracyMeter::CAUSES + 1 : 0);
     } else if (key == "effects") {
       value(1);
       if (strcmp(arg[iarg + 1], "auto") == 0) {
@@ -101,7 +116,7 @@ FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg, Backend &loops) :
       iarg += 3;
     } else
       error->all(FLERR, "Unknown fix sph/tm keyword {}: known are temperature, courant, dt, dt/max, "
-                        "energy, lost, table, effects", key);
+                        "energy, lost, table, audit, effects", key);
   }
 
   if (forced_on & forced_off)
@@ -219,6 +234,7 @@ void FixSPHTM::init()
         error->warning(FLERR, "Fix {} also integrates positions; fix sph/tm does it for its own group", f->style);
   check_restart();
   derive_effects();
+  if (meter) meter->init();
   std::fill(dt_limits, dt_limits + TM_DT_CAUSES, 1e300);
 }
 
@@ -292,6 +308,11 @@ double FixSPHTM::temperature(int i)
 
 /* ---------------------------------------------------------------------- one step */
 
+AccuracyMeter *FixSPHTM::audit_now()
+{
+  return meter && !update->setupflag && meter->due(update->ntimestep) ? meter.get() : nullptr;
+}
+
 // no pre_force(): without one LAMMPS leaves it to the pair style to clear the forces, where it runs on a GPU
 void FixSPHTM::begin_forces()
 {
@@ -343,6 +364,7 @@ void FixSPHTM::initial_integrate(int)
     timing = true;
     clock_step = update->ntimestep - 1;
     run_clock.restart();
+    if (meter) meter->restart();
   }
   started = true;
   dt = fixed_dt > 0.0 ? fixed_dt : dt_next;

@@ -11,10 +11,13 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace SPHTM_NS {
+class AccuracyMeter;
+class AuditSearch;
 class EffectProbe;
 }
 
@@ -73,6 +76,7 @@ class FixSPHTM : public Fix {
   tm_size_range sizes();
   double temperature(int i);                       // of owned particle i, K; on the host
   PairSPHTM *pair() { return pair_sph; }
+  SPHTM_NS::AccuracyMeter *audit_now();             // in a step that is audited, else nullptr
   void begin_forces();                             // before the pair style's
   // power (mass length^2/time^3) given to owned particles this step by contact and heat fixes; added
   // to in post_force, taken in final_integrate, which leaves 0; nullptr when heat is off
@@ -158,6 +162,10 @@ class FixSPHTM : public Fix {
   bool want_table = true, timing = false;
   bigint clock_step = 0;           // when the clock was set to 0
 
+  std::unique_ptr<SPHTM_NS::AccuracyMeter> meter;    // with the keyword audit
+
+  friend class SPHTM_NS::AccuracyMeter;
+  friend class SPHTM_NS::AuditSearch;
   friend class SPHTM_NS::EffectProbe;
   std::map<unsigned, double> bytes_by_effect();
   std::map<unsigned, double> probe_effects(double, bigint);
@@ -176,6 +184,7 @@ class FixSPHTM : public Fix {
   void check_lost();
   void stop_on_lost_particle(int);
   void sum_energies();
+  double audit_output(int);
 };
 
 }    // namespace LAMMPS_NS

@@ -1,6 +1,7 @@
 /* SPH-TM: fix sph/tm, the energy book and its output. See doc/fix_sph_tm.rst. */
 #include "fix_sph_tm.h"
 
+#include "accuracy_meter.h"
 #include "pair_sph_tm.h"
 
 #include "atom.h"
@@ -10,6 +11,7 @@
 #include <algorithm>
 
 using namespace LAMMPS_NS;
+using namespace SPHTM_NS;
 
 void FixSPHTM::sum_energies()
 {
@@ -58,6 +60,16 @@ double FixSPHTM::compute_vector(int n)
 {
   if (n <= ENERGY_SUM && n != ENERGY_KINETIC && !has(TM_FX_LEDGER) && pair_sph)
     error->all(FLERR, "Fix sph/tm output {} needs the keyword 'energy yes'", n + 1);
+  if (n >= VECTOR_SIZE) return audit_output(n - VECTOR_SIZE);
   sum_energies();
   return energy_now[n];
+}
+
+// the differences of the last audit by cause, then the share of the time of this run that audits took
+double FixSPHTM::audit_output(int n)
+{
+  if (n < AccuracyMeter::CAUSES) return meter->now(n);
+  double mine[2] = {run_clock.of(meter.get()), run_clock.total()}, sum[2];
+  MPI_Allreduce(mine, sum, 2, MPI_DOUBLE, MPI_SUM, world);
+  return timing ? sum[0] / sum[1] : 0.0;
 }

@@ -1,6 +1,7 @@
 /* SPH-TM: fix sph/tm, the table of times and memory at the end of a run. See doc/fix_sph_tm.rst. */
 #include "fix_sph_tm.h"
 
+#include "accuracy_meter.h"
 #include "effect_plan.h"
 #include "effect_probe.h"
 #include "pair_sph_tm.h"
@@ -111,19 +112,24 @@ void FixSPHTM::post_run()
     if (bit == TM_FX_BODIES) seconds += part[RunClock::BODIES];
     line(effect_name(bit), seconds, bytes[bit]);
   }
+  double lists = part[RunClock::ROWS];    // and what goes with them
   for (const auto &f : modify->get_fix_list()) {
     const double seconds = f == this ? 0.0 : mean(run_clock.of(f));
+    if (utils::strmatch(f->style, "^adapt/neigh")) lists += seconds;
     if (seconds > 0.0) line(fmt::format("fix {} {}", f->id, f->style), seconds, f->memory_usage());
   }
+  if (meter) line("audits", mean(run_clock.of(meter.get())), meter->force.bytes());
   line("neighbor rows", part[RunClock::ROWS], pair_sph->bytes_of_rows());
   line("neighbor lists of LAMMPS", mean(timer->get_wall(Timer::NEIGH)), -1.0);
   line("communication", part[RunClock::COMMUNICATION] + mean(timer->get_wall(Timer::COMM)), -1.0);
   line("output and all else", whole - named, -1.0);
   line("all", whole, -1.0);
+  const std::string audits = meter ? meter->report(part[RunClock::RATES], lists, steps) : "";
 
   if (comm->me) return;
   utils::logmesg(lmp, "\nsph/tm: {} steps of {} particles\n  {:<26} {:>10} {:>7} {:>12} {:>10}\n{}",
                  steps, atom->natoms, "effect or part", "seconds", "%", "ns/part/step", "bytes/part", text);
+  if (!audits.empty()) utils::logmesg(lmp, "{}", audits);
   if (asynchronous)
     utils::logmesg(lmp, "  The loops run beside the host: a part may wait for those before it. 'table wait' tells them "
                         "apart, and slows the run.\n");

@@ -1,6 +1,7 @@
 /* SPH-TM: pair style sph/tm. See doc/pair_sph_tm.rst. No physics here: tm_rates.h and its kin. */
 #include "pair_sph_tm.h"
 
+#include "accuracy_meter.h"
 #include "fix_sph_tm.h"
 
 #include "atom.h"
@@ -368,7 +369,11 @@ void PairSPHTM::compute(int eflag, int vflag)
   if (fx & TM_FX_MIXED) round_records();
   search.single = args.single;
   backend.zero(args.artificial, args.artificial ? nlocal * sizeof(double) : 0);
-  double *internal = force_internal.loop_write();
+  // the forces of the pairs apart from others, for the energy book or an audit
+  AccuracyMeter *meter = fix->audit_now();
+  if (meter) meter->force.make_room(!fix->has(TM_FX_LEDGER), 3 * (size_t) nlocal + 3);
+  LoopArray<double> &apart = meter && !fix->has(TM_FX_LEDGER) ? meter->force : force_internal;
+  double *internal = apart.loop_write();
   // LAMMPS has not cleared the forces where it leaves that to the pair style
   const bool clear = fuse_force_clear_flag && force->pair == this && !modify->n_pre_force;
   if (clear && (internal || force->newton || row_source))    // with newton LAMMPS adds those of ghosts to their owners'
@@ -382,6 +387,7 @@ void PairSPHTM::compute(int eflag, int vflag)
     backend.rates(searched, search, fx);
     if (row_source) row_source->kept_rates(args, fx);
   }
+  if (meter) audit(apart);
   args.force = s.force;
   if (internal) backend.add(s.force, internal, 3 * (size_t) nlocal);
   tm_rates_args others = args;
@@ -392,6 +398,13 @@ void PairSPHTM::compute(int eflag, int vflag)
   }
   if (fx & TM_FX_BODIES) body_contact(others);
   if (eflag || vflag) tally_virial_energy();
+}
+
+void PairSPHTM::audit(LoopArray<double> &force)
+{
+  AccuracyMeter *meter = fix->audit_now();
+  const auto timed = fix->run_clock.timed(meter);
+  meter->audit({force.host_read(), gradient.host_read(), heat.host_read(), xsph_v.host_read()});
 }
 
 void PairSPHTM::body_contact(const tm_rates_args &others)

@@ -78,6 +78,7 @@ class PairSPHTM : public Pair {
   // the same on the host
   tm_records host_records();
   tm_rows host_rows();
+  bool keeps_rows() const { return row_source && row_source->keeps(); }
   bool has_surface(int n) const { return surface.size() > 3 * (size_t) n; }    // of n particles
   // of the particles of this rank: neighbors within reach, the closest mechanical neighbors
   double neighbors(bool of_each = false);
@@ -162,6 +163,7 @@ class PairSPHTM : public Pair {
   tm_near_args near_args(bool of_each);
   void correct_gradients(int, tm_rates_args &);
   void body_contact(const tm_rates_args &);
+  void audit(SPHTM_NS::LoopArray<double> &);
   void tally_virial_energy();
   void parse_meeting(int, char **);
   double particle_mass(int) const;

@@ -5,6 +5,7 @@
 #include "backend.h"
 
 #include <chrono>
+#include <ctime>
 #include <map>
 #include <vector>
 
@@ -36,6 +37,14 @@ class RunClock {
   {
     using namespace std::chrono;
     return duration<double>(steady_clock::now().time_since_epoch()).count();
+  }
+
+  // of this thread alone
+  static double processor_time()
+  {
+    timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return t.tv_sec + 1e-9 * t.tv_nsec;
   }
 
   Backend *waits = nullptr;    // whose loops are waited for at the end of each span, or nullptr

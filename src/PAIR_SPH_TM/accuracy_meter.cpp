@@ -1,0 +1,448 @@
+#include "accuracy_meter.h"
+
+#include "fix_sph_tm.h"
+#include "pair_sph_tm.h"
+#include "run_clock.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "modify.h"
+#include "neighbor.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+
+namespace SPHTM_NS {
+
+namespace {
+constexpr double XSPH_DEFAULT = 0.5;    // Monaghan 1989
+constexpr int PSI_TURNS = 5;            // of the rule of asph psi, to the length it wants
+
+const struct {
+  AccuracyMeter::Cause cause;
+  unsigned effect;
+  const char *name;
+} EFFECTS[] = {{AccuracyMeter::VISCOSITY, TM_FX_VISCOSITY, "viscosity"},
+               {AccuracyMeter::ARTSTRESS, TM_FX_ARTSTRESS, "artstress"},
+               {AccuracyMeter::CORRECTION, TM_FX_CORRECTION, "correction"},
+               {AccuracyMeter::XSPH, TM_FX_XSPH, "xsph"},
+               {AccuracyMeter::CONDUCTION, TM_FX_CONDUCTION, "conduction"}};
+
+// the same number of a particle on every rank, another in another step
+uint64_t draw(uint64_t tag, uint64_t step)
+{
+  uint64_t z = tag * 0x9e3779b97f4a7c15u + step * 0xd1342543de82ef95u + 1;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+  return z ^ (z >> 31);
+}
+
+// the values of all ranks, one rank after the other
+template <class T> std::vector<T> of_all_ranks(const std::vector<T> &mine, MPI_Comm world, int ranks)
+{
+  if (ranks == 1) return mine;
+  std::vector<int> bytes(ranks), begin(ranks, 0);
+  const int my_bytes = (int) (mine.size() * sizeof(T));
+  MPI_Allgather(&my_bytes, 1, MPI_INT, bytes.data(), 1, MPI_INT, world);
+  for (int r = 1; r < ranks; r++) begin[r] = begin[r - 1] + bytes[r - 1];
+  std::vector<T> all((begin.back() + bytes.back()) / sizeof(T));
+  MPI_Allgatherv(mine.data(), my_bytes, MPI_BYTE, all.data(), bytes.data(), begin.data(), MPI_BYTE, world);
+  return all;
+}
+}    // namespace
+
+AccuracyMeter::AccuracyMeter(FixSPHTM &f, int every_, int sample_) :
+    force(f.loops()), fix(f), every(every_), sample(sample_)
+{
+}
+
+void AccuracyMeter::init()
+{
+  if (sizeof(tagint) != sizeof(int))
+    fix.error->all(FLERR, "Fix sph/tm audit: rows sort by tags of 32 bits; build LAMMPS with SMALLBIG");
+}
+
+void AccuracyMeter::restart()
+{
+  std::fill(last, last + CAUSES, 0.0);
+  std::fill(largest, largest + CAUSES, 0.0);
+  std::fill(measured, measured + CAUSES, false);
+  std::fill(size, size + QUANTITIES, 0.0);
+  std::fill(&difference[0][0], &difference[0][0] + CAUSES * QUANTITIES, 0.0);
+  times = {};
+  audits = 0;
+}
+
+// effects that are off and that the state of this scene is enough for
+unsigned AccuracyMeter::missing() const
+{
+  const PairSPHTM &pair = *fix.pair();
+  bool solid = false;
+  for (int t = 1; t <= fix.atom->ntypes; t++)
+    solid = solid || (pair.materials()[t].body == TM_BODY_SOLID && pair.materials()[t].strength != TM_STRENGTH_NONE);
+  unsigned can = unsigned(TM_FX_VISCOSITY) | TM_FX_XSPH;
+  if (solid) can |= TM_FX_ARTSTRESS;
+  if (!pair.settings_in_use().form_f14) can |= TM_FX_CORRECTION;
+  if (fix.has(TM_FX_HEAT) && pair.largest_conductivity() > 0.0) can |= TM_FX_CONDUCTION;
+  return can & TM_FX_PRESENT & ~fix.effects();
+}
+
+// owned particles of the sample: of all solid ones those with the smallest numbers drawn
+std::vector<int> AccuracyMeter::choose() const
+{
+  const Atom &atom = *fix.atom;
+  const tm_material *material = fix.pair()->materials();
+  bigint mine = 0, all;
+  for (int i = 0; i < atom.nlocal; i++) mine += material[atom.type[i]].body == TM_BODY_SOLID;
+  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, fix.world);
+  const size_t wanted = (size_t) std::min((bigint) sample, all);
+  for (double more = sample + 6.0 * sqrt(sample) + 16.0;; more *= 2.0) {
+    const bool everybody = more >= (double) all;
+    const uint64_t limit = everybody ? ~(uint64_t) 0 : (uint64_t) (more / all * 18446744073709549568.0);
+    std::vector<std::pair<uint64_t, int>> candidate;
+    std::vector<uint64_t> number;
+    for (int i = 0; i < atom.nlocal; i++) {
+      const uint64_t k = draw(atom.tag[i], fix.update->ntimestep);
+      if (k > limit || material[atom.type[i]].body != TM_BODY_SOLID) continue;
+      candidate.push_back({k, i});
+      number.push_back(k);
+    }
+    std::vector<uint64_t> numbers = of_all_ranks(number, fix.world, fix.comm->nprocs);
+    if (numbers.size() < wanted && !everybody) continue;
+    std::sort(numbers.begin(), numbers.end());
+    std::sort(candidate.begin(), candidate.end());
+    std::vector<int> chosen;
+    for (const auto &c : candidate)
+      if (wanted && c.first <= numbers[wanted - 1]) chosen.push_back(c.second);
+    return chosen;
+  }
+}
+
+/* ---------------------------------------------------------------------- what neighbors show with effects on */
+
+// corrections, for the lengths in use, and smoothing lengths by the rule
+std::vector<AccuracyMeter::Around> AccuracyMeter::of_centers(AuditPatch &p, unsigned effects, const SmoothingRule &rule)
+{
+  PairSPHTM &pair = *fix.pair();
+  const Atom &atom = *fix.atom;
+  const int n = p.centers, dim3 = fix.domain->dimension == 3;
+  const tm_records rec = p.records();
+  tm_rates_args a = pair.rate_args();
+  a.rows = p.rows();
+  a.rec = rec;
+  a.which = nullptr;
+  a.effects = effects;
+  std::vector<double> K(6 * (size_t) n + 1), PK((size_t) TM_REC_CORRECTION * n + 1);
+  if (effects & TM_FX_CORRECTION) {
+    a.correction = K.data();
+    a.rec.correction = PK.data();
+    const double began = RunClock::processor_time();
+    Backend::host().moments(n, a, effects);
+    if (n) times.moments += (RunClock::processor_time() - began) / n;
+  }
+
+  std::vector<double> own((size_t) TM_S_COLUMNS * n + 1), rho(n + 1), mass(n + 1);
+  std::vector<int> type(n + 1);
+  const double *sizes = fix.has(TM_FX_SMOOTHING) ? fix.field(TM_F_SIZE) : nullptr, *density = fix.field(TM_F_RHO);
+  for (int k = 0; k < n; k++) {
+    const int i = p.member[k];
+    type[k] = atom.type[i];
+    mass[k] = p.main[(size_t) k * TM_REC + TM_REC_M];
+    rho[k] = density[i];
+    double *s = own.data() + (size_t) k * TM_S_COLUMNS;
+    if (sizes) std::copy_n(sizes + (size_t) i * TM_S_COLUMNS, (int) TM_S_COLUMNS, s);
+    else tm_size_initial(s, mass[k], pair.materials()[type[k]].rho0, pair.settings_in_use().ratio, dim3);
+  }
+  tm_smoothing_args s = {};
+  s.state.field[TM_F_SIZE] = own.data();
+  s.state.field[TM_F_RHO] = rho.data();
+  s.state.material = pair.materials();
+  s.state.type = type.data();
+  s.rec = rec;
+  s.rows = a.rows;
+  s.table = rule.table;
+  s.least = rule.least;
+  s.most = rule.most;
+  const double most = (pair.covered_h() > 0.0 ? pair.covered_h() : pair.settings_in_use().h) +
+      fix.neighbor->skin / tm_kernel_support(pair.settings_in_use().kernel);
+  for (int turn = 0; turn < (rule.table ? PSI_TURNS : 1); turn++) {
+    Backend::host().smoothing(n, s, effects);
+    for (int k = 0; k < n; k++) {
+      double &h = own[(size_t) k * TM_S_COLUMNS + TM_S_H];
+      h = std::min(h, most);
+    }
+  }
+
+  std::vector<Around> out(n);
+  for (int k = 0; k < n; k++) {
+    out[k].tag = atom.tag[p.member[k]];
+    std::copy_n(K.data() + 6 * (size_t) k, 6, out[k].K);
+    std::copy_n(PK.data() + (size_t) TM_REC_CORRECTION * k, (int) TM_REC_CORRECTION, out[k].PK);
+    tm_size_record(own.data() + (size_t) k * TM_S_COLUMNS, mass[k] / p.main[(size_t) k * TM_REC + TM_REC_RHO],
+                   gradient_factors.data(), tm_fx_kernel(effects), dim3, out[k].size);
+  }
+  return out;
+}
+
+// of all members: those of other ranks and images of periodic boxes are asked for by tag
+std::vector<AccuracyMeter::Around> AccuracyMeter::surroundings(AuditSearch &search, const AuditPatch &p, unsigned effects)
+{
+  const Atom &atom = *fix.atom;
+  SmoothingRule rule;
+  int dim;
+  for (Fix *f : fix.modify->get_fix_by_style("^adapt/neigh"))
+    if (auto *found = (SmoothingRule *) f->extract(SmoothingRule::NAME, dim)) rule = *found;
+  if (gradient_factors.empty()) {
+    gradient_factors.resize(TM_GRADIENT_ENTRIES);
+    tm_gradient_table(tm_fx_kernel(effects), fix.domain->dimension, gradient_factors.data());
+  }
+
+  std::vector<int> own, asked;
+  for (const int i : p.member)
+    if (i < atom.nlocal) own.push_back(i);
+    else asked.push_back(atom.tag[i]);
+  std::vector<int> all = of_all_ranks(asked, fix.world, fix.comm->nprocs);
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  const size_t mine = own.size();
+  for (int i = 0; i < atom.nlocal && !all.empty(); i++)
+    if (std::binary_search(all.begin(), all.end(), (int) atom.tag[i])) own.push_back(i);
+
+  AuditPatch wider;
+  if ((effects & TM_FX_CORRECTION) || rule.table) wider = search.around(own);
+  else wider = search.alone(own);
+  std::vector<Around> known = of_centers(wider, effects, rule);
+  std::vector<Around> given = of_all_ranks(std::vector<Around>(known.begin() + mine, known.end()), fix.world,
+                                           fix.comm->nprocs);
+  const auto before = [](const Around &a, const Around &b) { return a.tag < b.tag; };
+  std::sort(given.begin(), given.end(), before);
+  std::vector<Around> out;
+  size_t next = 0;
+  for (const int i : p.member) {
+    Around key = {};
+    key.tag = atom.tag[i];
+    out.push_back(i < atom.nlocal ? known[next++] : *std::lower_bound(given.begin(), given.end(), key, before));
+  }
+  return out;
+}
+
+/* ---------------------------------------------------------------------- rates */
+
+AccuracyMeter::Rates AccuracyMeter::rates(AuditPatch &p, const tm_records &rec, unsigned effects, const double *K) const
+{
+  const PairSPHTM &pair = *fix.pair();
+  const PairSPHTM::Settings defaults;
+  const int n = p.centers;
+  const size_t room = n + 1, all = p.member.size() + 1;
+  tm_rates_args a = pair.rate_args();
+  a.rows = p.rows();
+  a.rec = rec;
+  a.effects = effects;
+  a.conductance = nullptr;
+  a.which = nullptr;
+  if (!fix.has(TM_FX_VISCOSITY)) {
+    a.visc_alpha = defaults.visc_alpha;
+    a.visc_beta = defaults.visc_beta;
+  }
+  if (!fix.has(TM_FX_XSPH)) a.xsph = XSPH_DEFAULT;
+  Rates r;
+  r.force.resize(3 * room);
+  r.gradient.resize(9 * room);
+  r.heat.resize(effects & TM_FX_CONDUCTION ? room : 0);
+  r.xsph.resize(effects & TM_FX_XSPH ? 3 * room : 0);
+  std::vector<double> surface(effects & TM_FX_SURFACE ? 3 * room : 0);
+  std::vector<float> main, more, correction, size;
+  if (effects & TM_FX_MIXED) {
+    main.resize(TM_REC * all);
+    more.resize(effects & (TM_FX_ARTSTRESS | TM_FX_CONDUCTION) ? TM_MORE * all : 0);
+    correction.resize(effects & TM_FX_CORRECTION ? TM_REC_CORRECTION * all : 0);
+    size.resize(effects & TM_FX_SMOOTHING ? TM_REC_SIZE * all : 0);
+    auto part = [](std::vector<float> &v) { return v.empty() ? nullptr : v.data(); };
+    a.single.main = part(main);
+    a.single.more = part(more);
+    a.single.correction = part(correction);
+    a.single.size = part(size);
+    Backend::host().round((int) p.member.size(), {rec, a.single}, effects);
+  }
+  a.force = r.force.data();
+  a.force_begins = 1;
+  a.gradient = r.gradient.data();
+  a.heat = r.heat.data();
+  a.correction = const_cast<double *>(K);
+  a.xsph_v = r.xsph.data();
+  a.surface = surface.data();
+  a.artificial = nullptr;
+  r.seconds = 1e300;
+  for (int turn = 0; turn < 2; turn++) {    // the second finds its data in the cache
+    const double began = RunClock::processor_time();
+    Backend::host().rates(n, a, effects);
+    r.seconds = std::min(r.seconds, RunClock::processor_time() - began);
+  }
+  return r;
+}
+
+void AccuracyMeter::audit(const InUse &in_use)
+{
+  fix.host_particles();
+  PairSPHTM &pair = *fix.pair();
+  const unsigned used = fix.effects(), absent = missing(), full = (used | absent) & ~unsigned(TM_FX_MIXED);
+  AuditSearch search(fix, pair.host_records());
+  AuditPatch p = search.around(choose());
+  const std::vector<Around> around = surroundings(search, p, full);
+  const int members = (int) p.member.size(), n = p.centers;
+
+  // records of what is not in use, and of sizes as they should be
+  tm_records rec = p.records(), sized;
+  std::vector<double> K, stress, sizes;
+  p.correction.clear();
+  for (int k = 0; k < members; k++) {
+    const Around &a = around[k];
+    if (k < n) K.insert(K.end(), a.K, a.K + 6);
+    p.correction.insert(p.correction.end(), a.PK, a.PK + TM_REC_CORRECTION);
+    sizes.insert(sizes.end(), a.size, a.size + TM_REC_SIZE);
+  }
+  rec.correction = p.correction.data();
+  if (absent & TM_FX_ARTSTRESS) {
+    stress.resize((size_t) TM_REC_STRESS * members + 1);
+    rec.stress = stress.data();
+    tm_predict_args a = {};
+    a.rec = rec;
+    a.art_eps = PairSPHTM::Settings().art_eps;
+    a.art_component = pair.settings_in_use().art_component;
+    const double began = RunClock::processor_time();
+    tm_predict_artstress(0, members, &a, full);
+    if (members) times.tensile += (RunClock::processor_time() - began) / members;
+  }
+  sized = rec;
+  sized.size = sizes.data();
+
+  Rates of[CAUSES];
+  const Rates *from[CAUSES] = {};
+  bool shown[CAUSES] = {};
+  const unsigned exact = used & ~unsigned(TM_FX_MIXED);
+  auto take = [&](Cause cause, const tm_records &records, unsigned effects) {
+    of[cause] = rates(p, records, effects, K.data());
+    from[cause] = &of[cause];
+    shown[cause] = true;
+    if (n) times.cause[cause] += of[cause].seconds / n;
+  };
+  take(ROWS, rec, used);
+  if (used != exact) take(PRECISION, rec, exact);
+  take(SMOOTHING, sized, exact | TM_FX_SMOOTHING);
+  for (const auto &e : EFFECTS)
+    if (absent & e.effect) take(e.cause, rec, exact | e.effect);
+  take(ALL, sized, full | TM_FX_SMOOTHING);
+  if (search.rows) {
+    times.rows += search.seconds_of_rows / search.rows;
+    times.sorting += search.seconds_of_sorting / fix.atom->nlocal;
+  }
+  add_differences(p, in_use, from, shown);
+}
+
+// each cause by itself, from the rates of a fresh search in double with the effects in use
+void AccuracyMeter::add_differences(const AuditPatch &p, const InUse &in_use, const Rates *const of[], const bool shown[])
+{
+  const unsigned used = fix.effects();
+  // sums of squares: of the rates in use, of the best ones, of the differences
+  double mine[(CAUSES + 2) * QUANTITIES] = {}, sum[(CAUSES + 2) * QUANTITIES];
+  const Rates &base = *of[shown[PRECISION] ? PRECISION : ROWS];
+  for (int k = 0; k < p.centers; k++) {
+    const int i = p.member[k];
+    const double *record = p.main.data() + (size_t) k * TM_REC;
+    struct Values {
+      double of[QUANTITIES][9];
+    };
+    auto values = [&](const double *f, const double *g, const double *q, const double *u, int row) {
+      Values v = {};
+      for (int c = 0; c < 3; c++) {
+        v.of[ACCELERATION][c] = f[3 * (size_t) row + c] / record[TM_REC_M];
+        v.of[MOTION][c] = record[TM_REC_V + c] + (u ? u[3 * (size_t) row + c] : 0.0);
+      }
+      std::copy_n(g + 9 * (size_t) row, 9, v.of[GRADIENT]);
+      if (q) v.of[HEAT][0] = q[row];
+      return v;
+    };
+    auto computed = [&](const Rates &r) {
+      return values(r.force.data(), r.gradient.data(), r.heat.empty() ? nullptr : r.heat.data(),
+                    r.xsph.empty() ? nullptr : r.xsph.data(), k);
+    };
+    auto add = [&](int row, const Values &a, const Values &b) {
+      for (int q = 0; q < QUANTITIES; q++)
+        for (int c = 0; c < 9; c++) {
+          const double d = a.of[q][c] - b.of[q][c];
+          mine[row * QUANTITIES + q] += d * d;
+        }
+    };
+    const Values u = values(in_use.force, in_use.gradient, used & TM_FX_CONDUCTION ? in_use.heat : nullptr,
+                            used & TM_FX_XSPH ? in_use.xsph : nullptr, i);
+    const Values b = computed(base), best = computed(*of[ALL]), fresh = computed(*of[ROWS]);
+    add(CAUSES, u, {});
+    add(CAUSES + 1, best, {});
+    add(ALL, best, u);
+    add(ROWS, fresh, u);
+    add(PRECISION, b, fresh);
+    for (int cause = SMOOTHING; cause < CAUSES; cause++)
+      if (shown[cause]) add(cause, computed(*of[cause]), b);
+  }
+  MPI_Allreduce(mine, sum, (CAUSES + 2) * QUANTITIES, MPI_DOUBLE, MPI_SUM, fix.world);
+  for (int cause = 0; cause < CAUSES; cause++) {
+    last[cause] = 0.0;
+    measured[cause] = measured[cause] || shown[cause];
+    for (int q = 0; q < QUANTITIES; q++) {
+      const double whole = std::max(sum[CAUSES * QUANTITIES + q], sum[(CAUSES + 1) * QUANTITIES + q]);
+      const double part = sum[cause * QUANTITIES + q];
+      if (whole > 0.0) last[cause] = std::max(last[cause], sqrt(part / whole));
+      difference[cause][q] += part;
+    }
+    largest[cause] = std::max(largest[cause], last[cause]);
+  }
+  for (int q = 0; q < QUANTITIES; q++)
+    size[q] += std::max(sum[CAUSES * QUANTITIES + q], sum[(CAUSES + 1) * QUANTITIES + q]);
+  audits++;
+}
+
+/* ---------------------------------------------------------------------- */
+
+// Times saved: what the loops of the samples take more with the cause away, as a share of what the run's take.
+// Rows that are kept: a search and a rate pass of every particle in every step, less what the run took for both.
+std::string AccuracyMeter::report(double rates, double lists, bigint steps)
+{
+  if (audits == 0) return "";
+  Times all;
+  MPI_Allreduce(&times, &all, sizeof(Times) / sizeof(double), MPI_DOUBLE, MPI_SUM, fix.world);
+  const double base = all.cause[measured[PRECISION] ? PRECISION : ROWS];
+  const bool keeps = fix.pair()->keeps_rows();
+  std::string text = fmt::format("\n  audits: {} of {} particles; root mean square of the difference to a fresh search in "
+                                 "double with all effects\n  {:<26} {:>10} {:>10} {:>10} {:>10} {:>10} {:>10}\n",
+                                 audits, sample, "cause", "accel.", "vel.grad.", "heat", "motion", "largest", "saves s");
+  auto line = [&](int cause, const std::string &name, bool timed, double saved) {
+    text += fmt::format("  {:<26}", name);
+    for (int q = 0; q < QUANTITIES; q++)
+      text += fmt::format(" {:>10.3g}", size[q] > 0.0 ? sqrt(difference[cause][q] / size[q]) : 0.0);
+    text += fmt::format(" {:>10.3g}", largest[cause]);
+    text += timed ? fmt::format(" {:>10.3g}\n", saved) : fmt::format(" {:>10}\n", "-");
+  };
+  auto more = [&](double time) { return base > 0.0 ? (time / base - 1.0) * rates : 0.0; };
+  const double ranks = fix.comm->nprocs, per_rank = fix.atom->natoms / ranks * steps / (audits * ranks);
+  const bool host = fix.loops().shared();
+  line(ROWS, "stale rows", keeps && host,
+       (all.cause[ROWS] + all.rows + all.sorting) * per_rank - rates - lists);
+  if (measured[PRECISION]) line(PRECISION, "single precision", true, (base / all.cause[ROWS] - 1.0) * rates);
+  line(SMOOTHING, "smoothing length", !fix.has(TM_FX_SMOOTHING), more(all.cause[SMOOTHING]));
+  for (const auto &e : EFFECTS) {
+    if (!measured[e.cause]) continue;
+    double time = all.cause[e.cause];
+    if (e.effect == TM_FX_CORRECTION) time += all.moments;
+    if (e.effect == TM_FX_ARTSTRESS) time += all.tensile;
+    line(e.cause, std::string("no ") + e.name, true, more(time));
+  }
+  line(ALL, "all of them", false, 0.0);
+  return text;
+}
+
+}    // namespace SPHTM_NS

@@ -1,0 +1,73 @@
+/* SPH-TM: how far the rates in use are from those of a fresh search in double with every effect on, on a sample
+   of the particles, and what the difference comes from. The loops are those of the run, on the host, over copies
+   of the records of the samples and their neighbors. See doc/fix_sph_tm.rst. */
+#ifndef SPHTM_ACCURACY_METER_H
+#define SPHTM_ACCURACY_METER_H
+
+#include "audit_patch.h"
+#include "loop_array.h"
+#include "row_source.h"
+
+#include "lmptype.h"
+
+#include <string>
+
+namespace LAMMPS_NS {
+class FixSPHTM;
+}
+
+namespace SPHTM_NS {
+
+class AccuracyMeter {
+ public:
+  enum Cause { ALL, ROWS, PRECISION, SMOOTHING, VISCOSITY, ARTSTRESS, CORRECTION, XSPH, CONDUCTION, CAUSES };
+  enum Quantity { ACCELERATION, GRADIENT, HEAT, MOTION, QUANTITIES };
+  static constexpr int EVERY = 1000, SAMPLE = 50;    // of 'audit yes'
+
+  AccuracyMeter(LAMMPS_NS::FixSPHTM &, int every, int sample);
+  void init();
+  void restart();    // a new run
+  bool due(LAMMPS_NS::bigint step) const { return step % every == 0; }
+
+  // results of the loops, on the host; nullptr: not in use
+  struct InUse {
+    const double *force, *gradient, *heat, *xsph;
+  };
+  void audit(const InUse &);
+  LoopArray<double> force;    // of the neighbors alone, in a step of an audit
+
+  double now(int cause) const { return last[cause]; }
+  // lines for the end of the run; rates, lists: seconds of the run that went into them
+  std::string report(double rates, double lists, LAMMPS_NS::bigint steps);
+
+ private:
+  LAMMPS_NS::FixSPHTM &fix;
+  const int every, sample;
+  double last[CAUSES] = {}, largest[CAUSES] = {};
+  // sums over the audits of squares: of the rates, and of their differences; of processor times
+  double size[QUANTITIES] = {}, difference[CAUSES][QUANTITIES] = {};
+  struct Times {
+    double in_use, full, cause[CAUSES], moments, tensile, sorting, rows;    // per particle
+  } times = {};
+  int audits = 0;
+  bool measured[CAUSES] = {};
+  std::vector<double> gradient_factors;    // tm_gradient_table
+
+  struct Around {    // of a particle: its correction, and its smoothing length as it should be
+    double tag, K[6], PK[TM_REC_CORRECTION], size[TM_REC_SIZE];
+  };
+  struct Rates {
+    std::vector<double> force, gradient, heat, xsph;
+    double seconds;
+  };
+  unsigned missing() const;
+  std::vector<int> choose() const;
+  std::vector<Around> surroundings(AuditSearch &, const AuditPatch &, unsigned effects);
+  std::vector<Around> of_centers(AuditPatch &, unsigned effects, const SmoothingRule &);
+  Rates rates(AuditPatch &, const tm_records &, unsigned effects, const double *K) const;
+  void add_differences(const AuditPatch &, const InUse &, const Rates *const of[], const bool shown[]);
+};
+
+}    // namespace SPHTM_NS
+
+#endif

@@ -1,0 +1,139 @@
+"""fix sph/tm audit: the difference of the rates in use to those of a fresh search in double with every effect on.
+
+zero     every effect on, rows searched in every step, smoothing lengths that follow the density in every step: 0
+rows     two bars meet and yield: the stale rows' share grows with the threshold of fix adapt/neigh
+causes   each effect that is off, single precision, and lengths that lag are seen, by themselves, and nothing else
+ranks    the same numbers on 1, 2 and 4 ranks, across a periodic boundary, with another skin; the same run without audits
+"""
+import numpy as np
+from contact_scene import block, particles
+from sphtm_scene import Checks, run
+
+NAMES = "all rows precision smoothing viscosity artstress correction xsph conduction".split()
+SCENE = """
+units           si
+dimension       {dim}
+boundary        {boundary}
+atom_style      atomic
+newton          off
+{processors}
+read_data       data.in
+variable        part atom x<0.009
+group           part variable part
+{skin}
+pair_style      sph/tm hyperbolic 1.2 spacing 1e-3 {options}
+pair_coeff      1 1 density 2700 elastic 70e9 0.33 strength plastic 100e6 1e9 heat 200 900 0.9
+fix             body all sph/tm temperature 300 {fix}
+{lists}
+fix_modify      body temperature part 400
+thermo          {every}
+thermo_style    custom step time {outputs}
+thermo_modify   format float %.15g
+run             {steps}
+dump            d all custom 1 out.dump id x y z vx vy vz fx fy fz
+dump_modify     d sort id format float %.17g
+run             0 post no
+"""
+OUT = " ".join("f_body[%d]" % k for k in range(13, 23))
+ALL_ON = "correction yes xsph 0.5"
+DX = 1e-3
+checks = Checks()
+
+
+def scene(dim=2, options="", fix="", audit="audit 20 40", lists="", steps=100, every=20, periodic=False, processors="",
+          skin="", **arguments):
+    x = block((18, 12, 6 if dim == 3 else 1), DX, (0, 0, 0 if dim == 3 else -0.5 * DX))
+    v = np.where(x[:, :1] < 9 * DX, [60.0, 8, 0], [0.0, 0, 0])
+    lo, hi = x.min(0) - 8 * DX, x.max(0) + 8 * DX
+    if periodic:
+        lo[1], hi[1] = 0, 12 * DX
+    if dim == 2:
+        lo[2], hi[2] = -0.5 * DX, 0.5 * DX
+    text = SCENE.format(
+        dim=dim, options=options, fix=fix + " " + audit, lists="fix lists all adapt/neigh " + lists if lists else "",
+        steps=steps, every=every, boundary="f p p" if periodic else "f f " + ("f" if dim == 3 else "p"),
+        processors=processors, skin=skin, outputs=OUT if audit else "dt")
+    return run(text, files={"data.in": particles(x, list(zip(lo, hi)), v)}, **arguments)
+
+
+def meter(result):
+    """Cause -> its values at the audits; 'time': their share of the run."""
+    t = result.thermo[0]
+    return {name: t["f_body[%d]" % (13 + k)][1:] for k, name in enumerate(NAMES + ["time"])}
+
+
+# nothing differs where everything is in use
+for name, arguments in (("2D", {}), ("3D", dict(dim=3, steps=40)), ("2D, periodic, 2 ranks", dict(periodic=True, ranks=2))):
+    m = meter(scene(options=ALL_ON, lists="threshold 0 asph density every 1", **arguments))
+    worst = [np.abs(m[cause]).max() for cause in NAMES]
+    checks.below("zero, " + name, max(worst), 1e-15)    # sizes in records are made with other vector instructions
+    checks.true("exactly zero but for sizes, " + name, not any(worst[k] for k in range(1, 9) if NAMES[k] != "smoothing"))
+    checks.above("audits take time, " + name, m["time"].min(), 1e-6)
+m = meter(scene())
+checks.true("lists of LAMMPS are not stale", not m["rows"].any(), str(m["rows"]))
+
+# the share of rows that are kept
+share = []
+for threshold in ("0", "1e-4", "1e-3", "1e-2"):
+    m = meter(scene(lists="threshold " + threshold, steps=200, fix="dt 4e-8"))
+    share.append(np.sqrt(np.mean(m["rows"][5:]**2)))
+    checks.note("stale rows, threshold " + threshold, "%.3e" % share[-1])
+checks.true("exactly 0 with threshold 0", share[0] == 0.0)
+checks.true("grows with the threshold", all(np.diff(share) > 0), str(share))
+
+# each cause
+off = "viscosity 0 0 artstress 0 4"
+m = meter(scene(options=off, fix="effects conduction off"))
+for name in "viscosity artstress correction xsph conduction smoothing".split():
+    checks.above("seen where it is off: " + name, m[name].max(), 1e-4)
+for name in "rows", "precision":
+    checks.true("not there: " + name, not m[name].any())
+full = scene(options=ALL_ON)
+m = meter(full)
+checks.above("lengths that do not follow the density", m["smoothing"].max(), 1e-5)
+for name in "rows precision viscosity artstress correction xsph conduction".split():
+    checks.true("in use, no difference: " + name, not m[name].any(), str(m[name].max()))
+for name, options in (("viscosity", "viscosity 0 0"), ("artstress", "artstress 0 4"), ("xsph", ""), ("correction", "")):
+    m = meter(scene(options=options))
+    checks.above("off alone: " + name, m[name].max(), 1e-4)
+m = meter(scene(options="precision mixed"))
+checks.true("single precision", 1e-9 < m["precision"].max() < 1e-5, "%g" % m["precision"].max())
+checks.true("single precision: rows are not stale", not m["rows"].any(), str(m["rows"]))
+lag = [meter(scene(lists="asph psi every %d" % n))["smoothing"].max() for n in (1, 20)]
+checks.true("lengths that follow the neighborhood late", 0 < lag[0] < lag[1], "%g %g" % tuple(lag))
+form = meter(scene(options="form f14"))
+checks.true("form f14 has no correction", not form["correction"].any())
+
+# the table at the end
+text = full.output.split("audits: ")[-1]
+checks.true("the table names what differs", "smoothing length" in text and "no viscosity" not in text, text)
+text = scene(options=off, lists="threshold 1e-3").output.split("audits: ")[-1]
+for line in ("stale rows", "no viscosity", "no artstress", "no correction", "no xsph", "all of them"):
+    checks.true("a line for: " + line, line in text)
+
+# ranks, skin; the run itself stays what it is
+for name, arguments in (("2D", {}), ("3D", dict(dim=3, steps=40)), ("periodic", dict(periodic=True)),
+                        ("kept rows", dict(lists="threshold 1e-3"))):
+    one = meter(scene(options=off, **arguments))
+    several = [("2 ranks", dict(ranks=2)), ("another skin", dict(skin="neighbor 8e-4 bin"))]
+    if name == "2D":
+        several.append(("4 ranks", dict(ranks=4, processors="processors 2 2 1")))
+    for what, change in several:
+        m = meter(scene(options=off, **dict(arguments, **change)))
+        worst = max(np.abs(m[k] - one[k]).max() for k in NAMES)
+        checks.below("%s, %s: largest difference" % (name, what), worst, 1e-9)
+
+
+def last(r):
+    with open(r.path("out.dump")) as f:
+        return f.read().split("ITEM: ATOMS", 1)[1]
+
+
+for name, arguments in (("", {}), (", kept rows", dict(lists="threshold 1e-3")), (", energy book", dict(fix="energy yes"))):
+    a, b = (scene(audit=audit, **arguments) for audit in ("audit 7 30", ""))
+    checks.true("audits leave the bits of the run" + name, last(a) == last(b))
+default = scene(audit="audit yes", steps=20)
+checks.true("audit yes", "f_body" in " ".join(default.thermo[0]))
+small = meter(scene(audit="audit 20 100000"))
+checks.true("more than there are: all", small["smoothing"].max() > 0)
+checks.end()
