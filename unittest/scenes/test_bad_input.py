@@ -226,6 +226,13 @@ wrong("unstable time step", fix("dt 1e-6"), F, "dt 1e-06", "not stable", "dt aut
 wrong("unstable time step of conduction", dict(coeff(JC + " heat 2e8 900 0.9"), fix="fix body all sph/tm dt 2e-8"), F,
       "dt 2e-08", "not stable", "conduction", "dt auto")
 wrong("lost perhaps", fix("lost perhaps"), F, "lost", "perhaps", "error or ignore")
+wrong("audit without values", fix("audit"), F, "audit", "1 value")
+wrong("audit with one number", fix("audit 100"), F, "audit", "2 values")
+wrong("audit perhaps", fix("audit perhaps"), F, "audit", "perhaps")
+for bad in "0 10", "-5 10", "1.5 10", "1e3 10", "two 10":
+    wrong("audit " + bad, fix("audit " + bad), F, "audit N", bad.split()[0])
+for bad in "10 0", "10 -3", "10 2.5", "10 many", "10 2000000":
+    wrong("audit " + bad, fix("audit " + bad), F, "audit M", bad.split()[1])
 wrong("energy perhaps", fix("energy perhaps"), "perhaps")
 wrong("unknown effect", fix("effects fracture on"), F, "fracture", "damage")
 wrong("effect without value", fix("effects heat"), F, "effects", "2 values")
