@@ -214,7 +214,7 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::surroundings(AuditSearch &sear
     if (std::binary_search(all.begin(), all.end(), (int) atom.tag[i])) own.push_back(i);
 
   AuditPatch wider;
-  if ((effects & TM_FX_CORRECTION) || rule.table) wider = search.around(own);
+  if ((effects & TM_FX_CORRECTION) || rule.table) wider = search.around(own, rule.table ? search.farthest : search.reach);
   else wider = search.alone(own);
   std::vector<Around> known = of_centers(wider, effects, rule);
   std::vector<Around> given = of_all_ranks(std::vector<Around>(known.begin() + mine, known.end()), fix.world,
@@ -292,7 +292,7 @@ void AccuracyMeter::audit(const InUse &in_use)
   PairSPHTM &pair = *fix.pair();
   const unsigned used = fix.effects(), absent = missing(), full = (used | absent) & ~unsigned(TM_FX_MIXED);
   AuditSearch search(fix, pair.host_records());
-  AuditPatch p = search.around(choose());
+  AuditPatch p = search.around(choose(), search.farthest);
   const std::vector<Around> around = surroundings(search, p, full);
   const int members = (int) p.member.size(), n = p.centers;
 

@@ -35,14 +35,15 @@ AuditSearch::AuditSearch(FixSPHTM &f, const tm_records &r) : fix(f), rec(r), mee
   const PairSPHTM::Settings &set = pair.settings_in_use();
   const Atom &atom = *fix.atom;
   const int n = atom.nlocal + atom.nghost, dim = fix.domain->dimension;
-  within = tm_kernel_support(set.kernel) * std::max(set.h, pair.covered_h()) + fix.neighbor->skin;
+  reach = tm_kernel_support(set.kernel) * std::max(set.h, pair.covered_h()) * (1.0 + 1e-9);
+  farthest = reach + fix.neighbor->skin;
   x.resize(3 * (size_t) n);
   for (int i = 0; i < n; i++) std::copy_n(rec.main + (size_t) i * TM_REC, 3, x.data() + 3 * (size_t) i);
   Backend &host = Backend::host();
   tm_cells &c = args.cells;
   c.n = n;
   c.x = x.data();
-  tm_cells_make(&c, host.bounds(n, c.x), within, dim == 3, 4 * n + 4096);
+  tm_cells_make(&c, host.bounds(n, c.x), farthest, dim == 3, 4 * n + 4096);
   cell.resize(n);
   begin.resize(tm_cells_number(&c) + 1);
   index.resize(n + TM_COLUMN_MOST);
@@ -55,7 +56,6 @@ AuditSearch::AuditSearch(FixSPHTM &f, const tm_records &r) : fix(f), rec(r), mee
   c.index = index.data();
   host.bin(c);
 
-  args.reach = within;
   args.meets = meets.data();
   args.segments = TM_MEETS_MECHANICAL;
   args.type = atom.type;
@@ -65,13 +65,13 @@ AuditSearch::AuditSearch(FixSPHTM &f, const tm_records &r) : fix(f), rec(r), mee
   first.resize(atom.nlocal);
   count.resize(atom.nlocal);
   place.assign(n, -1);
-  const double cut = within / pair.smallest_spacing();
+  const double cut = farthest / pair.smallest_spacing();
   const double lattice = dim == 3 ? 4.0 / 3.0 * TM_PI * cut * cut * cut : TM_PI * cut * cut;
   room = std::min((int) TM_SEARCH_MOST, (int) ceil(2.0 * lattice) + 8);
   seconds_of_sorting = RunClock::processor_time() - began;
 }
 
-AuditPatch AuditSearch::around(const std::vector<int> &centers)
+AuditPatch AuditSearch::around(const std::vector<int> &centers, double within)
 {
   const double began = RunClock::processor_time();
   const int n = (int) centers.size();
@@ -79,6 +79,7 @@ AuditPatch AuditSearch::around(const std::vector<int> &centers)
   for (;;) {
     found.resize((size_t) n * room + 1);
     for (int k = 0; k < n; k++) first[centers[k]] = (ptrdiff_t) k * room;
+    args.reach = within;
     args.capacity = room;
     args.which = centers.data();
     args.index = found.data();

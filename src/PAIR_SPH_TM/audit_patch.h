@@ -28,10 +28,10 @@ struct AuditPatch {
 class AuditSearch {
  public:
   AuditSearch(LAMMPS_NS::FixSPHTM &, const tm_records &);
-  AuditPatch around(const std::vector<int> &centers);
+  AuditPatch around(const std::vector<int> &centers, double within);
   AuditPatch alone(const std::vector<int> &centers) const;    // without neighbors
   double seconds_of_sorting = 0.0, seconds_of_rows = 0.0;    // processor time
-  double within;             // how far neighbors are looked for
+  double reach, farthest;    // of the rates; how far neighbors can be looked for
   int rows = 0;              // how many were searched
 
  private:
