@@ -28,7 +28,7 @@ def swing(run):
         period = plate_test.period(tip[:, 1], tip[:, 2] - tip[0, 2])
     except IndexError:
         return {"error": None, "note": "no return to the middle"}
-    return {"error": abs(period / plate_test.FACES - 1), "period": period, "lost": t["f_body[7]"][-1] / t["f_body[1]"][0]}
+    return {"error": abs(period / plate_test.FACES - 1), "period": period, "lost": abs(t["f_body[7]"][-1]) / t["f_body[1]"][0]}
 
 
 def plate(settings, **more):
@@ -36,12 +36,6 @@ def plate(settings, **more):
     settings = {size: {label: dict({"end": 0.16}, **v) for label, v in s.items()} for size, s in settings.items()}
     return Sweep(name="plate", quantity="period of the clamped plate", reference="0.2621 s", kind=ELEMENTS,
                  script=example("oscillating_plate"), settings=settings, measure=swing, **more)
-
-
-def decay(run):
-    """Share of the energy that viscosity and artificial stress take in the half swing, or give."""
-    m = swing(run)
-    return dict(m, error=None if m["error"] is None else abs(m["lost"]))
 
 
 # --- Taylor bar

@@ -5,10 +5,11 @@
           script=...,     # path of a script, or function(variables) -> its text; what it takes out of variables is no -var
           settings={"quick": {label: variables, ...}, "full": ..., "large": ...},    # large: for a GPU; may be absent
           measure=...,    # function(Run) -> {"error": relative error, or None where the run broke, more numbers}
-          baseline=...)   # label of the setting whose time is 1; without it the first
-          against=...     # label of the setting that is the reference; measure then gives "value" instead of "error"
-          order=...       # function(variables) -> spacing or step, to fit the order of convergence over
-          prepare=...     # function(folder, variables): files of the run
+          baseline=...,   # label of the setting whose time is 1; without it the first
+          against=...,    # label of the setting that is the reference; measure then gives "value" instead of "error"
+          order=...,      # function(variables) -> spacing or step, to fit the order of convergence over
+          prepare=...,    # function(folder, variables): files of the run
+          also=...)       # further errors of the same runs: list of (name, quantity, reference, kind, what measure calls it)
 
 Every setting runs N times, round by round, so that a busy spell of the machine hits all alike; times are medians, and
 ratios to the baseline of the same sweep in the same call."""
@@ -31,10 +32,10 @@ CLOSED, ELEMENTS, SAME = "closed form", "finite elements", "finer run of the sam
 
 class Sweep:
     def __init__(self, name, quantity, reference, kind, script, settings, measure, baseline=None, against=None, order=None,
-                 prepare=None):
+                 prepare=None, also=()):
         self.name, self.quantity, self.reference, self.kind, self.script = name, quantity, reference, kind, script
         self.settings, self.measure, self.baseline, self.against = settings, measure, baseline, against
-        self.order, self.prepare = order, prepare
+        self.order, self.prepare, self.also = order, prepare, also
 
 
 class Run(Result):
@@ -124,12 +125,23 @@ def measure(sweep, size, repeats, clock, lmp="", say=print):
     base = next(p for p in answer if p["setting"] == (sweep.baseline or next(iter(settings))))
     for p in answer:
         p["relative_time"], p["relative_processor"] = p["wall"] / base["wall"], p["processor"] / base["processor"]
-    front(answer, clock)
-    for p in answer:
+    finish(answer, clock, say)
+    return answer
+
+
+def measured_too(points, key, clock, say=print):
+    """The points with another error of the same runs."""
+    answer = [dict(p, error=None if p["error"] is None else p.get(key)) for p in points]
+    finish(answer, clock, say)
+    return answer
+
+
+def finish(points, clock, say):
+    front(points, clock)
+    for p in points:
         say("  %-34s %s error %-9s time %6.2f  processor %6.2f  (%.2f s, %.2f) %s" % (
             p["setting"], "*" if p["front"] else " ", number(p["error"]), p["relative_time"], p["relative_processor"], p["wall"],
             p["processor"], p["note"]))
-    return answer
 
 
 def order(sweep, size, points):

@@ -1,7 +1,7 @@
 """Smoothing length that follows the particles, in tension: how far a specimen stretches before it breaks by itself."""
 import numpy as np
 
-from frame import Sweep, example, module
+from frame import CLOSED, Sweep, example, module
 
 TITLE = "adaptive smoothing length in tension"
 scene = module(example("flat_tensile_c45e", "scene.py"))
@@ -23,6 +23,7 @@ def by(**more):
 
 SWEEPS = [
     Sweep(name="tension", quantity="strain reached by the flat specimen, shortfall", reference="0.15, the plastic path of S13",
-          kind="published SPH", script=example("flat_tensile_c45e"), measure=reached,
+          kind="published SPH", also=[("stress", "engineering stress at strain 0.02 to 0.05", "flow curve of the material", CLOSED,
+                                       "stress_off")], script=example("flat_tensile_c45e"), measure=reached,
           settings={"quick": by(rows=8, speed=20), "full": by(rows=14, speed=20), "large": by(rows=50, speed=20)}),
 ]

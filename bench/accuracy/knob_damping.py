@@ -1,5 +1,5 @@
 """Strength of the artificial stress and of the artificial viscosity."""
-from cases import decay, plate, rings
+from cases import plate, rings
 from frame import CLOSED
 
 TITLE = "artificial stress and viscosity"
@@ -19,8 +19,8 @@ def all_rings():
     return {label(s, a): {"eps": s, "options": "viscosity %g %g" % (a, a)} for s, a in STRENGTHS}
 
 
-swings = plate({"quick": plates(6), "full": plates(10), "large": plates(20)}, baseline=label(0, 1))
-lost = plate({"quick": plates(6), "full": plates(10), "large": plates(20)}, baseline=label(0, 1))
-lost.name, lost.quantity = "decay", "energy that artificial terms take from the swing"
-lost.reference, lost.kind, lost.measure = "elastic: nothing", CLOSED, decay
-SWEEPS = [swings, lost, rings({"quick": all_rings(), "full": all_rings()}, baseline=label(0.3, 1))]
+SWEEPS = [
+    plate({"quick": plates(6), "full": plates(10), "large": plates(20)}, baseline=label(0, 1),
+          also=[("decay", "energy that artificial terms take from the swing", "elastic: nothing", CLOSED, "lost")]),
+    rings({"quick": all_rings(), "full": all_rings()}, baseline=label(0.3, 1)),
+]

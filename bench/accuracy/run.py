@@ -38,6 +38,10 @@ def arguments():
     return options
 
 
+def say(text):
+    print(text, flush=True)
+
+
 def knob(name, options):
     found = frame.module(os.path.join(frame.HERE, "knob_%s.py" % name))
     sweeps = [s for s in found.SWEEPS if options.size in s.settings and (not options.sweep or s.name in options.sweep)]
@@ -47,14 +51,16 @@ def knob(name, options):
         sys.exit("sphtm accuracy: no sweep '%s' of knob %s; there are: %s" % (wrong[0], name, " ".join(known)))
     answer = {"title": found.TITLE, "size": options.size, "repeats": options.repeats, "lmp": options.lmp, "sweeps": {}}
     for s in sweeps:
-        print("%s: %s, %s against %s (%s)" % (name, s.name, s.quantity, s.reference, s.kind), flush=True)
-        points = frame.measure(s, options.size, options.repeats, options.clock, options.lmp,
-                               lambda text: print(text, flush=True))
-        slope = frame.order(s, options.size, points)
-        if slope is not None:
-            print("  order %.2f" % slope, flush=True)
-        answer["sweeps"][s.name] = {"quantity": s.quantity, "reference": s.reference, "kind": s.kind, "points": points,
-                                    "baseline": s.baseline or next(iter(s.settings[options.size])), "order": slope}
+        runs = None
+        for label, quantity, reference, kind, key in [(s.name, s.quantity, s.reference, s.kind, "error"), *s.also]:
+            say("%s: %s, %s against %s (%s)" % (name, label, quantity, reference, kind))
+            points = (frame.measured_too(runs, key, options.clock, say) if runs else
+                      frame.measure(s, options.size, options.repeats, options.clock, options.lmp, say))
+            runs, slope = runs or points, frame.order(s, options.size, points)
+            if slope is not None:
+                say("  order %.2f" % slope)
+            answer["sweeps"][label] = {"quantity": quantity, "reference": reference, "kind": kind, "points": points,
+                                       "baseline": s.baseline or next(iter(s.settings[options.size])), "order": slope}
     return answer
 
 
