@@ -31,7 +31,7 @@ def patches(steps):
 
 
 def plates(rows):
-    return each({"rows": rows}, lambda k, c: {"kernel": "%s %g" % (k, forms.KERNELS[k]), "options": BASE + c})
+    return each({"rows": rows, "end": 0.2}, lambda k, c: {"kernel": "%s %g" % (k, forms.KERNELS[k]), "options": BASE + c})
 
 
 SWEEPS = [

@@ -6,7 +6,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-FLOOR = 1e-9    # errors of round-off are drawn there
+FLOOR = 1e-5    # what is exact but for round-off is drawn there
 
 
 def sweep_on(axes, sweep, clock, label=None, texts=True):
@@ -24,7 +24,7 @@ def sweep_on(axes, sweep, clock, label=None, texts=True):
             axes.annotate(p["setting"] + ": broke", (p[time_of], 1.0), xytext=(4, 3), textcoords="offset points", fontsize=6.5)
     axes.set(xscale="log", yscale="log")
     for axis, text in ((axes.xaxis, lambda t, _: "%g" % t), (axes.yaxis, lambda e, _: "%g %%" % (100 * e))):
-        axis.set_major_locator(LogLocator(subs=(1, 2, 5) if texts else (1,), numticks=8))
+        axis.set_major_locator(LogLocator(subs=(1, 2, 5), numticks=8))
         axis.set_major_formatter(FuncFormatter(text))
         axis.set_minor_formatter(NullFormatter())
     axes.grid(True, which="major", color="0.9", lw=0.6)
