@@ -86,7 +86,7 @@ def one_run(sweep, variables, lmp, measured):
     steps, particles = last_loop(result.output)
     point = {"wall": wall, "processor": processor, "particles": particles, "steps": steps, "note": ""}
     if result.status:
-        point.update(error=None, note=(result.errors() or result.output[-300:]).splitlines()[0])
+        point.update(error=None, note=(result.errors() or result.output[-300:]).splitlines()[0][:160])
     elif measured:
         point.update(sweep.measure(Run(result, dict(variables, **more))))
     if not os.environ.get("SPHTM_KEEP"):
