@@ -95,6 +95,6 @@ def rebound(run):
 
 
 def rings(settings, **more):
-    return Sweep(name="rings", quantity="energy that artificial terms take from the colliding rings", reference="elastic: nothing",
+    return Sweep(name="rings", quantity="net energy that artificial terms take from the colliding rings", reference="elastic: nothing",
                  kind=CLOSED, script=example("rings"), settings=settings, measure=rebound,
                  prepare=lambda folder, variables: rings_test.make_rings(os.path.join(folder, "rings.data")), **more)

@@ -21,6 +21,6 @@ def all_rings():
 
 SWEEPS = [
     plate({"quick": plates(6), "full": plates(10), "large": plates(20)}, baseline=label(0, 1),
-          also=[("decay", "energy that artificial terms take from the swing", "elastic: nothing", CLOSED, "lost")]),
+          also=[("decay", "net energy that artificial terms take from the swing", "elastic: nothing", CLOSED, "lost")]),
     rings({"quick": all_rings(), "full": all_rings()}, baseline=label(0.3, 1)),
 ]

@@ -42,13 +42,18 @@ def say(text):
     print(text, flush=True)
 
 
-def knob(name, options):
-    found = frame.module(os.path.join(frame.HERE, "knob_%s.py" % name))
+def load(options):
+    """Modules of the knobs asked for."""
+    modules = {name: frame.module(os.path.join(frame.HERE, "knob_%s.py" % name)) for name in options.knobs}
+    known = sorted({s.name for m in modules.values() for s in m.SWEEPS})
+    for s in options.sweep:
+        if s not in known:
+            sys.exit("sphtm accuracy: no sweep '%s'; there are: %s" % (s, " ".join(known)))
+    return modules
+
+
+def knob(name, found, options):
     sweeps = [s for s in found.SWEEPS if options.size in s.settings and (not options.sweep or s.name in options.sweep)]
-    known = [s.name for s in found.SWEEPS]
-    wrong = [s for s in options.sweep if s not in known]
-    if wrong:
-        sys.exit("sphtm accuracy: no sweep '%s' of knob %s; there are: %s" % (wrong[0], name, " ".join(known)))
     answer = {"title": found.TITLE, "size": options.size, "repeats": options.repeats, "lmp": options.lmp, "sweeps": {}}
     for s in sweeps:
         runs = None
@@ -115,13 +120,14 @@ def write(knobs, options, seconds):
 
 def main():
     options, began = arguments(), time.time()
+    modules = load(options)
     os.makedirs(OUT, exist_ok=True)
     path, knobs = os.path.join(OUT, "summary.json"), {}
     if os.path.exists(path):    # knobs of earlier calls of the same size stay
         with open(path) as f:
             knobs = {n: k for n, k in json.load(f)["knobs"].items() if n in NAMES and k["size"] == options.size}
     for name in options.knobs:
-        knobs[name] = knob(name, options)
+        knobs[name] = knob(name, modules[name], options)
         write(knobs, options, time.time() - began)
     try:
         import plot
