@@ -19,5 +19,5 @@ def residual(run):
 SWEEPS = [
     Sweep(name="bullet", quantity="residual velocity of the bullet", reference="lists anew in every step", kind=SAME,
           script=example("bullet_plate"), measure=residual, against=EVERY,
-          settings={"quick": by(n=3, thick=9e-3, end=1.5e-4, width=72e-3), "full": by(n=4, end=2.5e-4), "large": by(n=10, end=4e-4)}),
+          settings={"quick": by(n=3, thick=9e-3, end=1.5e-4, width=72e-3), "full": by(n=4, end=2.5e-4), "large": by(n=6, end=1e-4)}),
 ]
