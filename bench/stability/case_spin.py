@@ -1,4 +1,5 @@
-"""A free elastic body turns about its middle axis, and so tumbles, for a hundred turns."""
+"""A free elastic body turns about its middle axis, and so tumbles, for a hundred turns. Without artificial stress, whose
+pair forces are not central and so have a torque."""
 import numpy as np
 
 from frame import SPACE, Case
@@ -20,7 +21,7 @@ create_box      1 box
 region          body block -0.02 0.02 -0.03 0.03 -0.02 0.02 units box
 region          half block -0.01 0.01 -0.03 0.03 -0.02 0.02 units box
 create_atoms    1 region half
-pair_style      sph/tm hyperbolic 1.2 spacing 0.01 correction {correction}
+pair_style      sph/tm hyperbolic 1.2 spacing 0.01 correction {correction} artstress 0 4
 pair_coeff      * * materials.sphtm rubber
 variable        vx atom {omega}*(0.001*z-y)
 variable        vy atom {omega}*x

@@ -1,4 +1,4 @@
-"""A copper bar hits a rigid wall at 400 m/s."""
+"""A copper bar hits a rigid wall at 400 m/s. The outermost ring of its foot comes loose and flies off."""
 from taylor import taylor
 
-CASE = taylor(400, 2400)
+CASE = taylor(400, 2400, box=2)
