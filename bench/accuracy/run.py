@@ -1,5 +1,5 @@
 """What accuracy costs: for each knob sweeps of its settings on cases with a reference, error against time. Writes
-<knob>.csv, <knob>.png, overview.png, table.rst and summary.json. Called by ./sphtm accuracy [knob ...] [options]."""
+<knob>.csv, <knob>.png, overview.png, table.rst, points.rst and summary.json. Called by ./sphtm accuracy [knob ...] [options]."""
 import argparse
 import csv
 import json
@@ -27,6 +27,7 @@ def arguments():
                          help="the time of fronts and pictures; processor: on a machine that others use too")
     options.add_argument("--sweep", action="append", default=[], help="only sweeps of this name")
     options.add_argument("--lmp", default="", help="more arguments of lmp, for example '-k on g 1 -sf kk'")
+    options.add_argument("--look", action="store_true", help="only tables and pictures of what earlier calls left")
     options = options.parse_args()
     wrong = [k for k in options.knobs if k not in NAMES]
     if wrong:
@@ -80,29 +81,39 @@ def write_csv(name, found):
 
 
 def cheapest(points, target, clock):
-    good = [p for p in points if p["error"] is not None and p["error"] <= target]
-    return min(good, key=lambda p: p[clock]) if good else None
+    return min((p for p in points if p["error"] <= target), key=lambda p: p[clock], default=None)
 
 
-def table(knobs, clock):
-    """What to set for an error: the cheapest setting of each sweep, and its time over the sweep's baseline."""
-    time_of = "relative_time" if clock == "wall" else "relative_processor"
-    head = ("knob", "case", "reference", "time is 1 at") + tuple("%g %%" % (100 * t) for t in TARGETS) + ("least error", "order")
-    with open(os.path.join(OUT, "table.rst"), "w") as f:
+def list_table(path, rows):
+    with open(path, "w") as f:
         f.write(".. list-table::\n   :header-rows: 1\n\n")
-        rows = [head]
-        for name, k in sorted(knobs.items()):
-            for s in k["sweeps"].values():
-                cells = []
-                for p in [cheapest(s["points"], t, clock) for t in TARGETS]:
-                    cells.append("%s: %.2f" % (p["setting"], p[time_of]) if p else "not reached")
-                good = [p for p in s["points"] if p["error"] is not None]
-                best = min(good, key=lambda p: p["error"]) if good else None
-                rows.append((k["title"], s["quantity"], "%s (%s)" % (s["reference"], s["kind"]), s["baseline"], *cells,
-                             "%.2g %%: %s" % (100 * best["error"], best["setting"]) if best else "none",
-                             "%.1f" % s["order"] if s["order"] is not None else ""))
         for row in rows:
             f.write("   * - %s\n" % row[0] + "".join("     - %s\n" % v for v in row[1:]))
+
+
+def shortly(note):
+    return "stopped" if note.startswith("ERROR") else note
+
+
+def tables(knobs, clock):
+    """What to set for an error: the cheapest setting of each sweep; and all points. Times are over the sweep's baseline."""
+    time_of = "relative_time" if clock == "wall" else "relative_processor"
+    answers = [("knob", "case", "reference", "time is 1 at") + tuple("%g %%" % (100 * t) for t in TARGETS) + ("least error",)]
+    points = [("case", "setting: error, time; * on the front", "order")]
+    for name, k in sorted(knobs.items()):
+        for label, s in k["sweeps"].items():
+            good = [p for p in s["points"] if p["error"] is not None]
+            cells = [cheapest(good, t, clock) for t in TARGETS]
+            best = min(good, key=lambda p: p["error"]) if good else None
+            answers.append((k["title"], s["quantity"], "%s (%s)" % (s["reference"], s["kind"]), s["baseline"],
+                            *("%s: %.2f" % (p["setting"], p[time_of]) if p else "not reached" for p in cells),
+                            "%.2g %%: %s" % (100 * best["error"], best["setting"]) if best else "none"))
+            points.append(("%s, %s" % (name, label), "; ".join(
+                "%s: %s" % (p["setting"], shortly(p["note"]) if p["error"] is None else "%.2g %%, %.2f%s" % (
+                    100 * p["error"], p[time_of], " \\*" if p["front"] else "")) for p in s["points"]),
+                "" if s["order"] is None else "%.1f" % s["order"]))
+    list_table(os.path.join(OUT, "table.rst"), answers)
+    list_table(os.path.join(OUT, "points.rst"), points)
 
 
 def write(knobs, options, seconds):
@@ -115,7 +126,7 @@ def write(knobs, options, seconds):
         json.dump({"size": options.size, "clock": options.clock, "minutes": round(seconds / 60, 1), "load_average":
                    round(os.getloadavg()[0], 1), "points": points, "knobs": {n: knobs[n] for n in sorted(knobs)}}, f, indent=1)
         f.write("\n")
-    table(knobs, options.clock)
+    tables(knobs, options.clock)
 
 
 def main():
@@ -125,8 +136,12 @@ def main():
     path, knobs = os.path.join(OUT, "summary.json"), {}
     if os.path.exists(path):    # knobs of earlier calls of the same size stay
         with open(path) as f:
-            knobs = {n: k for n, k in json.load(f)["knobs"].items() if n in NAMES and k["size"] == options.size}
-    for name in options.knobs:
+            earlier = json.load(f)
+        knobs = {n: k for n, k in earlier["knobs"].items() if n in NAMES and k["size"] == options.size}
+    if options.look:
+        options.knobs = [name for name in options.knobs if name in knobs]
+        write(knobs, options, 60 * earlier["minutes"] if knobs else 0)
+    for name in [] if options.look else options.knobs:
         knobs[name] = knob(name, modules[name], options)
         write(knobs, options, time.time() - began)
     try:

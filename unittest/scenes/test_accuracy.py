@@ -40,7 +40,7 @@ with open(os.path.join(out, "spacing.csv")) as f:
     rows = list(csv.DictReader(f))
 checks.near("rows of the table of numbers", len(rows), len(points))
 checks.near("error in it", float(rows[0]["error"]), points[0]["error"], relative=1e-5)
-for name in ("spacing.png", "overview.png", "table.rst"):
+for name in ("spacing.png", "overview.png", "table.rst", "points.rst"):
     checks.true(name, os.path.getsize(os.path.join(out, name)) > 200)
 
 # --- what it refuses
