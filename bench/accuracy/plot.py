@@ -27,6 +27,9 @@ def sweep_on(axes, sweep, clock, label=None, texts=True):
         axis.set_major_locator(LogLocator(subs=(1, 2, 5), numticks=8))
         axis.set_major_formatter(FuncFormatter(text))
         axis.set_minor_formatter(NullFormatter())
+    low, high = axes.get_xlim()
+    if high < 2 * low:    # room for readable numbers
+        axes.set_xlim(low / 1.3, high * 1.3)
     axes.grid(True, which="major", color="0.9", lw=0.6)
 
 
