@@ -149,17 +149,14 @@ void FixSPHTMHeat::init()
                       "convection with a variable coefficient does the same", update->unit_style);
 }
 
-// the fixed temperature holds from the start
-void FixSPHTMHeat::setup_pre_force(int)
-{
-  if (mode == TEMPERATURE) hold(temperature_now());
-}
-
 void FixSPHTMHeat::setup(int)
 {
   check_group();
   power = 0.0;
-  if (mode == TEMPERATURE) return;
+  if (mode == TEMPERATURE) {
+    hold(temperature_now());    // from the start; what that takes belongs to the initial state
+    return;
+  }
   exchange();
   double all = 0.0;
   MPI_Allreduce(&area, &all, 1, MPI_DOUBLE, MPI_SUM, world);

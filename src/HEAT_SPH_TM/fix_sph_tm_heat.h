@@ -19,7 +19,6 @@ class FixSPHTMHeat : public Fix {
   FixSPHTMHeat(class LAMMPS *, int, char **);
   int setmask() override;
   void init() override;
-  void setup_pre_force(int) override;
   void setup(int) override;
   void post_force(int) override;
   void end_of_step() override;

@@ -3,7 +3,7 @@
 
 #include "list_loops.h"
 #include "rate_loops.h"
-#include "single_rates_kokkos.h"
+#include "rates_kokkos.h"
 #include "tm_thermal.h"
 
 #include <cstdlib>
@@ -25,41 +25,26 @@ template <class SPACE> Bytes<SPACE> bytes_at(const void *p, size_t n)
 
 /* ---------------------------------------------------------------------- kernels of a GPU */
 
-template <unsigned EFFECTS> struct Rates {
-  tm_rates_args a;
-  KOKKOS_FUNCTION void operator()(int i) const { tm_rates(a.which ? a.which[i] : i, &a, EFFECTS); }
-};
 template <unsigned EFFECTS> struct Moments {
   tm_rates_args a;
   KOKKOS_FUNCTION void operator()(int i) const { tm_moment(a.which ? a.which[i] : i, &a, EFFECTS); }
 };
 
-template <unsigned EFFECTS> void run_rates(int n, const tm_rates_args &a)
-{
-  kokkos_each<Kokkos::LaunchBounds<64, 1>>("sph/tm rates", n, Rates<EFFECTS>{a});
-}
 template <unsigned EFFECTS> void run_moments(int n, const tm_rates_args &a)
 {
   kokkos_each("sph/tm moments", n, Moments<EFFECTS>{a});
 }
 
-typedef void (*device_rate_loop_t)(int, const tm_rates_args &);
-
-template <int... INDEX>
-device_rate_loop_t find_rates(int index, std::integer_sequence<int, INDEX...>)
-{
-  static const device_rate_loop_t table[] = {run_rates<few_rate_loop_effects(INDEX)>...};
-  return table[index];
-}
+typedef void (*device_moment_loop_t)(int, const tm_rates_args &);
 
 constexpr unsigned moment_effects(int index)
 {
   return ((unsigned) index / 2) << TM_FX_KERNEL_SHIFT | ((index & 1) ? unsigned(TM_FX_3D) : 0u);
 }
 template <int... INDEX>
-device_rate_loop_t find_moments(int index, std::integer_sequence<int, INDEX...>)
+device_moment_loop_t find_moments(int index, std::integer_sequence<int, INDEX...>)
 {
-  static const device_rate_loop_t table[] = {run_moments<moment_effects(INDEX)>...};
+  static const device_moment_loop_t table[] = {run_moments<moment_effects(INDEX)>...};
   return table[index];
 }
 
@@ -469,7 +454,7 @@ class DeviceBackend : public Backend {
   void rates(int n, const tm_rates_args &a, unsigned fx) override
   {
     if (fx & TM_FX_MIXED) kokkos_rates_in_single(n, a, fx);
-    else find_rates(few_rate_loop_index(fx), std::make_integer_sequence<int, FEW_RATE_LOOPS>())(n, a);
+    else kokkos_rates(n, a, fx);
   }
   void thermal(int n, const tm_rates_args &a, unsigned fx) override
   {

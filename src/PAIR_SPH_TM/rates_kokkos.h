@@ -1,0 +1,18 @@
+/* SPH-TM: the rate pass where Kokkos has a memory of its own: particles 0 to n - 1, or those of
+   tm_rates_args.which.
+
+   It is compiled apart from the other kernels: next to those that share its functions the compiler
+   gave it up to a quarter more registers, and the pass took a third longer. */
+#ifndef SPHTM_RATES_KOKKOS_H
+#define SPHTM_RATES_KOKKOS_H
+
+#include "rate_loop_sets.h"
+
+namespace SPHTM_NS {
+
+void kokkos_rates(int n, const tm_rates_args &, unsigned effects);
+void kokkos_rates_in_single(int n, const tm_rates_args &, unsigned effects);    // hyperbolic kernel
+
+}    // namespace SPHTM_NS
+
+#endif

@@ -1,0 +1,33 @@
+/* SPH-TM: the rate pass of a GPU for sets of effects; in single where TM_PAIR_SINGLE is defined. */
+#include "rates_kokkos.h"
+
+#include "kokkos_type.h"
+
+#include <utility>
+
+namespace SPHTM_NS {
+
+namespace {
+
+template <unsigned EFFECTS> struct Rates {
+  tm_rates_args a;
+  KOKKOS_FUNCTION void operator()(int i) const { tm_rates(a.which ? a.which[i] : i, &a, EFFECTS); }
+};
+template <unsigned EFFECTS> void run(int n, const tm_rates_args &a)
+{
+  using Policy = Kokkos::RangePolicy<LMPDeviceType, Kokkos::LaunchBounds<64, 1>>;
+  Kokkos::parallel_for("sph/tm rates", Policy(0, n), Rates<EFFECTS>{a});
+}
+
+typedef void (*device_rate_loop_t)(int, const tm_rates_args &);
+
+// the loop of set number `index` of few_rate_loop_effects()
+template <int... INDEX> device_rate_loop_t find(int index, std::integer_sequence<int, INDEX...>)
+{
+  static const device_rate_loop_t table[] = {run<few_rate_loop_effects(INDEX)>...};
+  return table[index];
+}
+
+}    // namespace
+
+}    // namespace SPHTM_NS
