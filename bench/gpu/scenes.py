@@ -12,6 +12,9 @@ SCALES = ("x y z", "vx vy vz", "density", "pressure vonmises", "temperature", "p
 
 MIXED = "_mixed"    # at the end of a name: pair arithmetic in single
 
+BULLET = "examples/bullet_plate/in.bullet_plate"
+SMALL_BULLET = {"n": 3, "thick": 9e-3, "width": 72e-3}
+
 # name: script, variables, steps
 SCENES = {
     "elastic": ("bench/in.block", {"case": "elastic", "n": 12}, 200),
@@ -31,6 +34,9 @@ SCENES = {
     "contact_mixed": ("bench/in.block", {"case": "contact", "n": 12, "mesh": "tool.stl"}, 200),
     "high_speed_machining_mixed": ("examples/high_speed_machining/in.high_speed_machining",
                                    {"dp": 0.25e-3, "width": 1e-3}, 300),
+    "bullet_every_step": (BULLET, {**SMALL_BULLET, "adapt": "threshold 0"}, 200),
+    "bullet_kept_rows": (BULLET, {**SMALL_BULLET, "adapt": "threshold 1e-5"}, 200),
+    "flat_tensile_asph": ("examples/flat_tensile_c45e/in.flat_tensile_c45e", {"rows": 16, "adapt": "asph psi every 5"}, 200),
     "two_layer_heat": ("examples/two_layer_heat/in.two_layer_heat", {"n": 100}, 500),
 }
 
