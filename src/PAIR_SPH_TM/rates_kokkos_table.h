@@ -13,9 +13,16 @@ template <unsigned EFFECTS> struct Rates {
   tm_rates_args a;
   KOKKOS_FUNCTION void operator()(int i) const { tm_rates(a.which ? a.which[i] : i, &a, EFFECTS); }
 };
+// How many blocks of 64 threads share a multiprocessor decides: most of the time a warp waits for its neighbors' records.
+// 6 leave a thread 168 registers, 8 leave 128: just enough without spills, but for loops that test effects at run time.
+constexpr int rate_blocks(unsigned effects)
+{
+  return (effects & TM_FX_EXTENDED) ? 1 : sizeof(tm_pair) == sizeof(double) ? 6 : 8;
+}
+
 template <unsigned EFFECTS> void run(int n, const tm_rates_args &a)
 {
-  using Policy = Kokkos::RangePolicy<LMPDeviceType, Kokkos::LaunchBounds<64, 1>>;
+  using Policy = Kokkos::RangePolicy<LMPDeviceType, Kokkos::LaunchBounds<64, rate_blocks(EFFECTS)>>;
   Kokkos::parallel_for("sph/tm rates", Policy(0, n), Rates<EFFECTS>{a});
 }
 
