@@ -85,7 +85,7 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
   r[tm_part(TM_REC_BALSARA)] = (effects & TM_FX_BALSARA) ? *tm_field_row(s, TM_F_BALSARA, i) : 1.0;
 
   if (effects & TM_FX_SMOOTHING)
-    tm_size_record(tm_field_row(s, TM_F_SIZE, i), r[TM_REC_M] / rho_sum, a->gradient, tm_fx_kernel(effects),
+    tm_size_record(tm_field_row(s, TM_F_SIZE, i), r[tm_part(TM_REC_M)] / rho_sum, a->gradient, tm_fx_kernel(effects),
                    (effects & TM_FX_3D) != 0, a->rec.size + (ptrdiff_t) i * TM_REC_SIZE);
   if (effects & TM_FX_HEAT) {
     const tm_real *t = tm_field_row(s, TM_F_TEMP, i);
