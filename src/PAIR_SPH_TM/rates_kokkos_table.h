@@ -13,16 +13,17 @@ template <unsigned EFFECTS> struct Rates {
   tm_rates_args a;
   KOKKOS_FUNCTION void operator()(int i) const { tm_rates(a.which ? a.which[i] : i, &a, EFFECTS); }
 };
-// How many blocks of 64 threads share a multiprocessor decides: most of the time a warp waits for its neighbors' records.
-// 6 leave a thread 168 registers, 8 leave 128: just enough without spills, but for loops that test effects at run time.
+// How many threads share a multiprocessor decides: most of the time a warp waits for its neighbors' records. 6 blocks of 64
+// leave a thread 168 registers, 4 of 128 leave 128: just enough without spills, but for loops that test effects at run time.
+constexpr int RATE_THREADS = sizeof(tm_pair) == sizeof(double) ? 64 : 128;
 constexpr int rate_blocks(unsigned effects)
 {
-  return (effects & TM_FX_EXTENDED) ? 1 : sizeof(tm_pair) == sizeof(double) ? 6 : 8;
+  return (effects & TM_FX_EXTENDED) ? 1 : RATE_THREADS == 64 ? 6 : 4;
 }
 
 template <unsigned EFFECTS> void run(int n, const tm_rates_args &a)
 {
-  using Policy = Kokkos::RangePolicy<LMPDeviceType, Kokkos::LaunchBounds<64, rate_blocks(EFFECTS)>>;
+  using Policy = Kokkos::RangePolicy<LMPDeviceType, Kokkos::LaunchBounds<RATE_THREADS, rate_blocks(EFFECTS)>>;
   Kokkos::parallel_for("sph/tm rates", Policy(0, n), Rates<EFFECTS>{a});
 }
 
