@@ -85,11 +85,11 @@ void Refinement::plan_merges()
     tm_cloud_volume_mean(rows.data(), pattern.n, stress, 6, m.row.data());
     m.row[cloud.column(TM_F_RHO)] = m.row[TM_CLOUD_MASS] / m.row[TM_CLOUD_VOLUME];
     double *size = m.row.data() + cloud.column(TM_F_SIZE);
-    const double *first = own + cloud.column(TM_F_SIZE), edge = pow(pattern.mass[0], 1.0 / pattern.dim);
-    size[TM_S_H] /= alpha;
-    size[TM_S_DP] = first[TM_S_DP] / edge;
-    size[TM_S_RATIO] = first[TM_S_RATIO] * edge / alpha;
-    size[TM_S_TARGET] /= alpha * pow(pattern.n, 1.0 / pattern.dim);
+    // h and target are the means; spacing and ratio, which differ from child to child, those of the one that stays
+    const double *first = own + cloud.column(TM_F_SIZE);
+    size[TM_S_DP] = first[TM_S_DP];
+    size[TM_S_RATIO] = first[TM_S_RATIO];
+    tm_size_of_parent(size, pattern.mass[0], alpha, pattern.n, pattern.dim);
     m.change = tm_content_nothing();
     const int type = atom->type[i];
     add_content(m.change, 1.0, m.row.data(), m.row.data(), type);

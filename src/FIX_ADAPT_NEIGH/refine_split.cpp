@@ -100,12 +100,7 @@ void Refinement::plan_split(int i)
     r[TM_CLOUD_X + 2] += at.z;
     for (int d = 0; linear && d < 3; d++) r[TM_CLOUD_V + d] += tm_vec_dot(velocity[d].gradient, at);
     r[TM_CLOUD_MASS] *= pattern.mass[k];
-    const double edge = pow(pattern.mass[k], 1.0 / pattern.dim);
-    double *own = r + cloud.column(TM_F_SIZE);
-    own[TM_S_H] *= alpha;
-    own[TM_S_DP] *= edge;
-    own[TM_S_RATIO] *= alpha / edge;
-    own[TM_S_TARGET] *= alpha * pow(n, 1.0 / pattern.dim);
+    tm_size_of_child(r + cloud.column(TM_F_SIZE), pattern.mass[k], alpha, n, pattern.dim);
     r[TM_CLOUD_VOLUME] = r[TM_CLOUD_MASS] / r[cloud.column(TM_F_RHO)];
     add_content(s.change, 1.0, r, parent, type);
   }

@@ -11,6 +11,7 @@
 #ifndef TM_REFINE_H
 #define TM_REFINE_H
 
+#include "tm_fields.h"
 #include "tm_kernel.h"
 #include "tm_tensor.h"
 
@@ -138,6 +139,26 @@ TM_FN void tm_cloud_spread(const tm_cloud *c, int i, const int *j, int neighbour
       /* the bounds once more, against the last bit */
       *value = tm_min(tm_max(*value + phi * step, s[m].least), s[m].most);
     }
+}
+
+/* The size (columns TM_S_...) of a child from its parent's: part of the mass, alpha of the smoothing length, one
+   of n. Its spacing is its own, (m/rho0)^(1/d), and so is the reference spacing of the artificial stress, h over
+   TM_S_RATIO. tm_size_of_parent undoes it. */
+TM_FN void tm_size_of_child(tm_real *size, tm_real part, tm_real alpha, int n, int dim)
+{
+  const tm_real edge = pow(part, 1.0 / dim);
+  size[TM_S_H] *= alpha;
+  size[TM_S_DP] *= edge;
+  size[TM_S_RATIO] *= alpha / edge;
+  size[TM_S_TARGET] *= alpha * pow((tm_real) n, 1.0 / dim);
+}
+TM_FN void tm_size_of_parent(tm_real *size, tm_real part, tm_real alpha, int n, int dim)
+{
+  const tm_real edge = pow(part, 1.0 / dim);
+  size[TM_S_H] /= alpha;
+  size[TM_S_DP] /= edge;
+  size[TM_S_RATIO] *= edge / alpha;
+  size[TM_S_TARGET] /= alpha * pow((tm_real) n, 1.0 / dim);
 }
 
 /* sum_j V_j gradW_ij, which is 0 where particles lie evenly: the acceleration in a material of uniform stress,
