@@ -93,6 +93,9 @@ void AdaptLists::check_effects()
     if (body.has(w.effect))
       error->all(FLERR, "Fix adapt/neigh threshold {}: rows that are kept do not support {}; or use threshold 0",
                  threshold, w.what);
+  if (fix.pair().settings_in_use().art_balanced && body.has(TM_FX_ARTSTRESS))
+    error->all(FLERR, "Fix adapt/neigh threshold {}: pair_style artstress balanced needs threshold 0: kept rows have no "
+                      "artificial stress; leave balanced away", threshold);
   if (body.has(TM_FX_CORRECTION) && std::isfinite(threshold))
     error->all(FLERR, "Fix adapt/neigh threshold {}: pair_style correction yes needs threshold inf or 0: corrected "
                       "gradients take whole rows", threshold);

@@ -127,6 +127,7 @@ void Refinement::ready()
   body->need(TM_FX_SMOOTHING, "particles are refined");
   if (lmp()->atom->rmass_flag) return;
   lmp()->modify->add_fix(fmt::format("{}_mass all property/atom rmass ghost yes", fix.id));
+  if (auto *pair = dynamic_cast<PairSPHTM *>(lmp()->force->pair_match("^sph/tm", 0))) pair->give_masses();
 }
 
 /* ---------------------------------------------------------------------- calls of LAMMPS */

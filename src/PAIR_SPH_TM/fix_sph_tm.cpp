@@ -396,6 +396,8 @@ tm_update_args FixSPHTM::update_args()
   a.heat = rates.heat;
   a.xsph_v = rates.xsph_v;
   a.artificial = rates.artificial;
+  a.share = pair_sph->tensile_shares();
+  a.ratio = pair_sph->settings_in_use().ratio;
   a.force_internal = pair_sph->internal_force();
   a.source = heat_source();
   a.group = groupbit;

@@ -127,7 +127,7 @@ double PairSPHTM::init_one(int i, int j)
 void PairSPHTM::Tables::live_in(Backend &loops)
 {
   material.live_in(loops);
-  for (auto *a : {&conductance, &young, &effusivity, &gradient}) a->live_in(loops);
+  for (auto *a : {&conductance, &young, &effusivity, &gradient, &share}) a->live_in(loops);
   law.live_in(loops);
   touch.live_in(loops);
 }
@@ -157,6 +157,9 @@ void PairSPHTM::make_tables()
   tables.touch.assign(touch.data(), n * n);
   tables.young.assign(young.data(), n);
   tables.effusivity.assign(effusivity.data(), n);
+  std::vector<double> share(set.art_balanced && set.art_eps > 0.0 ? TM_GRADIENT_ENTRIES : 0);
+  if (!share.empty()) tm_tensile_table(set.kernel, domain->dimension, set.art_n, share.data());
+  tables.share.assign(share.data(), share.size());
 }
 
 void PairSPHTM::resize_arrays()
@@ -242,6 +245,8 @@ tm_predict_args PairSPHTM::predict_args(const tm_state &s)
   a.dt_ahead = fix->time_ahead();
   a.art_eps = set.art_eps;
   a.art_component = set.art_component;
+  a.share = tensile_shares();
+  a.ratio = set.ratio;
   a.gradient = tables.gradient.loop_read();
   return a;
 }

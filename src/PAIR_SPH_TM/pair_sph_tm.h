@@ -38,7 +38,7 @@ class PairSPHTM : public Pair {
     double visc_alpha = 1.0, visc_beta = 1.0;
     double art_eps = 0.3;
     int art_n = 4;
-    bool art_component = false;
+    bool art_component = false, art_balanced = false;
     double xsph = 0.0;
     bool form_f14 = false, correction = false, balsara = false, plane_stress = false;
     bool mixed = false;    // pair arithmetic in single
@@ -72,6 +72,8 @@ class PairSPHTM : public Pair {
   const tm_material *loop_materials() { return tables.material.loop_read(); }
   const tm_rates_args &rate_args() const { return args; }
   tm_predict_args predict_args(const tm_state &);
+  void give_masses();    // of particles that have none
+  const tm_real *tensile_shares() { return tables.share.empty() ? nullptr : tables.share.loop_read(); }
   virtual const int *loop_tags();
   void forward(SPHTM_NS::LoopArray<tm_real> &, int columns);    // brings values of particles to their ghosts
   const double *internal_force() { return force_internal.loop_read(); }
@@ -117,6 +119,7 @@ class PairSPHTM : public Pair {
     SPHTM_NS::LoopArray<tm_material> material;
     SPHTM_NS::LoopArray<tm_real> conductance, young, effusivity;
     SPHTM_NS::LoopArray<tm_real> gradient;    // tm_gradient_table, with particles of different size
+    SPHTM_NS::LoopArray<tm_real> share;       // tm_tensile_table, where the artificial stress is balanced
     SPHTM_NS::LoopArray<tm_body_law> law;
     SPHTM_NS::LoopArray<int> touch;
     void live_in(SPHTM_NS::Backend &);

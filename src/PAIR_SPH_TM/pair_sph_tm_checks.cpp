@@ -15,14 +15,20 @@
 using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
 
+// particles without a mass of their own: it follows from the material, where that is known already
+void PairSPHTM::give_masses()
+{
+  for (int i = 0; allocated && atom->rmass_flag && i < atom->nlocal; i++)
+    if (atom->rmass[i] == 0.0) atom->rmass[i] = particle_mass(atom->type[i]);
+}
+
 void PairSPHTM::check_masses()
 {
+  give_masses();
   auto differs = [&](double mass, int type) {
     return fabs(mass - particle_mass(type)) > 1e-6 * particle_mass(type);
   };
   std::vector<bigint> wrong(atom->ntypes + 1, 0), all(atom->ntypes + 1, 0);
-  for (int i = 0; atom->rmass_flag && i < atom->nlocal; i++)    // none is given: it follows from the material
-    if (atom->rmass[i] == 0.0) atom->rmass[i] = particle_mass(atom->type[i]);
   if (atom->rmass_flag && !fix->wants(TM_FX_SMOOTHING)) {
     for (int i = 0; i < atom->nlocal; i++) wrong[atom->type[i]] += differs(atom->rmass[i], atom->type[i]);
     MPI_Allreduce(wrong.data(), all.data(), atom->ntypes + 1, MPI_LMP_BIGINT, MPI_SUM, world);

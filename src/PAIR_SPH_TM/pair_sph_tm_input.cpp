@@ -85,6 +85,10 @@ void PairSPHTM::settings(int narg, char **arg)
         set.art_component = arg[iarg][0] == 'c';
         iarg++;
       }
+      if (iarg < narg && strcmp(arg[iarg], "balanced") == 0) {
+        set.art_balanced = true;
+        iarg++;
+      }
     } else if (key == "xsph") {
       args(1);
       set.xsph = not_negative(lmp, style + "xsph epsilon", arg[iarg + 1]);

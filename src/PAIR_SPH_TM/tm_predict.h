@@ -5,7 +5,7 @@
 #ifndef TM_PREDICT_H
 #define TM_PREDICT_H
 
-#include "tm_artificial.h"
+#include "tm_balance.h"
 #include "tm_damage.h"
 #include "tm_eos.h"
 #include "tm_heat.h"
@@ -20,6 +20,8 @@ typedef struct {
   tm_real art_eps;       /* artificial stress epsilon, 0..1 */
   const tm_real *gradient;  /* tm_gradient_table, with particles of their own size */
   int art_component;     /* nonzero: F14 (18) per component instead of principal axes */
+  const tm_real *share;  /* tm_tensile_table where the artificial stress is balanced, else NULL */
+  tm_real ratio;         /* h over spacing, of particles without a size of their own */
 } tm_predict_args;
 
 /* Velocity of particle i at the force point. */
@@ -107,6 +109,16 @@ TM_FN void tm_predict_tensile(tm_real *col, tm_real eps, tm_real scale, int comp
   col[3 * TM_COLUMN] = q.xy; col[4 * TM_COLUMN] = q.xz; col[5 * TM_COLUMN] = q.yz;
 }
 
+/* P - share R for P, in the units of P. */
+TM_FN void tm_predict_balance(int i, const tm_predict_args *a, unsigned effects)
+{
+  const tm_real *size = (effects & TM_FX_SMOOTHING) ? tm_field_row(&a->state, TM_F_SIZE, i) : NULL;
+  const tm_real *q = tm_stress_record(&a->rec, i);
+  tm_real *r = tm_main_record(&a->rec, i), rho = r[tm_part(TM_REC_RHO)];
+  const tm_real share = tm_share_of(a->share, size, a->ratio) * ((effects & TM_FX_FORM_F14) ? rho * rho : 1.0);
+  for (int c = 0; c < TM_REC_STRESS; c++) r[tm_part(TM_REC_P + c)] -= share * q[tm_part(c)];
+}
+
 /* The artificial stress of particles begin to end - 1, of sigma/rho^2, in chunks. */
 TM_FN void tm_predict_artstress(int begin, int end, const tm_predict_args *a, unsigned effects)
 {
@@ -138,6 +150,7 @@ TM_FN void tm_predict_artstress(int begin, int end, const tm_predict_args *a, un
     for (int l = 0; l < n; l++) {
       tm_real *q = tm_stress_record(&a->rec, begin + l);
       for (int c = 0; c < TM_REC_STRESS; c++) q[tm_part(c)] = col[c][tm_at(l)];
+      if (a->share) tm_predict_balance(begin + l, a, effects);
     }
   }
 }

@@ -11,7 +11,7 @@
 #ifndef TM_UPDATE_H
 #define TM_UPDATE_H
 
-#include "tm_artificial.h"
+#include "tm_balance.h"
 #include "tm_damage.h"
 #include "tm_eigen.h"
 #include "tm_eos.h"
@@ -37,6 +37,8 @@ typedef struct {
   tm_state state;
   tm_records rec;
   const tm_real *gradient, *heat, *xsph_v, *artificial;
+  const tm_real *share;          /* of the balanced artificial stress, see tm_predict.h */
+  tm_real ratio;
   const double *force_internal;  /* force of the pair style alone, with the ledger */
   tm_real *source;               /* heat given to the particle by contact and fluxes (power); emptied */
   int group;                     /* x and v are integrated for these */
@@ -200,6 +202,21 @@ TM_FN tm_real tm_update_temperature(int i, const tm_update_args *a, const tm_mat
   return a->dt * power;
 }
 
+/* Heating by artificial terms, power: of the pairs, and what the balance of the artificial stress takes
+   out of the motion, -m rho share R : L. */
+TM_FN tm_real tm_update_artificial(int i, const tm_update_args *a, tm_mat3 L, unsigned effects)
+{
+  tm_real power = a->artificial[i];
+  if ((effects & TM_FX_ARTSTRESS) && a->share) {
+    const tm_real *r = tm_main_record(&a->rec, i), *q = tm_stress_record(&a->rec, i);
+    const tm_real *size = (effects & TM_FX_SMOOTHING) ? tm_field_row(&a->state, TM_F_SIZE, i) : NULL;
+    const tm_sym3 R = tm_sym(q[tm_part(0)], q[tm_part(1)], q[tm_part(2)], q[tm_part(3)], q[tm_part(4)], q[tm_part(5)]);
+    power -= r[tm_part(TM_REC_M)] * r[tm_part(TM_REC_RHO)] * tm_share_of(a->share, size, a->ratio) *
+             tm_sym_ddot(R, tm_mat_symmetric(L));
+  }
+  return power;
+}
+
 TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effects)
 {
   effects &= TM_FX_PRESENT;
@@ -273,7 +290,8 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       pl[tm_column(1)] = q.d_eps * inv_dt;
       pl[tm_column(2)] = q.yield;
     }
-    if (e) *e += work + (a->artificial ? a->dt * a->artificial[i] / mass : 0.0);
+    const tm_real artificial = a->artificial ? a->dt * tm_update_artificial(i, a, L, effects) : 0.0;
+    if (e) *e += work + artificial / mass;
     if (dmg && !failed) {
       const tm_real p = tm_eos_pressure(m, q.rho, energy);
       dmg[0] += tm_damage_increment(m, -p, tm_sym_mises(q.s), q.d_eps, q.d_eps * inv_dt, T);
@@ -290,7 +308,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       out.plastic = mass * plastic;
       out.plastic_heat = (effects & TM_FX_HEAT) ? m->taylor_quinney * mass * plastic : 0.0;
       out.elastic = mass * work - out.plastic;
-      if (a->artificial) out.artificial = a->dt * a->artificial[i];
+      out.artificial = artificial;
     }
 
     out.dt[TM_DT_SOUND] = tm_sound_time_step(h, rec[tm_part(TM_REC_C)], a->visc_alpha, effects);

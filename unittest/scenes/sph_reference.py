@@ -164,6 +164,35 @@ def lattice_sums(name, dim, h):
     return -np.sum(dW / r * x * x), -2 * np.sum(np.where(x > 0, dW * x, 0))
 
 
+def tensile_share(name, dim, h, power):
+    """The part of a tension that an artificial stress of strength 1 takes on that lattice."""
+    side = np.arange(-12, 13.0)
+    x, y, z = np.meshgrid(side, side, side if dim == 3 else [0.0])
+    r = np.sqrt(x * x + y * y + z * z)
+    r[r == 0] = 1e30
+    shape, slope = kernel(name, r / h)
+    part = slope / r * x * x
+    return np.sum(part * (shape / kernel(name, np.array([1 / h]))[0][0]) ** power) / np.sum(part)
+
+
+def factors(name, dim, ratio):
+    """1 over the gradient that the lattice makes of a unit gradient, linear between 257 values from 0.8 to 4."""
+    step, out = 3.2 / 256, []
+    for x in np.clip((ratio - 0.8) / step, 0, 256):
+        k = min(int(x), 255)
+        a, b = (1 / lattice_sums(name, dim, 0.8 + m * step)[0] for m in (k, k + 1))
+        out.append(a + (x - k) * (b - a))
+    return np.array(out)
+
+
+def lattice_psi(name, dim, n_h):
+    """Psi of the lattice without the particle itself, REFERENCE.md section 7."""
+    side = np.arange(-12, 13.0)
+    x, y, z = np.meshgrid(side, side, side if dim == 3 else [0.0])
+    r = np.sqrt(x * x + y * y + z * z)
+    return (CONSTANT[name][dim - 2] * kernel(name, r[r > 0] / n_h)[0].sum()) ** (1 / dim)
+
+
 def warmed(m, T, heat):
     """Temperature after a heat per mass, the integral of a capacity that is linear meanwhile; by bisection."""
     if not heat:
@@ -181,11 +210,12 @@ def warmed(m, T, heat):
 class Body:
     def __init__(self, dim, x, v, kind, materials, box, kernel, h, spacing, viscosity=(1.0, 1.0), artstress=(0.3, 4),
                  component=False, xsph=0.0, form="f15", correction=False, balsara=False, plane_stress=False,
-                 temperature=293.15, heat=False, meets=None, load=(0.0, 0.0, 0.0)):
+                 temperature=293.15, heat=False, meets=None, load=(0.0, 0.0, 0.0), balanced=False, follow=None, every=1):
         self.__dict__.update(dim=dim, x=np.array(x, float), v=np.array(v, float), kind=kind, box=np.asarray(box, float),
                              kernel=kernel, h=h, spacing=spacing, viscosity=viscosity, artstress=artstress,
                              component=component, xsph=xsph, form=form, correction=correction, balsara=balsara,
-                             plane_stress=plane_stress, heat=heat, meets=meets or {}, T0=temperature, load=load)
+                             plane_stress=plane_stress, heat=heat, meets=meets or {}, T0=temperature, load=load,
+                             balanced=balanced, follow=follow, every=every, steps=0)
         n = self.n = len(x)
         self.mat = [materials[k] for k in kind]
         self.m = np.array([m.rho0 for m in self.mat]) * spacing ** dim
@@ -196,6 +226,7 @@ class Body:
         self.failed = np.zeros(n, bool)
         self.lz = np.ones(n)
         self.switch, self.u = np.ones(n), np.zeros((n, 3))
+        self.own_h, self.target = np.full(n, float(h)), None    # follow: None, still, psi, density
         self.old = None    # rates of the last two steps
 
     # what the pair sums see: state at the force point
@@ -258,10 +289,15 @@ class Body:
             d[..., 2] = 0
         r = np.sqrt(np.sum(d * d, axis=2))
         np.fill_diagonal(r, 1e30)
-        constant = CONSTANT[self.kernel][dim - 2] / self.h ** dim
-        shape, slope = kernel(self.kernel, r / self.h)
+        self.r = r
+        h = np.sqrt(self.own_h[:, None] * self.own_h[None])
+        constant = CONSTANT[self.kernel][dim - 2] / h ** dim
+        shape, slope = kernel(self.kernel, r / h)
         gradient, across = lattice_sums(self.kernel, dim, self.h / self.spacing)
-        W, dW = constant * shape, constant * slope / (self.h * gradient)
+        W, dW = constant * shape, constant * slope / (h * gradient)
+        if self.follow:    # each pair has the mean of the factors of the two
+            factor = factors(self.kernel, dim, self.own_h / (m / rho) ** (1 / dim))
+            dW = constant * slope / h * 0.5 * (factor[:, None] + factor[None])
         grad = (dW / r)[..., None] * d                          # gradient of W with respect to x_i
         same, heat_pair = np.ones((n, n), bool), np.ones((n, n), bool)
         touch = np.zeros((n, n), bool)
@@ -284,9 +320,23 @@ class Body:
         out = {"L": -np.einsum("ij,ija,ijb->iab", volume, vij, gm),
                "M": -np.einsum("ij,ija,ijb->iab", volume, d, gm)}
 
-        # momentum: F15 (4), F14 (6); corrected per particle after Bonet and Lok
+        # artificial stress of a particle F14 (18), without the thickness: R belongs to the stress of the material
         sigma = q["sigma"]
+        R = np.zeros((n, 3, 3))
+        for i in range(n):
+            t = sigma[i][:dim, :dim] / self.lz[i]
+            if self.component:
+                t = np.maximum(t, 0)
+            else:
+                value, vector = np.linalg.eigh(t)
+                t = vector @ np.diag(np.maximum(value, 0)) @ vector.T
+            R[i, :dim, :dim] = -self.artstress[0] * t * self.lz[i] / rho[i] ** 2
+
+        # momentum: F15 (4), F14 (6); corrected per particle after Bonet and Lok
         P = sigma if f14 else sigma / rho[:, None, None] ** 2
+        if self.balanced:    # what R takes from the tension of a lattice is given back
+            back = tensile_share(self.kernel, dim, self.h / self.spacing, self.artstress[1]) * R
+            P = P - (back * rho[:, None, None] ** 2 if f14 else back)
         if self.correction:
             M = out["M"]
             if dim == 2:
@@ -300,26 +350,16 @@ class Body:
             pair = pair / (rho[:, None] * rho[None])[..., None, None]
         acc = np.einsum("j,ijab,ijb->ia", m, pair, gm)
 
-        # artificial stress F14 (15)-(18), without the thickness: R belongs to the stress of the material
+        # artificial stress of a pair F14 (15)-(17)
         art = np.zeros((n, n, 3))
         if self.artstress[0] > 0:
-            eps, power = self.artstress
-            R = np.zeros((n, 3, 3))
-            for i in range(n):
-                t = sigma[i][:dim, :dim] / self.lz[i]
-                if self.component:
-                    t = np.maximum(t, 0)
-                else:
-                    value, vector = np.linalg.eigh(t)
-                    t = vector @ np.diag(np.maximum(value, 0)) @ vector.T
-                R[i, :dim, :dim] = -eps * t * self.lz[i] / rho[i] ** 2
             at_spacing = kernel(self.kernel, np.array([self.spacing / self.h]))[0][0]
-            f = (shape / at_spacing) ** power
+            f = (shape / at_spacing) ** self.artstress[1]
             art += np.einsum("ij,ijab,ijb->ija", f, R[:, None] + R[None], gm)
         # viscosity, Monaghan 1992
         alpha, beta = self.viscosity
         vx = np.sum(vij * d, axis=2)
-        mu = np.where(vx < 0, self.h * vx / (r ** 2 + 0.01 * self.h ** 2), 0.0)
+        mu = np.where(vx < 0, h * vx / (r ** 2 + 0.01 * h ** 2), 0.0)
         pi = (-alpha * 0.5 * (q["c"][:, None] + q["c"][None]) * mu + beta * mu ** 2) / (0.5 * (rho[:, None] + rho[None]))
         if self.balsara:
             pi = pi * 0.5 * (self.switch[:, None] + self.switch[None])
@@ -332,6 +372,8 @@ class Body:
         if dim == 2:
             out["acc"][:, 2] = 0
         out["heating"] = -0.5 * m * np.einsum("j,ija,ija->i", m, art, vij)
+        if self.balanced:
+            out["heating"] = out["heating"] - m * rho * np.einsum("iab,iab->i", back, out["L"])
 
         if self.heat:    # F15 (6), a power per volume; a finite conductance is a resistance in series
             k = np.array([mt.conductivity(T) for mt, T in zip(self.mat, q["T"])])
@@ -354,6 +396,26 @@ class Body:
                       for i, m in enumerate(self.mat)])
         r = {"v": o["acc"], "rho": -rho * np.trace(o["L"], axis1=1, axis2=2), "s": s, "T": np.zeros(self.n)}
         self.old = (r, r)
+        if self.follow == "psi":
+            self.target = np.array([self.nodes(i) for i in range(self.n)])
+
+    def nodes(self, i):
+        """n_h of the lattice that has the Psi of particle i: by 256 values and straight lines between, read backwards."""
+        if not hasattr(self, "psi"):
+            self.n_h = np.linspace(1 / REACH.get(self.kernel, 2.0), 4, 256)
+            self.psi = [lattice_psi(self.kernel, self.dim, n) for n in self.n_h]
+        sum_ = kernel(self.kernel, np.delete(self.r[i], i) / self.own_h[i])[0].sum()
+        return np.interp((CONSTANT[self.kernel][self.dim - 2] * sum_) ** (1 / self.dim), self.psi, self.n_h)
+
+    def follow_neighbors(self):
+        """S13 (2), (3), or (4); the limits 0.5 and 2."""
+        if self.follow == "psi":
+            s = np.clip(self.target / [self.nodes(i) for i in range(self.n)], 0.25, 4)
+            a = np.where(s < 1, 0.4 * (1 + s ** 2), 0.4 * (1 + s ** -3.0))
+            self.own_h = self.own_h * (1 - a + a * s)
+        if self.follow == "density":
+            self.own_h = self.h * (np.array([m.rho0 for m in self.mat]) / self.rho) ** (1 / self.dim)
+        self.own_h = np.clip(self.own_h, 0.5 * self.h, 2 * self.h)
 
     def step(self, dt):
         if self.old is None:
@@ -419,6 +481,9 @@ class Body:
             self.lz[i] += dt * self.lz[i] * lzz
         self.x, self.v = x, v
         self.old = (rate, self.old[0])
+        self.steps += 1
+        if self.follow and self.steps % self.every == 0:
+            self.follow_neighbors()
 
     # --- what compute sph/tm/atom gives
     def value(self, name):
@@ -431,5 +496,5 @@ class Body:
             return self.s[:, a, b] - (p if a == b else 0)
         return {"density": self.rho, "pstrain": self.eps, "pstrain/rate": self.eps_rate, "temperature": self.T,
                 "energy": self.e, "damage": self.D, "thickness": self.lz, "pressure": p,
-                "failed": self.failed.astype(float),
+                "failed": self.failed.astype(float), "h": self.own_h,
                 "vonmises": np.sqrt(1.5 * np.sum(self.s ** 2, axis=(1, 2)))}[name]

@@ -67,14 +67,14 @@ def material(words):
     return Material(m["density"], *m["elastic"], eos=m["eos"], strength=m["strength"], heat=m["heat"])
 
 
-def body_of(commands, block, T):
+def body_of(commands, block, T, **settings):
     """From the lines pair_style and pair_coeff, and the words of fix sph/tm."""
     style = next(c.split()[2:] for c in commands if c.startswith("pair_style"))
     coeffs = [c.split()[1:] for c in commands if c.startswith("pair_coeff")]
     mats = {int(c[0]): material(c[2:]) for c in coeffs if c[0] == c[1]}
     x, v, kind, period = read_data(os.path.join(YAML, "data." + block))
     spacing = float(style[3])
-    settings, k = {}, 4
+    k = 4
     while k < len(style):
         if style[k] in ("xsph",):
             settings["xsph"], k = float(style[k + 1]), k + 2
@@ -85,9 +85,11 @@ def body_of(commands, block, T):
         elif style[k] == "plane":
             settings["plane_stress"], k = style[k + 1] == "stress", k + 2
         else:
-            assert style[k:k + 4] == ["artstress", "0.3", "6", "component"], style[k:]
-            settings.update(artstress=(0.3, 6), component=True)
-            k += 4
+            assert style[k] == "artstress", style[k:]
+            settings.update(artstress=(float(style[k + 1]), int(style[k + 2])))
+            k += 3
+            while k < len(style) and style[k] in ("component", "balanced"):
+                settings[style[k]], k = True, k + 1
     return Body(2 if block == "plate" else 3, x, v, kind, mats, [period, 0, 0], style[0], float(style[1]) * spacing, spacing,
                 temperature=T, heat=any(m.heat for m in mats.values()), **settings)
 
@@ -97,24 +99,35 @@ for path in sorted(glob.glob(os.path.join(YAML, "pair-*.yaml"))):
     y = read_yaml(path)
     commands = ["pair_style " + y["pair_style"]] + ["pair_coeff " + c.strip() for c in y["pair_coeff"].strip().splitlines()]
     T = re.search(r"temperature (\S+)", y["post_commands"])
-    body = body_of(commands, "plate" if "plate" in y["pre_commands"] else "block", float(T.group(1)) if T else 293.15)
+    body = body_of(commands, "plate" if "plate" in y["pre_commands"] else "block", float(T.group(1)) if T else 293.15,
+                   follow="still" if "smoothing on" in y["post_commands"] else None)
     f = body.rates()["acc"] * body.m[:, None]
     ref = table(y["init_forces"])
     checks.below(os.path.basename(path) + ": forces at the start", np.abs(f - ref).max() / np.abs(ref).max(), 1e-12)
 
-y = read_yaml(os.path.join(YAML, "fix-sph_tm-2d.yaml"))
-commands = [c.strip() for c in y["post_commands"].strip().splitlines()]
-words = next(c for c in commands if c.startswith("fix test")).split()
-body = body_of(commands, "plate", float(words[words.index("temperature") + 1]))
-body.seed()    # the first prediction knows the forces of the pair style alone
-body.load = [float(w) for w in next(c for c in commands if "addforce" in c).split()[4:7]]
-for _ in range(8):
-    body.step(float(words[words.index("dt") + 1]))
-x, v = table(y["run_pos"]), table(y["run_vel"])
-d = x - body.x
-d[:, 0] -= body.box[0] * np.round(d[:, 0] / body.box[0])
-checks.below("fix-sph_tm-2d.yaml: positions after 8 steps, in spacings", np.abs(d).max() / body.spacing, 1e-11)
-checks.below("fix-sph_tm-2d.yaml: velocities after 8 steps", np.abs(v - body.v).max() / np.abs(v).max(), 1e-11)
-checks.near("fix-sph_tm-2d.yaml: kinetic energy", float(y["global_vector"].split()[1]), np.sum(0.5 * body.m[:, None] * body.v ** 2),
-            relative=1e-10)
+for name in ("fix-sph_tm-2d.yaml", "fix-adapt_neigh-asph-2d.yaml"):
+    y = read_yaml(os.path.join(YAML, name))
+    commands = [c.strip() for c in y["post_commands"].strip().splitlines()]
+    words = next(c for c in commands if " sph/tm " in c and c.startswith("fix")).split()
+    asph = dict(follow="psi", every=2) if "asph" in name else {}
+    T = float(words[words.index("temperature") + 1]) if "temperature" in words else 293.15
+    body = body_of(commands, "plate", T, **asph)
+    body.seed()    # the first prediction knows the forces of the pair style alone
+    load = [c.split()[4:7] for c in commands if "addforce" in c]
+    body.load = [float(w) for w in load[0]] if load else (0.0, 0.0, 0.0)
+    for _ in range(8):
+        body.step(float(words[words.index("dt") + 1]))
+    x, v = table(y["run_pos"]), table(y["run_vel"])
+    d = x - body.x
+    d[:, 0] -= body.box[0] * np.round(d[:, 0] / body.box[0])
+    checks.below(name + ": positions after 8 steps, in spacings", np.abs(d).max() / body.spacing, 1e-11)
+    checks.below(name + ": velocities after 8 steps", np.abs(v - body.v).max() / np.abs(v).max(), 1e-11)
+    if asph:
+        low, high = (float(w) for w in y["global_vector"].split()[-3:-1])
+        checks.near(name + ": smallest h", low, body.own_h.min(), relative=1e-11)
+        checks.near(name + ": largest h", high, body.own_h.max(), relative=1e-11)
+        checks.above(name + ": h has followed", body.own_h.max() / body.own_h.min(), 1.001)
+    else:
+        checks.near(name + ": kinetic energy", float(y["global_vector"].split()[1]),
+                    np.sum(0.5 * body.m[:, None] * body.v ** 2), relative=1e-10)
 checks.end()

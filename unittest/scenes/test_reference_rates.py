@@ -101,11 +101,22 @@ for dim in (2, 3):
          artstress=(0.3, 6), component=True)
     case("fluid", dim, "wendland/c2", FLUID, artstress=(0, 4))
     case("form f14, plastic", dim, "cubic", PLASTIC, "form f14", form="f14")
+    case("form f14, artificial stress balanced", dim, "cubic", PLASTIC, "form f14 artstress 0.3 4 balanced", form="f14",
+         balanced=True)
     case("plastic, sorted every 2 steps", dim, "hyperbolic", PLASTIC, sort=1)
     case("shock equation of state", dim, "wendland/c2", SHOCK, speed=300.0)
     case("xsph", dim, "hyperbolic", ELASTIC, "xsph 0.5", xsph=0.5)
     case("balsara", dim, "hyperbolic", PLASTIC, "balsara yes", balsara=True)
     case("correction", dim, "hyperbolic", PLASTIC, "correction yes", correction=True)
+    case("artificial stress balanced", dim, "hyperbolic", PLASTIC, "artstress 0.5 4 balanced", artstress=(0.5, 4), balanced=True)
+    case("balanced, shock", dim, "cubic", SHOCK, "artstress 0.4 3 component balanced correction yes", speed=300.0,
+         artstress=(0.4, 3), component=True, balanced=True, correction=True)
+    case("smoothing lengths follow", dim, "hyperbolic", PLASTIC, "artstress 0.3 4 balanced", balanced=True, follow="psi",
+         more="fix lists all adapt/neigh asph psi every 1")
+    case("smoothing lengths follow, correction", dim, "cubic", HOT, "correction yes", correction=True, follow="psi", heat=True,
+         more="fix lists all adapt/neigh asph psi every 1")
+    case("smoothing lengths follow the density", dim, "wendland/c2", ELASTIC, follow="density",
+         more="fix lists all adapt/neigh asph density every 1")
     case("johnson/cook with heat", dim, "hyperbolic", HOT, heat=True)
     case("johnson/cook with heat, newton on", dim, "quintic", HOT, heat=True, newton="on",
          more="region hot block INF 4e-3 INF INF INF INF units box\ngroup hot region hot\n"
@@ -137,6 +148,7 @@ def attributes(c):
     names += ["energy"] if any(m.eos[0] == "shock" for m in c["materials"]) else []
     names += ["damage", "failed"] if any(m.damage for m in c["materials"]) else []
     names += ["thickness"] if c["settings"].get("plane_stress") else []
+    names += ["h"] if c["settings"].get("follow") else []
     return names
 
 
