@@ -135,6 +135,7 @@ TM_FN tm_update_args cloud_update(cloud *w)
   a.accel_unit = 1.0;
   a.temperature = 300.0;
   a.heat_rate = 3.0; a.k_max = 60.0;
+  a.share = NULL; a.ratio = w->h / w->spacing;
   return a;
 }
 TM_FN void cloud_put_limits(double *out, const tm_update_result *r)
@@ -169,6 +170,7 @@ STAGE(predict)
   a.art_eps = 0.3;
   a.art_component = w->dim == 2;
   a.gradient = w->factor;
+  a.share = NULL; a.ratio = w->h / w->spacing;
   tm_predict(i, &a, w->effects);
   tm_predict_artstress(i, i + 1, &a, w->effects);
   (void) out;
