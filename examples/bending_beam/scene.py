@@ -11,7 +11,7 @@ from sphtm_scene import read_dump                                               
 
 L, W = 0.05, 12.5e-3
 # S13: edge of the square 0.5 of the spacing; the keyword takes smoothing lengths, 1.2 spacings
-REFINE = "refine square epsilon 0.41667 alpha 0.5 velocity linear when v_strain above 0.04 every 50"
+REFINE = "refine square epsilon 0.41667 alpha 0.6 velocity linear when v_strain above 0.04 every 200"
 ELASTIC = {"options": "viscosity 0.5 0.5 correction yes artstress 0 4", "sag": 0}
 ROWS = {"elastic": ELASTIC, "unrefined": {"ramp": 100e-6}, "refined": {"ramp": 100e-6, "adapt": REFINE}}
 
@@ -38,25 +38,28 @@ def profile_error(y, s, wanted, top):
     return np.abs(s - wanted).max() / top, best[0]
 
 
-def gap(frame, rows, height=0.25):
-    """Largest distance to the nearest particle on the right, in spacings, among those of the upper quarter near the clamp."""
-    dx = W / rows
-    x, y = frame["x"], frame["y"]
-    near = (x > -dx) & (x < 0.4 * L)
-    worst = 0.0
-    # the row of the lattice a particle came from is not kept through splitting: look along the surface, the highest particle
-    # of every column of one spacing
-    edges = np.arange(-dx, 0.4 * L, dx)
-    tops = []
-    for a in edges:
-        m = near & (x >= a) & (x < a + dx)
-        if m.any():
-            k = np.flatnonzero(m)[np.argmax(y[m])]
-            tops.append((x[k], y[k]))
-    tops = np.array(tops)
-    if len(tops) > 1:
-        worst = np.hypot(*np.diff(tops, axis=0).T).max() / dx
-    return worst
+def halves(frame, first, rows):
+    """What became of the particles of the lattice, by the half they started in: of those on the free length, how many have
+    been split; in the upper half near the clamp, two rows off the surface, the neighbors of the least and of the 3 %
+    with the fewest. The ID of a parent goes to one of its children."""
+    dx, start = W / rows, {int(k): (x, y) for k, x, y in zip(first["id"], first["x"], first["y"])}
+    kept = np.array([int(k) in start for k in frame["id"]])
+    x, y = np.array([start[int(k)] for k in frame["id"][kept]]).T
+    split, near = frame["mass"][kept] < 0.9 * first["mass"].max(), frame["c_p[5]"][kept]
+    free, inside = (x > 0) & (x < L), (y > 0) & (y < W / 2 - 1.9 * dx) & (x > 0) & (x < L / 2)
+    return {"particles": len(frame["id"]), "split_stretched_half": int((split & free & (y > 0)).sum()),
+            "split_compressed_half": int((split & free & (y < 0)).sum()), "neighbors_least": int(near[inside].min()),
+            "neighbors_fewest": float(np.percentile(near[inside], 3))}
+
+
+def at_sag(result, sag):
+    """The first frame with the end so far down, and where the end is then."""
+    h = result.columns("history.dat")
+    for frame in read_dump(result.path("beam.dump")):
+        tip = np.interp(frame["step"], h[:, 0], h[:, 4])
+        if tip < -sag:
+            return frame, tip
+    return frame, tip
 
 
 def main():
@@ -74,16 +77,13 @@ def main():
             error, slope = profile_error(*elastic_profile(result, rows))
             table[row] = {"profile_error": error, "profile_slope": slope, "processor": result.processor}
             continue
-        end = read_dump(result.path("end.dump"))[-1]
         first = read_dump(result.path("elastic.dump"))[-1]
-        small = end["mass"] < 0.9 * first["mass"].max()
-        frames[row] = end
-        h = result.columns("history.dat")
-        table[row] = {"particles_start": len(first["x"]), "particles_end":
-                      len(end["x"]), "refined_stretched": int((small & (end["c_p[2]"] > 0)).sum()),
-                      "refined_compressed": int((small & (end["c_p[2]"] <= 0)).sum()), "tip": h[-1, 4],
-                      "largest_plastic_strain": h[-1, 5], "surface_gap": gap(end, rows),
-                      "processor": result.processor, "wall": result.wall}
+        h, table[row] = result.columns("history.dat"), {}
+        for name, sag in (("25_mm", 0.025), ("end", 1.0)):
+            frame, tip = at_sag(result, sag)
+            table[row][name] = dict(halves(frame, first, rows), tip=tip)
+        frames[row] = frame
+        table[row].update(largest_plastic_strain=h[-1, 5], steps=int(h[-1, 0]), processor=result.processor, wall=result.wall)
     draw(frames, study)
     study.end({"rows": table})
 

@@ -241,7 +241,7 @@ void Refinement::pre_exchange()
   drop_outside();
   for (int i : touched) {
     fix.neighborhood_changed(i);
-    fresh[i] = 1.0;
+    if (fresh[i] != SETTLED) fresh[i] = FRESH;
   }
   if (sweeps) settle_at = lmp()->update->ntimestep;
   make_children();

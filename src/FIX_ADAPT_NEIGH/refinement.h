@@ -59,7 +59,10 @@ class Refinement : public AdaptPart {
 
   // of particles: level 0 and up; the family at every level from 1, the tag of its parent
   std::vector<double> level, family;
-  std::vector<double> fresh;           // 1: made, or next to what was made, in this step
+  // made, or next to what was made, in this step; each particle settles once, or its stress would be smeared a little
+  // with every split near it
+  enum { FRESH = 1, SETTLED = 2 };
+  std::vector<double> fresh;
 
   // what the next pre_exchange does
   struct Split {

@@ -1,0 +1,35 @@
+"""The bent beam of C45E (S13 4.2; examples/bending_beam), coarse: a linear stress over the height within 5 %, and a criterion
+of strain that splits the stretched half alone. Counter-case: with the artificial stress the profile is off."""
+import os
+import sys
+
+from sphtm_scene import SOURCE, Checks, run
+
+EXAMPLE = os.path.join(SOURCE, "examples", "bending_beam")
+sys.path.insert(0, EXAMPLE)
+import scene                                                                           # noqa: E402
+from sphtm_scene import read_dump                                                      # noqa: E402
+
+SCRIPT, ROWS = os.path.join(EXAMPLE, "in.bending_beam"), 9
+checks = Checks()
+
+
+def profile(**variables):
+    return scene.profile_error(*scene.elastic_profile(run(SCRIPT, dict({"rows": ROWS}, **variables)), ROWS))
+
+
+error, slope = profile(**scene.ELASTIC)
+checks.below("elastic: off the linear profile, of the stress at the surface", error, 0.05)
+checks.near("elastic: slope of the profile over M/I", slope, 1.0, relative=0.03)
+bad, _ = profile(sag=0, options="viscosity 0.5 0.5 correction yes")
+checks.above("counter-case, artificial stress: off by", bad, 2 * error)
+
+result = run(SCRIPT, dict({"rows": ROWS, "sag": 0.02}, **scene.ROWS["refined"]))
+first = read_dump(result.path("elastic.dump"))[-1]
+frame, tip = scene.at_sag(result, 1.0)
+found = scene.halves(frame, first, ROWS)
+checks.below("refined: the end is down, mm", 1e3 * tip, -17)
+checks.above("refined: split in the stretched half", found["split_stretched_half"], 30)
+checks.below("refined: split in the compressed half, over those", found["split_compressed_half"] / found["split_stretched_half"], 0.1)
+checks.above("refined: neighbors in the stretched half, the 3 % with the fewest", found["neighbors_fewest"], 14)
+checks.end()
