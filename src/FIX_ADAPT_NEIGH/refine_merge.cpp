@@ -160,7 +160,7 @@ void Refinement::make_merged()
     level[m.i] -= 1.0;
     tm_content_sum(&error, &m.change);
     body.book_remap(m.change.kinetic, m.change.elastic, temperature >= 0 ? m.heat : 0.0);
-    fresh[m.i] = FRESH;
+    fresh[m.i] = 1.0;
     fix.remade(m.i, 1.0 / alpha);
     n_merges += 1.0;
   }

@@ -122,8 +122,8 @@ void Refinement::settle()
   fix.body().host_particles();
   std::vector<char> moves(n);
   for (int i = 0; i < n; i++) {
-    moves[i] = fresh[i] == FRESH;
-    if (moves[i]) fresh[i] = SETTLED;
+    moves[i] = fresh[i] > 0.0;
+    fresh[i] = 0.0;
   }
   const std::vector<tm_vec3> shift = even_out(moves);
   const Moved s = measure(moves, shift);

@@ -196,7 +196,7 @@ void Refinement::make_children()
       }
       write_row(i, s.children.data() + (size_t) k * width);
       for (int d = 0; d < 3; d++) atom->x[i][d] = x[d] + h * pattern.x[k][d];
-      fresh[i] = FRESH;
+      fresh[i] = 1.0;
       fix.remade(i, pattern.alpha);
     }
     tm_content_sum(&error, &s.change);

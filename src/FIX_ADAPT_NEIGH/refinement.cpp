@@ -74,7 +74,7 @@ int Refinement::read_refine(int narg, char **arg)
     else if (key == "alpha") alpha = number_within(lmp(), what + " alpha", value(), 0.0, 1.0);
     else if (key == "level") most_level = integer_within(lmp(), what + " level", value(), 1, 8);
     else if (key == "every") every = integer_within(lmp(), what + " every", value(), 1, 1000000000);
-    else if (key == "settle") asked_sweeps = integer_within(lmp(), what + " settle", value(), 0, 100);
+    else if (key == "settle") sweeps = integer_within(lmp(), what + " settle", value(), 0, 100);
     else if (key == "velocity") {
       const std::string choice = value();
       if (choice != "parent" && choice != "linear")
@@ -145,7 +145,6 @@ void Refinement::init()
   coarsen_when.init(every);
   forget_plans();
   settle_at = apply_at = -1;
-  sweeps = asked_sweeps >= 0 ? asked_sweeps : fix.pair().settings_in_use().art_eps > 0.0 ? 0 : 10;
   fix.pair().make_room_for(pow(*std::min_element(pattern.mass, pattern.mass + pattern.n), (double) most_level / pattern.dim));
   const bigint now = lmp()->update->ntimestep;
   lmp()->modify->addstep_compute_all(now % every == 0 ? now : next_check());
@@ -241,7 +240,7 @@ void Refinement::pre_exchange()
   drop_outside();
   for (int i : touched) {
     fix.neighborhood_changed(i);
-    if (fresh[i] != SETTLED) fresh[i] = FRESH;
+    fresh[i] = 1.0;
   }
   if (sweeps) settle_at = lmp()->update->ntimestep;
   make_children();

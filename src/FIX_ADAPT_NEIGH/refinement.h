@@ -51,7 +51,7 @@ class Refinement : public AdaptPart {
   int kind = -1;                       // enum tm_split_kind, or -1: no refinement
   double epsilon = 0.0, alpha = 0.0;   // in h of the parent
   int most_level = 1, every = 100;
-  int asked_sweeps = -1, sweeps = 0;   // of settling; -1: as suits the artificial stress
+  int sweeps = 0;                      // of settling
   bool linear = false;                 // children take the velocity field, not the parent's velocity
   enum { NEVER, FALLEN, WHEN } coarsen = NEVER;
   RefineCriteria when, coarsen_when;
@@ -59,10 +59,7 @@ class Refinement : public AdaptPart {
 
   // of particles: level 0 and up; the family at every level from 1, the tag of its parent
   std::vector<double> level, family;
-  // made, or next to what was made, in this step; each particle settles once, or its stress would be smeared a little
-  // with every split near it
-  enum { FRESH = 1, SETTLED = 2 };
-  std::vector<double> fresh;
+  std::vector<double> fresh;           // 1: made, or next to what was made, in this step
 
   // what the next pre_exchange does
   struct Split {
