@@ -82,7 +82,7 @@ def main():
         for name, sag in (("25_mm", 0.025), ("end", 1.0)):
             frame, tip = at_sag(result, sag)
             table[row][name] = dict(halves(frame, first, rows), tip=tip)
-        frames[row] = frame
+            frames["%s, %.0f mm down" % (row, -1e3 * tip)] = frame
         table[row].update(largest_plastic_strain=h[-1, 5], steps=int(h[-1, 0]), processor=result.processor, wall=result.wall)
     draw(frames, study)
     study.end({"rows": table})
@@ -93,12 +93,11 @@ def draw(frames, study):
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
     plt.rcParams.update({"font.size": 9})
-    figure, axes = plt.subplots(1, max(1, len(frames)), figsize=(3.6 * max(1, len(frames)), 3.6), squeeze=False)
+    figure, axes = plt.subplots(1, max(1, len(frames)), figsize=(2.6 * max(1, len(frames)), 4), squeeze=False, sharey=True)
     for ax, (row, frame) in zip(axes[0], frames.items()):
-        dots = ax.scatter(1e3 * frame["x"], 1e3 * frame["y"], c=1e-6 * frame["c_p[2]"], s=1.2, cmap="coolwarm", vmin=-900,
-                          vmax=900, lw=0)
-        ax.set(aspect="equal", title=row.replace("_", " "), xlabel="x (mm)")
-    figure.colorbar(dots, ax=axes[0].tolist(), label="stress along x (MPa)", shrink=0.8)
+        dots = ax.scatter(1e3 * frame["x"], 1e3 * frame["y"], c=frame["c_p[1]"], s=0.8, cmap="viridis", vmin=0, vmax=0.6, lw=0)
+        ax.set(aspect="equal", title=row.replace(", ", "\n"), xlabel="x (mm)", xlim=(-6, 50), ylim=(-58, 12))
+    figure.colorbar(dots, ax=axes[0].tolist(), label="plastic strain", shrink=0.8)
     figure.savefig(study.path("bending_beam.png"), dpi=150, bbox_inches="tight")
 
 
