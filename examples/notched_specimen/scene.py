@@ -13,7 +13,7 @@ from sphtm_scene import read_dump                                               
 LIGAMENT = 7.4e-3                 # its width, m
 # S13: edge of the square 0.5 of the spacing; the keyword takes smoothing lengths, 1.2 spacings
 REFINE = "refine square epsilon 0.41667 alpha %s velocity linear when v_high above 0.1 and region circle every 20"
-NARROW, WIDE = "0.5", "1.0 settle 10"    # see README.md
+NARROW, WIDE = "0.5", "1.0"    # alpha
 ROOT = 0.6e-3                     # nearer to the notch than this the steps of the lattice count
 
 
