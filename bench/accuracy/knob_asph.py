@@ -17,8 +17,8 @@ def reached(run):
 
 
 def by(**more):
-    rows = dict(scene.ROWS, **{"rows kept": "threshold inf"})
-    return {label: dict(more, adapt=adapt) for label, adapt in rows.items()}
+    rows = {label: dict(more, adapt=adapt) for label, adapt in dict(scene.ROWS, **{"rows kept": "threshold inf"}).items()}
+    return dict(rows, balanced=dict(more, options="plane stress artstress 0.3 4 balanced"))
 
 
 SWEEPS = [

@@ -3,20 +3,20 @@ from cases import plate, rings
 from frame import CLOSED
 
 TITLE = "artificial stress and viscosity"
-STRENGTHS = ((0, 0), (0, 0.3), (0, 1), (0.1, 1), (0.3, 0), (0.3, 0.3), (0.3, 1))
+STRENGTHS = ((0, 0, ""), (0, 0.3, ""), (0, 1, ""), (0.1, 1, ""), (0.3, 0, ""), (0.3, 0.3, ""), (0.3, 1, ""), (0.3, 1, "balanced"))
 
 
-def label(stress, alpha):
-    return "stress %g, viscosity %g" % (stress, alpha)
+def label(stress, alpha, how=""):
+    return "stress %g%s, viscosity %g" % (stress, how and " " + how, alpha)
 
 
 def plates(rows):
-    return {label(s, a): {"rows": rows, "options": "viscosity %g %g artstress %g 4 correction yes" % (a, a, s)}
-            for s, a in STRENGTHS}
+    return {label(s, a, how): {"rows": rows, "options": "viscosity %g %g artstress %g 4 %s correction yes" % (a, a, s, how)}
+            for s, a, how in STRENGTHS}
 
 
 def all_rings():
-    return {label(s, a): {"eps": s, "options": "viscosity %g %g" % (a, a)} for s, a in STRENGTHS}
+    return {label(s, a, how): {"eps": s, "options": "%s viscosity %g %g" % (how, a, a)} for s, a, how in STRENGTHS}
 
 
 SWEEPS = [

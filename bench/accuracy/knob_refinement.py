@@ -13,7 +13,7 @@ def off(run):
 
 def by(uniform, refined):
     rows = {"uniform %d" % c: {"columns": c} for c in uniform}
-    return dict(rows, **{"refined %d" % c: {"columns": c, "adapt": scene.REFINE % "1.0"} for c in refined})
+    return dict(rows, **{"refined %d" % c: {"columns": c, "adapt": scene.REFINE % scene.WIDE} for c in refined})
 
 
 SWEEPS = [
