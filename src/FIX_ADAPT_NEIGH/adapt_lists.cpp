@@ -37,6 +37,8 @@ int AdaptLists::keyword(int narg, char **arg)
     strain = never ? INFINITY : positive(lmp, what, arg[1]);
   else if (key == "approach")
     approach = never ? INFINITY : number_within(lmp, what, arg[1], 0.0, 0.5);
+  else if (key == "margin")
+    wide = number_within(lmp, what, arg[1], 0.0, 1.0);
   else
     rows = integer_within(lmp, what, arg[1], 1, TM_SEARCH_MOST);
   return 2;
@@ -51,21 +53,23 @@ void AdaptLists::init()
   const PairSPHTM::Settings &set = pair.settings_in_use();
   const int dim = lmp->domain->dimension;
   backend = &fix.body().loops();
-  table.move_to(*backend);
-  other.move_to(*backend);
-  for (auto *a : {&cells.cell, &cells.begin, &cells.index, &cells.marked, &kept, &whole, &which}) a->move_to(*backend);
+  for (auto *t : {&table, &quiet, &other}) t->move_to(*backend);
+  for (auto *a : {&cells.cell, &cells.begin, &cells.index, &cells.marked, &kept, &which, &which_border, &which_near})
+    a->move_to(*backend);
   for (auto &a : cells.column) a.move_to(*backend);
-  for (auto *a : {&memory, &shown, &told, &stretch}) a->move_to(*backend);
+  for (auto *a : {&memory, &shown, &told, &next}) a->move_to(*backend);
+  for (auto *a : {&meets, &marks, &was, &now, &dirty}) a->move_to(*backend);
   fresh_first.move_to(*backend);
   weight.move_to(*backend);
-  meets.move_to(*backend);
-  marks.move_to(*backend);
+  place.move_to(*backend);
   if (strain < 0.0) strain = std::isinf(threshold) ? INFINITY : 0.2;
   if (approach < 0.0) approach = std::isinf(threshold) ? INFINITY : 0.01;
   cover_reach();
-  const double cut = reach / set.spacing;
+  margin = (wide >= 0.0 ? wide : keeps() ? 0.15 : 0.0) * reach;
+  const double cut = (reach + margin) / set.spacing;
   const double lattice = dim == 3 ? 4.0 / 3.0 * TM_PI * cut * cut * cut : TM_PI * cut * cut;
-  room = rows ? rows : std::min((int) TM_SEARCH_MOST, 8 * (int) ceil(2.0 * lattice / 8.0 + 1.0));
+  const double more = margin > 0.0 ? 1.5 : 2.0;    // than in the lattice
+  room = rows ? 8 * ((rows + 7) / 8) : std::min((int) TM_SEARCH_MOST, 8 * (int) ceil(more * lattice / 8.0 + 1.0));
   if (keeps()) make_room(lmp->atom->nmax);
   fix.update_packed_size();
 }
@@ -74,7 +78,9 @@ void AdaptLists::init()
 void AdaptLists::cover_reach()
 {
   const PairSPHTM::Settings &set = fix.pair().settings_in_use();
-  reach = tm_kernel_support(set.kernel) * std::max(set.h, fix.pair().covered_h()) * (1.0 + 1e-9);
+  const double now_covered = tm_kernel_support(set.kernel) * std::max(set.h, fix.pair().covered_h()) * (1.0 + 1e-9);
+  rows_good = rows_good && now_covered == reach;
+  reach = now_covered;
 }
 
 // what rows that are kept know nothing of
@@ -122,46 +128,53 @@ void AdaptLists::renew(bool renumbered)
     if (!keeps()) table.make_room(own(), room);
     other.make_room(own(), others ? room : 0);
     if (others) search_others();
-    if (!keeps()) make_grid(reach);
+    if (margin == 0.0) make_grid(reach, fix.body().state().x);
     renumbered = true;
   }
   if (keeps()) {
     search_again(renumbered);
     return;
   }
-  sort_into_cells();
-  search(table, TM_MEETS_MECHANICAL, reach);
+  if (margin > 0.0) {
+    const bool same = !renumbered || same_places();
+    by_tag = false;
+    search_moved(!same || !rows_good);
+    return;
+  }
+  sort_into_cells(fix.body().state().x);
+  search(table, TM_MEETS_MECHANICAL, reach, own());
 }
 
 // those that may come within reach before the particles are renumbered
 void AdaptLists::search_others()
 {
   const double within = reach + fix.host()->neighbor->skin;
-  make_grid(within);
-  sort_into_cells();
-  search(other, TM_MEETS_THERMAL | TM_MEETS_CONTACT, within);
+  const double *x = fix.body().state().x;
+  make_grid(within, x);
+  sort_into_cells(x);
+  search(other, TM_MEETS_THERMAL | TM_MEETS_CONTACT, within, own());
 }
 
-void AdaptLists::make_grid(double width)
+void AdaptLists::make_grid(double width, const double *x)
 {
   LAMMPS *lmp = fix.host();
   const int n = lmp->atom->nlocal + lmp->atom->nghost;
   tm_cells &g = cells.grid;
   g.n = n;
-  g.x = fix.body().state().x;
+  g.x = x;
   g.reach = nullptr;
   tm_cells_make(&g, backend->bounds(n, g.x), width, lmp->domain->dimension == 3, 4 * n + 4096);
   cells.cell.make_room(true, n + 1);
   cells.begin.make_room(true, tm_cells_number(&g) + 1);
   cells.index.make_room(true, n + TM_COLUMN_MOST);
-  cells.marked.make_room(keeps(), n + 1);
+  cells.marked.make_room(margin > 0.0, n + 1);
   for (int d = 0; d < 3; d++) cells.column[d].make_room(true, n + TM_COLUMN_MOST);
 }
 
-void AdaptLists::sort_into_cells()
+void AdaptLists::sort_into_cells(const double *x)
 {
   tm_cells &g = cells.grid;
-  g.x = fix.body().state().x;
+  g.x = x;
   g.cell = cells.cell.loop_write();
   g.begin = cells.begin.loop_write();
   g.index = cells.index.loop_write();
@@ -183,19 +196,17 @@ tm_search_args AdaptLists::search_args(int segments, double within)
   return a;
 }
 
-void AdaptLists::search(RowTable &t, int segments, double within)
+// of so many particles: those listed, or the first
+void AdaptLists::search(RowTable &t, int segments, double within, int n, const int *of)
 {
   tm_search_args a = search_args(segments, within);
+  a.which = of;
   a.capacity = t.capacity;
   a.stride = t.stride;
   a.index = t.index.loop_write();
   a.first = t.first.loop_read();
   for (int s = 0; s < TM_SEGMENTS; s++) a.count[s] = t.count[s].loop_write();
-  if (keeps() && segments == TM_MEETS_MECHANICAL) {
-    a.searched = marks.loop_read();
-    a.used = kept.loop_read();
-  }
-  const int longest = backend->search(own(), a);
+  const int longest = backend->search(n, a);
   if (longest > t.capacity) stop_on_long_row(t, longest);
 }
 
@@ -209,11 +220,12 @@ void AdaptLists::stop_on_long_row(const RowTable &t, int longest)
 
 double AdaptLists::bytes() const
 {
-  double sum = table.bytes() + other.bytes() + kept.bytes() + whole.bytes() + which.bytes() + fresh_first.bytes() +
-      weight.bytes() + marks.bytes();
-  for (const auto *a : {&cells.cell, &cells.begin, &cells.index, &cells.marked}) sum += a->bytes();
+  double sum = table.bytes() + quiet.bytes() + other.bytes() + fresh_first.bytes() + weight.bytes() + place.bytes();
+  for (const auto *a : {&cells.cell, &cells.begin, &cells.index, &cells.marked, &kept, &which, &which_border, &which_near})
+    sum += a->bytes();
   for (const auto &c : cells.column) sum += c.bytes();
-  for (const auto *a : {&memory, &shown, &told, &stretch}) sum += a->bytes();
+  for (const auto *a : {&memory, &shown, &told, &next}) sum += a->bytes();
+  for (const auto *a : {&meets, &marks, &was, &now, &dirty}) sum += a->bytes();
   return sum;
 }
 

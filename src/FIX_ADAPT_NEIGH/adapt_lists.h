@@ -14,10 +14,14 @@ class AdaptLists : public AdaptPart, public RowSource {
  public:
   using AdaptPart::AdaptPart;
   int keyword(int, char **) override;
-  std::vector<std::string> keywords() const override { return {"threshold", "rows", "stretch", "approach"}; }
+  std::vector<std::string> keywords() const override { return {"threshold", "rows", "margin", "stretch", "approach"}; }
   bool in_use() const override { return threshold >= 0.0; }
   void init() override;
-  void setup_pre_exchange() override { to_tags(); }
+  void setup_pre_exchange() override
+  {
+    to_tags();
+    rows_good = false;    // types may have changed since the last run
+  }
   void pre_exchange() override { to_tags(); }
   void setup_pre_force() override { stepping = false; }
   void pre_force() override { stepping = true; }
@@ -57,12 +61,14 @@ class AdaptLists : public AdaptPart, public RowSource {
   double reach = 0.0;
   int room = 0;
   bool first_search = true;   // pairs of the first search of all have no artificial stress
-  bool by_tag = false;        // entries of kept rows stand in tags, not in index
+  bool by_tag = false;        // entries of kept rows are places in names
   double sum_searched = 0.0, last_searched = 0.0;    // of this rank
   double time_now = 0.0, time_watched = 0.0, next_watch = 0.0;    // of steps taken; of the last and next watch
   bool stepping = false;      // not the set-up of a run
 
   RowTable table, other;      // mechanical neighbors; those for heat and in contact
+  double wide = -1.0;         // keyword margin; negative: by default
+  double margin = 0.0;        // the same, a distance; 0: rows are made in every step
   bool all_mechanical = true; // all types share one continuum
   struct Cells {
     LoopArray<int> cell, begin, index, marked;
@@ -72,31 +78,38 @@ class AdaptLists : public AdaptPart, public RowSource {
   LoopArray<unsigned char> meets;
 
   // with rows that are kept
-  LoopArray<int> kept, whole, which;
+  RowTable quiet;             // kept entries, and those at the border
+  LoopArray<int> kept, which, which_border, which_near;
   LoopArray<ptrdiff_t> fresh_first;
   LoopArray<float> weight;
-  LoopArray<tm_real> memory, shown, told, stretch;
-  LoopArray<unsigned char> marks;
-  std::vector<int> tags;
-  int active = 0;
+  LoopArray<tm_real> memory, shown, told, next;
+  LoopArray<double> place;
+  LoopArray<unsigned char> marks, was, now, dirty;
+  std::vector<int> names;     // tags of what indices of kept entries mean, while particles get new places
+  bool any_dirty = false, rows_good = false;
+  int active = 0, at_border = 0;
 
   int own() const;
   int all() const;
   void check_effects();
   void cover_reach();
   void make_room(int);
-  tm_kept_rows kept_rows();
+  tm_kept_rows kept_rows(), host_kept_rows();
   tm_kept_args kept_args(const tm_records &);
+  tm_border_args border_args();
+  bool blind() const;
   void to_tags();
   void to_indices();
+  bool same_places();
   void drop(int i, int k);
   void tell_searched();
-  void make_grid(double width);
-  void sort_into_cells();
+  void make_grid(double width, const double *x);
+  void sort_into_cells(const double *x);
   tm_search_args search_args(int segments, double within);
-  void search(RowTable &, int segments, double within);
+  void search(RowTable &, int segments, double within, int n, const int *of = nullptr);
   void search_others();
   void search_again(bool renumbered);
+  void search_moved(bool all_of_them);
   void watch();
   void stop_on_long_row(const RowTable &, int longest);
 };

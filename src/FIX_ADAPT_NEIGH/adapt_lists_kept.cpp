@@ -9,6 +9,7 @@
 #include "comm.h"
 #include "error.h"
 #include "lammps.h"
+#include "update.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,32 +19,54 @@ using namespace LAMMPS_NS;
 
 namespace SPHTM_NS {
 
+static constexpr double EARLY = 0.25;
+static constexpr int MEASURE_EVERY = 50;   // steps
+static constexpr int SETTLE_EVERY = 100;   // steps after which particles may come to rest
+
 int AdaptLists::own() const { return fix.host()->atom->nlocal; }
 int AdaptLists::all() const { return fix.host()->atom->nlocal + fix.host()->atom->nghost; }
 
 void AdaptLists::make_room(int n)
 {
-  if (room != table.capacity) kept.clear();
+  if (room != quiet.capacity) kept.clear();
   table.make_room(n, room);
-  kept.resize(table.particles);
-  fresh_first.resize(table.particles);
-  weight.resize(table.slots() * TM_WEIGHTS);
-  memory.resize((size_t) table.particles * TM_K);
+  quiet.make_room(n, room);
+  kept.resize(quiet.particles);
+  fresh_first.resize(quiet.particles);
+  weight.resize(quiet.slots() * TM_WEIGHTS);
+  memory.resize((size_t) quiet.particles * TM_K);
 }
 
 tm_kept_rows AdaptLists::kept_rows()
 {
   tm_kept_rows r;
-  r.index = table.index.loop_write();
+  r.index = quiet.index.loop_write();
   r.kept = kept.loop_write();
-  r.fresh = table.count[0].loop_write();
-  r.first = table.first.loop_read();
+  r.fresh = quiet.count[0].loop_write();
+  r.first = quiet.first.loop_read();
   r.fresh_first = fresh_first.loop_write();
-  r.stride = table.stride;
-  r.capacity = table.capacity;
+  r.stride = quiet.stride;
+  r.capacity = quiet.capacity;
   r.weight = weight.loop_write();
   return r;
 }
+
+tm_kept_rows AdaptLists::host_kept_rows()
+{
+  tm_kept_rows r;
+  r.index = quiet.index.host_write();
+  r.kept = kept.host_write();
+  r.fresh = quiet.count[0].host_write();
+  r.first = quiet.first.host_read();
+  r.fresh_first = fresh_first.host_write();
+  r.stride = quiet.stride;
+  r.capacity = quiet.capacity;
+  r.weight = weight.host_write();
+  return r;
+}
+
+// total-Lagrangian: who is not searched stays so, and nobody looks for others
+bool AdaptLists::blind() const { return std::isinf(threshold) && std::isinf(approach); }
 
 /* ---------------------------------------------------------------------- one step */
 
@@ -54,12 +77,25 @@ tm_kept_args AdaptLists::kept_args(const tm_records &rec)
   a.rows = kept_rows();
   a.rec = rec;
   a.shown = shown.loop_write();
-  a.memory = memory.loop_read();
+  a.memory = memory.loop_write();
+  a.dt = stepping ? fix.body().step_dt() : 0.0;
   a.h = rates.h;
   a.slope_norm = rates.slope_norm;
-  a.visc_alpha = rates.visc_alpha;
-  a.visc_beta = rates.visc_beta;
   a.force_unit = rates.force_unit;
+  return a;
+}
+
+tm_border_args AdaptLists::border_args()
+{
+  tm_border_args a = {};
+  a.rows = kept_rows();
+  a.near = table.loop_rows();
+  a.next = next.loop_read();
+  a.was = was.loop_write();
+  a.now = now.loop_write();
+  a.dirty = dirty.loop_write();
+  a.own = own();
+  a.ghosts = all() - own();
   return a;
 }
 
@@ -76,37 +112,76 @@ void AdaptLists::show(const tm_records &rec)
 // the ghosts have new places: who is searched
 void AdaptLists::tell_searched()
 {
-  told.make_room(true, (size_t) all() * TM_TOLD + TM_TOLD);
-  tm_real *t = told.host_write();
+  next.make_room(true, all() + 1);
+  tm_real *n = next.host_write();
   const tm_real *k = memory.host_read();
-  for (int i = 0; i < own(); i++)
-    t[(size_t) i * TM_TOLD + TM_TOLD_SEARCHED] = tm_is_searched(k + (size_t) i * TM_K);
-  fix.pair().forward(told, TM_TOLD);
+  for (int i = 0; i < own(); i++) n[i] = tm_is_searched(k + (size_t) i * TM_K);
+  fix.pair().forward(next, 1);
 }
 
 void AdaptLists::search_again(bool renumbered)
 {
   if (renumbered) {
     make_room(fix.host()->atom->nmax);
+    const bool same = same_places();
     to_indices();
-    tell_searched();
-    whole.make_room(true, own() + 1);
-    which.make_room(true, own() + 1);
-    marks.make_room(true, all() + 1);
+    if (!same || (int) now.size() < all()) {
+      rows_good = false;
+      dirty.make_room(true, all() + 1);
+      for (auto *a : {&which, &which_border}) a->make_room(true, own() + 1);
+      for (auto *a : {&was, &now}) a->make_room(true, all() + 1);
+      told.make_room(true, (size_t) all() * TM_TOLD + TM_TOLD);
+      tell_searched();
+      backend->border_change(all(), border_args());
+      any_dirty = true;
+    }
   }
-  const int searched = backend->flag(all(), told.loop_read(), marks.loop_write());
-  backend->zero(table.count[0].loop_write(), own() * sizeof(int));
-  if (stepping && std::isfinite(approach) && time_now >= next_watch) {
-    watch();
-    renumbered = true;
+  tm_select_args s = {};
+  if (any_dirty) {
+    s.border = border_args();
+    s.kind = TM_SELECT_SEARCHED;
+    active = backend->select(own(), s, which.loop_write());
   }
-  if (renumbered) make_grid(reach);
-  if (searched) {
-    sort_into_cells();
-    backend->mark(cells.grid, marks.loop_read());
-    search(table, TM_MEETS_MECHANICAL, reach);
-  }
-  active = backend->active(own(), kept_rows(), whole.loop_write(), which.loop_write());
+  if (active || !blind()) search_moved(!rows_good);
+  else backend->zero(table.count[0].loop_write(), own() * sizeof(int));
+  if (stepping && std::isfinite(approach) && time_now >= next_watch) watch();
+  if (!any_dirty) return;
+  s.border = border_args();
+  backend->border(own(), s.border);
+  s.kind = TM_SELECT_BORDER;
+  at_border = backend->select(own(), s, which_border.loop_write());
+  any_dirty = false;
+}
+
+// rows near those that have moved by half the margin
+void AdaptLists::search_moved(bool all_of_them)
+{
+  place.make_room(true, (size_t) all() * 3 + 3);
+  which_near.make_room(true, own() + 1);
+  for (auto *a : {&marks, &dirty}) a->make_room(true, all() + 1);
+  tm_moved_args m = {};
+  m.x = fix.body().state().x;
+  m.place = place.loop_write();
+  m.limit2 = 0.25 * margin * margin;
+  if (!all_of_them && !backend->moved(all(), m)) return;
+  // those that will have moved so far soon come with them
+  m.limit2 = all_of_them ? -1.0 : EARLY * EARLY * m.limit2;
+  m.marks = marks.loop_write();
+  backend->moved(all(), m);
+  make_grid(reach + margin, m.place);
+  sort_into_cells(m.place);
+  tm_select_args s = {};
+  s.border = border_args();
+  int n = own();
+  if (!all_of_them) {
+    backend->mark(cells.grid, m.marks);
+    s.kind = TM_SELECT_NEAR;
+    s.cells = cells.grid;
+    n = backend->select(own(), s, which_near.loop_write());
+  } else
+    backend->fill(s.border.dirty, 1, own());
+  search(table, TM_MEETS_MECHANICAL, reach + margin, n, all_of_them ? nullptr : which_near.loop_read());
+  any_dirty = rows_good = true;
 }
 
 // Looked at when a pair may have moved by a tenth of the reach, at the latest after 50 steps: by the time of
@@ -114,18 +189,16 @@ void AdaptLists::search_again(bool renumbered)
 void AdaptLists::watch()
 {
   LAMMPS *lmp = fix.host();
-  make_grid(1.1 * reach);
-  sort_into_cells();
   tm_watch_args w = {};
-  w.search = search_args(TM_MEETS_MECHANICAL, reach);
   w.rows = kept_rows();
+  w.near_rows = table.loop_rows();
   w.rec = fix.pair().rate_args().rec;
   w.memory = memory.loop_write();
-  w.searched = marks.loop_read();
+  w.now = now.loop_read();
   w.h = fix.pair().settings_in_use().h;
-  const double support = tm_kernel_support(fix.pair().settings_in_use().kernel);
-  w.near = support * (1.0 - approach);
-  w.change = support * approach;
+  w.support = tm_kernel_support(fix.pair().settings_in_use().kernel);
+  w.near = w.support * (1.0 - approach);
+  w.change = w.support * approach;
   w.time = time_now - time_watched;
   backend->watch(own(), w);
   const double mine = backend->fastest(own(), fix.body().state());
@@ -138,8 +211,9 @@ void AdaptLists::watch()
 
 tm_rows AdaptLists::mechanical()
 {
-  tm_rows r = table.loop_rows();
-  if (keeps()) r.mechanical = whole.loop_read();
+  if (!keeps() || active || !blind()) return table.loop_rows();
+  tm_rows r = quiet.loop_rows();
+  r.mechanical = kept.loop_read();
   return r;
 }
 
@@ -147,26 +221,29 @@ int AdaptLists::searched(tm_rates_args &a)
 {
   a.rows = table.loop_rows();
   if (!keeps()) return own();
-  a.rows.first = fresh_first.loop_read();
   a.which = which.loop_read();
   return active;
 }
 
+// those at the border first, with the pairs whose other end is searched
 void AdaptLists::kept_rates(const tm_rates_args &rates, unsigned effects)
 {
   if (!keeps()) return;
-  stretch.make_room(true, (size_t) own() * 9 + 9);
+  tm_rates_args border = rates;
+  border.rows = quiet.loop_rows();
+  border.rows.first = fresh_first.loop_read();
+  border.which = which_border.loop_read();
+  backend->rates(at_border, border, effects);
   tm_kept_args a = kept_args(rates.rec);
   a.force = rates.force;
   a.force_begins = rates.force_begins;
   a.gradient = rates.gradient;
   a.heat = rates.heat;
   a.artificial = rates.artificial;
-  a.stretch = stretch.loop_write();
   backend->kept_rates(own(), a, effects);
 }
 
-// who is searched next; what pairs searched in this step keep; kept gradients go with the particles
+// who is searched next; what pairs that come to rest keep; kept gradients go with the particles
 void AdaptLists::end_of_step()
 {
   if (!keeps()) return;
@@ -174,29 +251,46 @@ void AdaptLists::end_of_step()
   const tm_rates_args &rates = pair.rate_args();
   tm_settle_args a = {};
   a.rows = kept_rows();
+  a.near = table.loop_rows();
   a.rec = rates.rec;
   a.state = fix.body().state();
   a.gradient = rates.gradient;
-  a.stretch = stretch.loop_read();
   a.memory = memory.loop_write();
   a.told = told.loop_write();
+  a.next = next.loop_write();
+  a.settles = first_search || fix.host()->update->ntimestep % SETTLE_EVERY == 0;
+  a.measures = fix.host()->update->ntimestep % MEASURE_EVERY == 0;
   a.corrected = fix.body().has(TM_FX_CORRECTION);
   a.threshold = threshold;
   a.strain = strain;
   a.dt = fix.body().step_dt();
   a.h = rates.h;
+  a.reach2 = rates.reach2;
   a.slope_norm = rates.slope_norm;
   a.art_inv_w = rates.art_inv_w;
   a.art_n = rates.art_n;
+  a.visc_alpha = rates.visc_alpha;
+  a.visc_beta = rates.visc_beta;
   a.first = first_search;
   const unsigned fx = fix.body().effects();
-  const int next = backend->settle_tell(own(), a, fx);
-  pair.forward(told, TM_TOLD);
-  a.told = told.loop_write();
+  const int searched = active;
+  backend->settle_tell(own(), a, fx);
+  pair.forward(next, 1);
+  if (a.settles) {
+    pair.forward(told, TM_TOLD);
+    a.told = told.loop_write();
+  }
+  const tm_border_args border = border_args();
+  any_dirty = backend->border_change(all(), border) > 0;
+  backend->fill(border.dirty, 0, own());
+  if (any_dirty) backend->border_touch(own(), border);
+  a.was = border.was;
+  a.now = border.now;
+  a.dirty = border.dirty;
   backend->settle(own(), a, fx);
-  sum_searched += first_search ? own() : 0;
+  sum_searched += searched;
+  last_searched = searched;
   first_search = false;
-  sum_searched += last_searched = next;
   time_now += a.dt;
 }
 
@@ -212,129 +306,150 @@ double AdaptLists::output(int k)
 
 /* ---------------------------------------------------------------------- places in memory */
 
-// particles are about to get new places: kept entries are known by tag until then
+// particles are about to get new places: until then entries of kept rows are places in a list of tags
 void AdaptLists::to_tags()
 {
-  if (!keeps() || by_tag || table.capacity == 0 || !backend) return;
-  const int *index = table.index.host_read(), *n = kept.host_read();
-  const ptrdiff_t *first = table.first.host_read();
-  tags.assign(table.slots(), 0);
+  if (margin == 0.0 || by_tag || table.capacity == 0) return;
   const tagint *tag = fix.host()->atom->tag;
-  for (int i = 0; i < own(); i++)
-    for (int k = 0; k < n[i]; k++) tags[first[i] + k * table.stride] = tag[index[first[i] + k * table.stride]];
+  names.assign(tag, tag + all());
   by_tag = true;
 }
 
-// entry k of row i
+// the places are those they were before, of particles without images
+bool AdaptLists::same_places()
+{
+  const tagint *tag = fix.host()->atom->tag;
+  return by_tag && all() == own() && (int) names.size() == own() && std::equal(names.begin(), names.end(), tag);
+}
+
+// entry k of row i; tags: those of its entries
 void AdaptLists::drop(int i, int k)
 {
   const int last = --kept.host_write()[i];
-  const ptrdiff_t first = table.first.host_read()[i], stride = table.stride, next = table.capacity * stride;
-  float *w = weight.host_write() + (first - i % stride) * TM_WEIGHTS + i % stride;
-  tags[first + k * stride] = tags[first + last * stride];
-  for (int c = 0; c < TM_WEIGHTS; c++) w[c * next + k * stride] = w[c * next + last * stride];
+  const tm_kept_rows r = host_kept_rows();
+  const ptrdiff_t stride = r.stride;
+  float *w = tm_weight(&r, i);
+  int *index = r.index + r.first[i];
+  index[k * stride] = index[last * stride];
+  for (int c = 0; c < TM_WEIGHTS; c++) {
+    w[tm_weight_place(&r, c, k)] = w[tm_weight_place(&r, c, last)];
+    w[tm_weight_place(&r, c, last)] = 0.0f;
+  }
 }
 
 // of the images of a particle the closest is meant
 void AdaptLists::to_indices()
 {
   if (!by_tag) return;
-  Atom *atom = fix.host()->atom;
+  by_tag = false;
+  if (!keeps()) return;
+  const tagint *tag = fix.host()->atom->tag;
+  if (all() == own() && (int) names.size() == own() && std::equal(names.begin(), names.end(), tag)) return;
+  double **x = fix.host()->atom->x;
   const int n_all = all();
   std::vector<std::pair<int, int>> places(n_all);
-  for (int j = 0; j < n_all; j++) places[j] = {(int) atom->tag[j], j};
+  for (int j = 0; j < n_all; j++) places[j] = {(int) tag[j], j};
   std::sort(places.begin(), places.end());
-  int *index = table.index.host_write(), *n = kept.host_write();
+  // where each name is first in that order
+  std::vector<int> found(names.size());
+  for (size_t p = 0; p < names.size(); p++)
+    found[p] = (int) (std::lower_bound(places.begin(), places.end(), std::make_pair(names[p], -1)) - places.begin());
+  int *index = quiet.index.host_write(), *n = kept.host_write();
   tm_real *remembered = memory.host_write();
-  const ptrdiff_t *first = table.first.host_read();
-  ptrdiff_t *behind = fresh_first.host_write();
+  const ptrdiff_t *first = quiet.first.host_read();
   for (int i = 0; i < own(); i++) {
-    const double *x = atom->x[i];
     for (int k = 0; k < n[i]; k++) {
-      const ptrdiff_t slot = first[i] + k * table.stride;
-      const int tag = tags[slot];
+      int &entry = index[first[i] + k * quiet.stride];
+      const int name = names[entry];
       double least = 1e300;
-      for (auto p = std::lower_bound(places.begin(), places.end(), std::make_pair(tag, -1));
-           p != places.end() && p->first == tag; ++p) {
-        const double *y = atom->x[p->second];
-        const double r2 = (x[0] - y[0]) * (x[0] - y[0]) + (x[1] - y[1]) * (x[1] - y[1]) + (x[2] - y[2]) * (x[2] - y[2]);
-        if (r2 >= least || p->second == i) continue;
+      for (size_t p = found[entry]; p < places.size() && places[p].first == name; p++) {
+        const double *y = x[places[p].second];
+        double r2 = 0.0;
+        for (int d = 0; d < 3; d++) r2 += (x[i][d] - y[d]) * (x[i][d] - y[d]);
+        if (r2 >= least || places[p].second == i) continue;
         least = r2;
-        index[slot] = p->second;
+        entry = places[p].second;
       }
       if (least < 1e300) continue;
       if (std::isinf(approach))
         fix.host()->error->one(FLERR, "Fix adapt/neigh threshold {}: the neighbor {} that particle {} keeps is gone or "
-                                      "beyond the ghosts; a larger neighbor skin, or 'approach 0.01'", threshold, tag,
-                               atom->tag[i]);
+                                      "beyond the ghosts; a larger neighbor skin, or 'approach 0.01'", threshold, name,
+                               tag[i]);
       // deleted, or far away: not a neighbor any more
       drop(i, k--);
       remembered[(size_t) i * TM_K + TM_K_NEAR] = TM_NEAR_HOLD;
     }
-    behind[i] = first[i] + n[i] * table.stride;
+    for (int k = n[i]; k < tm_kept_places(n[i]); k++) index[first[i] + k * quiet.stride] = i;
   }
-  by_tag = false;
 }
 
 void AdaptLists::grow(int nmax)
 {
-  if (!keeps() || table.capacity == 0) return;
-  make_room(nmax);
-  if (by_tag) tags.resize(table.slots());
+  if (keeps() && quiet.capacity > 0) make_room(nmax);
 }
 
 void AdaptLists::copy(int from, int to)
 {
-  if (!keeps() || table.capacity == 0) return;
-  std::vector<double> buf(most_packed());
-  pack(from, buf.data());
-  unpack(to, buf.data());
+  if (!keeps() || quiet.capacity == 0) return;
+  const tm_kept_rows r = host_kept_rows();
+  tm_real *k = memory.host_write();
+  r.kept[to] = r.kept[from];
+  std::copy_n(k + (size_t) from * TM_K, (int) TM_K, k + (size_t) to * TM_K);
+  const float *source = tm_weight(&r, from);
+  float *target = tm_weight(&r, to);
+  for (int e = 0; e < tm_kept_places(r.kept[to]); e++) {
+    r.index[r.first[to] + e * r.stride] = r.index[r.first[from] + e * r.stride];
+    for (int c = 0; c < TM_WEIGHTS; c++) target[tm_weight_place(&r, c, e)] = source[tm_weight_place(&r, c, e)];
+  }
 }
 
 void AdaptLists::set_new(int i)
 {
-  if (!keeps() || table.capacity == 0) return;
+  if (!keeps() || quiet.capacity == 0) return;
   kept.host_write()[i] = 0;
   std::fill_n(memory.host_write() + (size_t) i * TM_K, (int) TM_K, 0.0);
 }
 
 int AdaptLists::most_packed() const
 {
-  return keeps() ? 1 + TM_K + (room ? room : table.capacity) * (1 + TM_WEIGHTS) : 0;
+  return keeps() ? 1 + TM_K + (room ? room : quiet.capacity) * (1 + TM_WEIGHTS) : 0;
 }
 
 int AdaptLists::pack(int i, double *buf)
 {
-  if (!keeps() || table.capacity == 0) return 0;
-  const int n = kept.host_read()[i];
-  const ptrdiff_t first = table.first.host_read()[i], stride = table.stride, next = table.capacity * stride;
-  const float *w = weight.host_read() + (first - i % stride) * TM_WEIGHTS + i % stride;
-  const int *index = table.index.host_read();
+  if (!keeps() || quiet.capacity == 0) return 0;
+  const tm_kept_rows r = host_kept_rows();
+  const int n = r.kept[i], *index = r.index + r.first[i];
+  const ptrdiff_t stride = r.stride;
+  const float *w = tm_weight(&r, i);
   double *start = buf;
   *buf++ = n;
   buf = std::copy_n(memory.host_read() + (size_t) i * TM_K, (int) TM_K, buf);
   for (int k = 0; k < n; k++) {
-    *buf++ = by_tag ? tags[first + k * stride] : (int) fix.host()->atom->tag[index[first + k * stride]];
-    for (int c = 0; c < TM_WEIGHTS; c++) *buf++ = w[c * next + k * stride];
+    *buf++ = by_tag ? names[index[k * stride]] : (int) fix.host()->atom->tag[index[k * stride]];
+    for (int c = 0; c < TM_WEIGHTS; c++) *buf++ = w[tm_weight_place(&r, c, k)];
   }
   return (int) (buf - start);
 }
 
 int AdaptLists::unpack(int i, const double *buf)
 {
-  if (!keeps() || table.capacity == 0) return 0;
+  if (!keeps() || quiet.capacity == 0) return 0;
   const double *start = buf;
   const int n = (int) *buf++;
-  const ptrdiff_t first = table.first.host_read()[i], stride = table.stride, next = table.capacity * stride;
-  float *w = weight.host_write() + (first - i % stride) * TM_WEIGHTS + i % stride;
-  if (tags.size() < (size_t) table.slots()) tags.resize(table.slots());
+  const tm_kept_rows r = host_kept_rows();
+  int *index = r.index + r.first[i];
+  const ptrdiff_t stride = r.stride;
+  float *w = tm_weight(&r, i);
+  if (!by_tag) names.clear();
   by_tag = true;
-  kept.host_write()[i] = n;
+  r.kept[i] = n;
   std::copy_n(buf, (int) TM_K, memory.host_write() + (size_t) i * TM_K);
   buf += TM_K;
-  for (int k = 0; k < n; k++) {
-    tags[first + k * stride] = (int) *buf++;
-    for (int c = 0; c < TM_WEIGHTS; c++) w[c * next + k * stride] = (float) *buf++;
+  for (int k = 0; k < tm_kept_places(n); k++) {
+    index[k * stride] = k < n ? (int) names.size() : 0;
+    if (k < n) names.push_back((int) *buf++);
+    for (int c = 0; c < TM_WEIGHTS; c++) w[tm_weight_place(&r, c, k)] = k < n ? (float) *buf++ : 0.0f;
   }
   return (int) (buf - start);
 }
@@ -344,7 +459,7 @@ std::vector<double> AdaptLists::state()
 {
   double sum = 0.0;
   MPI_Allreduce(&sum_searched, &sum, 1, MPI_DOUBLE, MPI_SUM, fix.host()->world);
-  return {(double) table.capacity, first_search ? 1.0 : 0.0, sum, time_now, time_watched, next_watch};
+  return {(double) room, first_search ? 1.0 : 0.0, sum, time_now, time_watched, next_watch};
 }
 
 // rows of a file have the room of that run

@@ -2,7 +2,7 @@
 #ifndef SPHTM_LIST_LOOPS_H
 #define SPHTM_LIST_LOOPS_H
 
-#include "tm_settle.h"
+#include "tm_border.h"
 
 namespace SPHTM_NS {
 

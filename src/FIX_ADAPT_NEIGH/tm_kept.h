@@ -11,16 +11,18 @@
    Both ends of a pair hold the same numbers with opposite sign: linear momentum stays. L is the work
    conjugate of the forces.
 
-   F is not integrated, which would drift. From the positions of each step
+   F follows from the positions of the neighbours,
      G_i = sum_j m_j (x_j - x_i) (x) a_i,   B_i = G_i^-T Q_i
    where Q holds B as it was when the row last changed; with corrected gradients Q = 1 and the gradient
-   of a linear field is exact. B is predicted by one step, with L.
+   of a linear field is exact. G is measured when the row changes and every few steps; between it goes
+   on with its rate, the sum with v_j - v_i that L is made of, which costs nothing.
 
-   Viscosity and conduction take the frozen W'/r and the current x_i - x_j. Artificial stress acts on
-   pairs that have been searched since the start, with the f^n of then.
+   Viscosity and conduction take the frozen W'/r and the current x_i - x_j, viscosity also the distance,
+   densities and speeds of sound of the search. Artificial stress acts on pairs that have been searched
+   since the start, with the f^n of then.
 
-   Weights are in single precision, without units: slope(q) x/r in place of grad W, slope(q)/q in place
-   of W'/r. The products are in double: what both ends hold is the same, so nothing is lost. */
+   Weights are in single precision, without units of length: slope(q) x/r in place of grad W, slope(q)/q in
+   place of W'/r. The products are in double: what both ends hold is the same, so nothing is lost. */
 #ifndef TM_KEPT_H
 #define TM_KEPT_H
 
@@ -28,15 +30,17 @@
 
 enum {
   TM_W_OWN = 0,        /* a_i */
-  TM_W_OTHER = 3,      /* a_j */
-  TM_W_SLOPE = 6,      /* slope(q)/q */
-  TM_W_TENSILE,        /* f^n */
+  TM_W_BULK = 3,       /* alpha c/rho slope(q)/q / (q^2 + 0.01), c and rho means of the pair */
+  TM_W_SHOCK,          /* beta/rho slope(q)/q / (q^2 + 0.01)^2 */
+  TM_W_OTHER,          /* a_j */
+  TM_W_TENSILE = 8,    /* f^n slope(q)/q */
+  TM_W_SLOPE,          /* slope(q)/q */
   TM_W_DISTANCE,       /* q = r/h at the search */
   TM_WEIGHTS
 };
 
-/* Entry k of row i is index[first[i] + k stride]; kept ones come first, then those searched in this
-   step. Weight c of it: see tm_weight(). */
+/* Entry k of row i is index[first[i] + k stride]; kept ones come first, filled up with weights of 0, then
+   those pairs of a particle that is not searched whose other end is. Weight c: see tm_weight(). */
 typedef struct {
   int *index, *kept, *fresh;
   const ptrdiff_t *first;
@@ -46,15 +50,22 @@ typedef struct {
   float *weight;
 } tm_kept_rows;
 
-/* Weight 0 of entry 0 of row i; that of entry k is k stride further on, weight c c capacity stride. */
+/* The weights of row i, and where weight c of entry k lies there: eight entries together, apart those weights that
+   all rows need, those of TM_ROW_..., and the others. */
 TM_FN float *tm_weight(const tm_kept_rows *r, int i)
 {
   const ptrdiff_t lane = i % r->stride;
   return r->weight + (r->first[i] - lane) * TM_WEIGHTS + lane;
 }
+TM_FN ptrdiff_t tm_weight_place(const tm_kept_rows *r, int c, int k)
+{
+  const int begin = c < TM_W_OTHER ? 0 : c < TM_W_SLOPE ? TM_W_OTHER : TM_W_SLOPE;
+  const int width = c < TM_W_OTHER ? TM_W_OTHER : c < TM_W_SLOPE ? TM_W_SLOPE - TM_W_OTHER : TM_WEIGHTS - TM_W_SLOPE;
+  return ((ptrdiff_t) begin * r->capacity + (k / 8 * width + c - begin) * 8 + k % 8) * r->stride;
+}
 
-/* Rows that the ordinary rates are for: those with pairs searched in this step, and empty ones. */
-TM_FN int tm_kept_active(int i, const tm_kept_rows *r) { return r->fresh[i] > 0 || r->kept[i] == 0; }
+/* Places that n kept entries take: whole vectors. */
+TM_FN int tm_kept_places(int n) { return (n + 7) / 8 * 8; }
 
 /* What a particle shows of itself to kept pairs: A row major and the sound speed. */
 enum { TM_KEPT_C = 9, TM_KEPT = 10 };
@@ -65,28 +76,81 @@ enum { TM_NEAR_HOLD = 10 };
 enum {
   TM_K_B = 0,          /* B at the next force point */
   TM_K_Q = 9,
-  TM_K_PSTRAIN = 18,   /* plastic strain when it was searched last */
-  TM_K_SEARCHED = 19,  /* to be searched in the coming step: 1 */
-  TM_K_MARK = 20,      /* was searched in the last step: 1 */
-  TM_K_SEARCHES = 21,  /* how often */
-  TM_K_NEAR = 22,      /* above 0: something came near, slid or went; for how long to go on searching */
-  TM_K = 23
+  TM_K_G = 18,         /* G at the next force point */
+  TM_K_PSTRAIN = 27,   /* plastic strain when it was searched last */
+  TM_K_SEARCHED = 28,  /* to be searched in the coming step: 1 */
+  TM_K_MARK = 29,      /* was searched in the last step: 1 */
+  TM_K_SEARCHES = 30,  /* how often */
+  TM_K_NEAR = 31,      /* above 0: something came near, slid or went; for how long to go on searching */
+  TM_K_ROW = 32,       /* bits of the row: TM_ROW_... */
+  TM_K = 33
 };
+enum {
+  TM_ROW_MIXED = 1,    /* a_i and a_j of a pair differ */
+  TM_ROW_TENSE = 2     /* artificial stress acts */
+};
+
+/* Is the particle with memory k searched in this step? New ones are. */
+TM_FN int tm_is_searched(const tm_real *k) { return k[TM_K_SEARCHED] > 0.5 || k[TM_K_SEARCHES] < 0.5; }
 
 typedef struct {
   tm_kept_rows rows;
   tm_records rec;
   const tm_real *shown;        /* TM_KEPT, owned and ghost */
-  const tm_real *memory;       /* TM_K, owned */
+  tm_real *memory;             /* TM_K, owned; B and G go on to the next force point */
+  tm_real dt;                  /* to that */
   tm_real h, slope_norm;       /* as in tm_rates_args */
-  tm_real visc_alpha, visc_beta, force_unit;
+  tm_real force_unit;
   int force_begins;            /* as in tm_rates_args */
   /* results; added to those of the pairs searched in this step */
   double *force;
   tm_real *gradient;           /* L, 9 in rows of tm_layout.h */
   tm_real *heat, *artificial;
-  tm_real *stretch;            /* G, 9 */
 } tm_kept_args;
+
+TM_FN tm_mat3 tm_mat_transposed(tm_mat3 a)
+{
+  tm_real t = a.xy; a.xy = a.yx; a.yx = t;
+  t = a.xz; a.xz = a.zx; a.zx = t;
+  t = a.yz; a.yz = a.zy; a.zy = t;
+  return a;
+}
+
+TM_FN tm_mat3 tm_mat_add(tm_mat3 a, tm_mat3 b)
+{
+  a.xx += b.xx; a.xy += b.xy; a.xz += b.xz;
+  a.yx += b.yx; a.yy += b.yy; a.yz += b.yz;
+  a.zx += b.zx; a.zy += b.zy; a.zz += b.zz;
+  return a;
+}
+
+/* Inverse; *good is 0 where the matrix is close to one that has none. In two dimensions that of the
+   upper left block, with zz = 1. */
+TM_FN tm_mat3 tm_mat_inverse(tm_mat3 a, int dim3, int *good)
+{
+  tm_mat3 b = tm_mat_identity();
+  const tm_real size = a.xx * a.xx + a.xy * a.xy + a.yx * a.yx + a.yy * a.yy;
+  if (!dim3) {
+    const tm_real det = a.xx * a.yy - a.xy * a.yx;
+    *good = fabs(det) > 0.05 * 0.5 * size;
+    if (!*good) return b;
+    b.xx = a.yy / det; b.xy = -a.xy / det; b.yx = -a.yx / det; b.yy = a.xx / det;
+    return b;
+  }
+  const tm_real all = (size + a.xz * a.xz + a.yz * a.yz + a.zx * a.zx + a.zy * a.zy + a.zz * a.zz) / 3.0;
+  const tm_real cxx = a.yy * a.zz - a.yz * a.zy, cyx = a.yz * a.zx - a.yx * a.zz, czx = a.yx * a.zy - a.yy * a.zx;
+  const tm_real det = a.xx * cxx + a.xy * cyx + a.xz * czx;
+  *good = fabs(det) > 0.05 * all * sqrt(all);
+  if (!*good) return b;
+  b.xx = cxx / det; b.yx = cyx / det; b.zx = czx / det;
+  b.xy = (a.xz * a.zy - a.xy * a.zz) / det;
+  b.yy = (a.xx * a.zz - a.xz * a.zx) / det;
+  b.zy = (a.xy * a.zx - a.xx * a.zy) / det;
+  b.xz = (a.xy * a.yz - a.xz * a.yy) / det;
+  b.yz = (a.xz * a.yx - a.xx * a.yz) / det;
+  b.zz = (a.xx * a.yy - a.xy * a.yx) / det;
+  return b;
+}
 
 /* A symmetric tensor from columns c on of a record. */
 TM_FN tm_sym3 tm_kept_sym(const tm_real *r, int c)
@@ -111,16 +175,48 @@ TM_FN void tm_kept_show(int i, const tm_kept_args *a, tm_real *shown)
   out[TM_KEPT_C] = r[tm_part(TM_REC_C)];
 }
 
+/* B of the next force point, from G there; with too few neighbours to tell it follows L. */
+TM_FN void tm_kept_turn(tm_real *memory, tm_mat3 L, tm_real dt, int dim3)
+{
+  int good;
+  tm_mat3 B = tm_mat_load(memory + TM_K_B);
+  const tm_mat3 inverse = tm_mat_inverse(tm_mat_load(memory + TM_K_G), dim3, &good);
+  if (good) B = tm_mat_mul(tm_mat_transposed(inverse), tm_mat_load(memory + TM_K_Q));
+  else {
+    tm_mat3 step = tm_mat_scale(dt, L);
+    step.xx += 1.0; step.yy += 1.0; step.zz += 1.0;
+    const tm_mat3 back = tm_mat_inverse(step, dim3, &good);
+    if (good) B = tm_mat_mul(tm_mat_transposed(back), B);
+  }
+  if (!dim3) B.xz = B.yz = B.zx = B.zy = 0.0;
+  tm_mat_store(memory + TM_K_B, B);
+}
+
 /* Columns of a chunk. */
 enum {
   TM_KCOL_SHOWN = 8,
   TM_KCOL_STRESS = TM_KCOL_SHOWN + TM_KEPT,
   TM_KCOL_HEAT = TM_KCOL_STRESS + TM_REC_STRESS,
-  TM_KCOL_WEIGHT = TM_KCOL_HEAT + TM_REC_HEAT,
-  TM_KCOL_VISCOUS = TM_KCOL_WEIGHT + TM_WEIGHTS, /* m_j Pi W'/r */
-  TM_KCOL_CONDUCTED,
+  TM_KCOL_CONDUCTED = TM_KCOL_HEAT + TM_REC_HEAT,
   TM_KCOLS
 };
+
+/* The weights of TM_LANES entries of a row. */
+TM_FN tm_lanes tm_weight_lanes(const float *w, ptrdiff_t stride)
+{
+#if TM_VECTOR
+  typedef float tm_floats __attribute__((vector_size(4 * TM_LANES), aligned(4), may_alias));
+  if (stride != 1) {
+    float t[TM_LANES];
+    for (int l = 0; l < TM_LANES; l++) t[l] = w[l * stride];
+    return __builtin_convertvector(*(const tm_floats *) t, tm_lanes);
+  }
+  return __builtin_convertvector(*(const tm_floats *) w, tm_lanes);
+#else
+  (void) stride;
+  return *w;
+#endif
+}
 
 /* Rates of particle i from its kept pairs; effects: TM_FX_3D, VISCOSITY, ARTSTRESS, CONDUCTION. */
 TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
@@ -128,59 +224,45 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
   const int dim3 = (effects & TM_FX_3D) != 0, viscosity = (effects & TM_FX_VISCOSITY) != 0;
   const int conduction = (effects & TM_FX_CONDUCTION) != 0;
   const int n_row = a->rows.kept[i], add = a->rows.fresh[i] > 0;
-  const ptrdiff_t stride = a->rows.stride, next = a->rows.capacity * stride;
+  const ptrdiff_t stride = a->rows.stride;
   const int *row = a->rows.index + a->rows.first[i];
   const float *weight = tm_weight(&a->rows, i);
+  tm_real *memory = a->memory + (ptrdiff_t) i * TM_K;
+  const int kind = (int) memory[TM_K_ROW], mixed = (kind & TM_ROW_MIXED) != 0;
+#if TM_VECTOR
+  const int ahead = stride == 1 && a->rows.kept[i + 1] ? (memory[TM_K + TM_K_ROW] > 0.5 ? 2 : 1) : 0;
+#endif
+  /* artificial stress acts on few rows */
+  const int artstress = (effects & TM_FX_ARTSTRESS) && (kind & TM_ROW_TENSE);
 
   const tm_real *ri = tm_main_record(&a->rec, i);
   const tm_real xi = ri[tm_part(0)], yi = ri[tm_part(1)], zi = ri[tm_part(2)], mi = ri[tm_part(TM_REC_M)];
   const tm_real vxi = ri[tm_part(4)], vyi = ri[tm_part(5)], vzi = ri[tm_part(6)];
-  const tm_real rhoi = ri[tm_part(TM_REC_RHO)], ci = ri[tm_part(TM_REC_C)];
   tm_sym3 qi = tm_sym(0, 0, 0, 0, 0, 0);
   tm_real ti = 0, ki = 0;
-  if (effects & TM_FX_ARTSTRESS) qi = tm_kept_sym(tm_stress_record(&a->rec, i), 0);
+  if (artstress) qi = tm_kept_sym(tm_stress_record(&a->rec, i), 0);
   if (conduction) {
     ti = tm_heat_record(&a->rec, i)[tm_part(TM_REC_T)];
     ki = tm_heat_record(&a->rec, i)[tm_part(TM_REC_K)];
   }
-  const tm_real h = a->h, per_r = a->slope_norm / h, alpha = a->visc_alpha, beta = a->visc_beta;
+  const tm_real per_r = a->slope_norm / a->h, bulk = per_r / a->h, shock = bulk / a->h;
 
   const tm_sum zero = tm_lanes_zero();
   tm_sum lxx = zero, lxy = zero, lxz = zero, lyx = zero, lyy = zero, lyz = zero;
   tm_sum lzx = zero, lzy = zero, lzz = zero;
-  tm_sum gxx = zero, gxy = zero, gxz = zero, gyx = zero, gyy = zero, gyz = zero;
-  tm_sum gzx = zero, gzy = zero, gzz = zero;
   tm_sum sx = zero, sy = zero, sz = zero, fx = zero, fy = zero, fz = zero;
   tm_sum dxs = zero, dys = zero, dzs = zero, art = zero, heat = zero;
 
-  int jj[TM_COLUMN + 16];
+  int some[TM_COLUMN];
   tm_pair TM_ALIGNED col[TM_KCOLS][TM_COLUMN];
   for (int k = 0; k < n_row; k += TM_CHUNK) {
     const int n = n_row - k < TM_CHUNK ? n_row - k : TM_CHUNK;
     const int lanes = TM_COLUMN == 1 ? 1 : (n + TM_LANES - 1) / TM_LANES * TM_LANES;
-    const int *entry = row + k * stride;
-    int tense = 0;
-    if (TM_COLUMN > 1 && stride == 1) {
-      for (int l = 0; l < n; l++) jj[tm_at(l)] = entry[l];
-      for (int c = 0; c < TM_W_DISTANCE; c++) {
-        const float *w = weight + c * next + k;
-#pragma omp simd
-        for (int l = 0; l < n; l++) col[TM_KCOL_WEIGHT + c][tm_at(l)] = w[l];
-      }
-#pragma omp simd reduction(+ : tense)
-      for (int l = 0; l < n; l++) tense += weight[TM_W_TENSILE * next + k + l] > 0.0f;
-    } else {
-      for (int l = 0; l < n; l++) jj[tm_at(l)] = entry[l * stride];
-      for (int c = 0; c < TM_W_DISTANCE; c++)
-        for (int l = 0; l < n; l++) col[TM_KCOL_WEIGHT + c][tm_at(l)] = weight[c * next + (k + l) * stride];
-      for (int l = 0; l < n; l++) tense += col[TM_KCOL_WEIGHT + TM_W_TENSILE][tm_at(l)] > 0;
+    const int *entry = row + k * stride, *jj = entry;
+    if (stride != 1) {
+      for (int l = 0; l < lanes; l++) some[tm_at(l)] = entry[l * stride];
+      jj = some;
     }
-    for (int l = n; l < lanes; l++) {
-      jj[tm_at(l)] = i;
-      for (int c = 0; c < TM_W_DISTANCE; c++) col[TM_KCOL_WEIGHT + c][tm_at(l)] = 0;
-    }
-    /* artificial stress acts on few rows */
-    const int artstress = (effects & TM_FX_ARTSTRESS) && tense > 0;
     if (TM_COLUMN > 1) {
       tm_transpose_rows(a->rec.main, TM_REC, jj, lanes, TM_KCOL_SHOWN, col[0]);
       tm_transpose_rows(a->shown, TM_KEPT, jj, lanes, TM_KEPT, col[TM_KCOL_SHOWN]);
@@ -197,50 +279,46 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
         col[TM_KCOL_HEAT + c][0] = tm_heat_record(&a->rec, j)[tm_part(c)];
     }
 #define TM_KCOL(c) col[c][tm_at(l)]
-
-    if (viscosity || conduction) {
-#if !defined(__CUDACC__)
-#pragma omp simd
-#endif
-      for (int l = 0; l < lanes; l++) {
-        const tm_real m = TM_KCOL(TM_REC_M), rhoj = TM_KCOL(TM_REC_RHO);
-        const tm_real g = per_r * TM_KCOL(TM_KCOL_WEIGHT + TM_W_SLOPE);
-        if (viscosity) {
-          const tm_real dx = xi - TM_KCOL(0), dy = yi - TM_KCOL(1), dz = dim3 ? zi - TM_KCOL(2) : 0.0;
-          const tm_real vx = vxi - TM_KCOL(4), vy = vyi - TM_KCOL(5), vz = dim3 ? vzi - TM_KCOL(6) : 0.0;
-          const tm_real rho2 = rhoi + rhoj, soft2 = tm_viscosity_soft2(h, dx * dx + dy * dy + dz * dz);
-          const tm_real inv = 1.0 / (soft2 * rho2);
-          const tm_real mu = tm_viscosity_mu(h, vx * dx + vy * dy + vz * dz, rho2 * inv);
-          TM_KCOL(TM_KCOL_VISCOUS) =
-              m * g * tm_viscosity_pi(alpha, beta, mu, 0.5 * (ci + TM_KCOL(TM_KCOL_SHOWN + TM_KEPT_C)),
-                                      2.0 * soft2 * inv);
-        }
-        if (conduction)
-          TM_KCOL(TM_KCOL_CONDUCTED) =
-              tm_conduction_pair(ki, TM_KCOL(TM_KCOL_HEAT + TM_REC_K), ti,
-                                 TM_KCOL(TM_KCOL_HEAT + TM_REC_T), m / rhoj, g);
-      }
-    }
+    if (conduction)
+      for (int l = 0; l < lanes; l++)
+        TM_KCOL(TM_KCOL_CONDUCTED) =
+            tm_conduction_pair(ki, TM_KCOL(TM_KCOL_HEAT + TM_REC_K), ti, TM_KCOL(TM_KCOL_HEAT + TM_REC_T),
+                               TM_KCOL(TM_REC_M) / TM_KCOL(TM_REC_RHO),
+                               per_r * weight[tm_weight_place(&a->rows, TM_W_SLOPE, k + l)]);
 
 #define TM_LOAD(c) tm_lanes_load(&TM_KCOL(c))
 #define TM_A(c) TM_LOAD(TM_KCOL_SHOWN + (c))
-#define TM_W(c) TM_LOAD(TM_KCOL_WEIGHT + (c))
+#define TM_W(c) tm_weight_lanes(weight + tm_weight_place(&a->rows, c, k + l), stride)
     for (int l = 0; l < lanes; l += TM_LANES) {
+#if TM_VECTOR
+      /* the next row lies far away, and memory is slow: it is asked for in good time, a part at a time */
+      if (ahead && l % 8 == 0) {
+        const float *w = weight + a->rows.capacity * TM_WEIGHTS + tm_weight_place(&a->rows, TM_W_OWN, k + l);
+        __builtin_prefetch(w);
+        __builtin_prefetch(w + 16);
+        __builtin_prefetch(w + 32);
+        if (l % 16 == 0) __builtin_prefetch(row + a->rows.capacity + k + l);
+        if (ahead > 1) {
+          w += TM_W_OTHER * a->rows.capacity + (TM_W_SLOPE - 2 * TM_W_OTHER) * (k + l);
+          __builtin_prefetch(w);
+          __builtin_prefetch(w + 16);
+        }
+      }
+#endif
       const tm_lanes m = TM_LOAD(TM_REC_M);
       const tm_lanes dx = xi - TM_LOAD(0), dy = yi - TM_LOAD(1), vx = vxi - TM_LOAD(4), vy = vyi - TM_LOAD(5);
-      const tm_lanes wx = m * TM_W(0), wy = m * TM_W(1), ox = m * TM_W(3), oy = m * TM_W(4);
+      const tm_lanes wx = m * TM_W(TM_W_OWN), wy = m * TM_W(TM_W_OWN + 1);
+      const tm_lanes ox = mixed ? m * TM_W(TM_W_OTHER) : wx, oy = mixed ? m * TM_W(TM_W_OTHER + 1) : wy;
       tm_lanes dz = zero, vz = zero;
       lxx -= vx * wx; lxy -= vx * wy; lyx -= vy * wx; lyy -= vy * wy;
-      gxx -= dx * wx; gxy -= dx * wy; gyx -= dy * wx; gyy -= dy * wy;
       sx += wx; sy += wy;
       fx += TM_A(0) * ox + TM_A(1) * oy;
       fy += TM_A(3) * ox + TM_A(4) * oy;
       if (dim3) {
-        const tm_lanes wz = m * TM_W(2), oz = m * TM_W(5);
+        const tm_lanes wz = m * TM_W(TM_W_OWN + 2), oz = mixed ? m * TM_W(TM_W_OTHER + 2) : wz;
         dz = zi - TM_LOAD(2);
         vz = vzi - TM_LOAD(6);
         lxz -= vx * wz; lyz -= vy * wz; lzx -= vz * wx; lzy -= vz * wy; lzz -= vz * wz;
-        gxz -= dx * wz; gyz -= dy * wz; gzx -= dz * wx; gzy -= dz * wy; gzz -= dz * wz;
         sz += wz;
         fx += TM_A(2) * oz;
         fy += TM_A(5) * oz;
@@ -249,12 +327,15 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
       if (viscosity || artstress) {
         tm_lanes ax = zero, ay = zero, az = zero;
         if (viscosity) {
-          const tm_lanes pi = TM_LOAD(TM_KCOL_VISCOUS);
+          tm_lanes closing = vx * dx + vy * dy;
+          if (dim3) closing += vz * dz;
+          closing = tm_lanes_negative(closing);
+          const tm_lanes pi = m * closing * (shock * TM_W(TM_W_SHOCK) * closing - bulk * TM_W(TM_W_BULK));
           ax -= pi * dx; ay -= pi * dy;
           if (dim3) az -= pi * dz;
         }
         if (artstress) {
-          const tm_lanes f = per_r * m * TM_W(TM_W_SLOPE) * TM_W(TM_W_TENSILE);
+          const tm_lanes f = per_r * m * TM_W(TM_W_TENSILE);
           const int q = TM_KCOL_STRESS;
           ax += f * ((qi.xx + TM_LOAD(q)) * dx + (qi.xy + TM_LOAD(q + 3)) * dy);
           ay += f * ((qi.xy + TM_LOAD(q + 3)) * dx + (qi.yy + TM_LOAD(q + 1)) * dy);
@@ -277,7 +358,8 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
   }
 
   const tm_real w = a->slope_norm;
-  const tm_real *B = a->memory + (ptrdiff_t) i * TM_K + TM_K_B, *A = a->shown + (ptrdiff_t) i * TM_KEPT;
+  tm_real *B = memory + TM_K_B;
+  const tm_real *A = a->shown + (ptrdiff_t) i * TM_KEPT;
   const tm_real l[9] = {tm_lanes_sum(lxx), tm_lanes_sum(lxy), tm_lanes_sum(lxz),
                         tm_lanes_sum(lyx), tm_lanes_sum(lyy), tm_lanes_sum(lyz),
                         tm_lanes_sum(lzx), tm_lanes_sum(lzy), tm_lanes_sum(lzz)};
@@ -286,10 +368,6 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
     for (int c = 0; c < 3; c++)
       L[tm_column(3 * r + c)] = (add ? L[tm_column(3 * r + c)] : 0.0)
                    + w * (l[3 * r] * B[3 * c] + l[3 * r + 1] * B[3 * c + 1] + l[3 * r + 2] * B[3 * c + 2]);
-  tm_real *G = a->stretch + (ptrdiff_t) i * 9;
-  G[0] = w * tm_lanes_sum(gxx); G[1] = w * tm_lanes_sum(gxy); G[2] = w * tm_lanes_sum(gxz);
-  G[3] = w * tm_lanes_sum(gyx); G[4] = w * tm_lanes_sum(gyy); G[5] = w * tm_lanes_sum(gyz);
-  G[6] = w * tm_lanes_sum(gzx); G[7] = w * tm_lanes_sum(gzy); G[8] = w * tm_lanes_sum(gzz);
   const tm_real ux = tm_lanes_sum(sx), uy = tm_lanes_sum(sy), uz = tm_lanes_sum(sz), mf = mi * a->force_unit;
   double *f = a->force + 3 * (ptrdiff_t) i;
   if (a->force_begins && !add) f[0] = f[1] = f[2] = 0.0;
@@ -299,6 +377,11 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
   if ((effects & (TM_FX_VISCOSITY | TM_FX_ARTSTRESS)) && a->artificial)
     a->artificial[i] = (add ? a->artificial[i] : 0.0) + 0.5 * mi * tm_lanes_sum(art);
   if (conduction) a->heat[i] = (add ? a->heat[i] : 0.0) + tm_lanes_sum(heat);
+
+  /* to the next force point */
+  tm_real *G = memory + TM_K_G;
+  for (int c = 0; c < 9; c++) G[c] += a->dt * w * l[c];
+  tm_kept_turn(memory, tm_mat_from_row(L), a->dt, dim3);
 }
 
 #endif

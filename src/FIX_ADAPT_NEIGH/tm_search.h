@@ -19,10 +19,8 @@ typedef struct {
   int segments;                  /* those wanted, bits of TM_MEETS_... */
   const int *type, *tag;
   int ntypes;
-  const unsigned char *searched; /* only pairs of which one end is, or NULL: all; then cells.marked counts them */
   const int *which;              /* the particles to search for, or NULL: all */
   int capacity;
-  const int *used;               /* entries of each row in use already, behind which it begins, or NULL */
   ptrdiff_t stride;
   int *index;
   const ptrdiff_t *first;        /* where the row of each particle begins */
@@ -32,7 +30,7 @@ typedef struct {
 /* Is entry j one of row i? The segments it stands in. */
 TM_FN int tm_search_meets(int i, int j, const tm_search_args *a)
 {
-  if (j == i || (a->searched && !a->searched[i] && !a->searched[j])) return 0;
+  if (j == i) return 0;
   if (!a->meets) return a->segments & TM_MEETS_MECHANICAL;
   return a->segments & a->meets[(ptrdiff_t) a->type[i] * (a->ntypes + 1) + a->type[j]];
 }
@@ -81,13 +79,6 @@ TM_FN void tm_search_cells(const tm_cells *c, const double *x, int k, int *begin
   *end = c->begin[row + (cx + 1 < c->cells[0] ? cx + 1 : cx) + 1];
 }
 
-/* The same of a run that can hold entries of row i. */
-TM_FN void tm_search_part(int i, const tm_search_args *a, const double *x, int k, int *begin, int *end)
-{
-  tm_search_cells(&a->cells, x, k, begin, end);
-  if (a->searched && !a->searched[i] && a->cells.marked[*begin] == a->cells.marked[*end]) *end = *begin;
-}
-
 #if !defined(__CUDACC__)
 /* Places of the n entries in order of tag, then of memory, by counting those before each. */
 TM_FN void tm_search_order(const int *found, int n, const int *tag, int *place)
@@ -125,8 +116,8 @@ TM_FN int tm_search(int i, const tm_search_args *a)
 {
   const double *x = a->cells.x + 3 * (ptrdiff_t) i;
   const tm_real reach = a->cells.reach ? a->cells.reach[i] : a->reach;
-  const int used = a->used ? a->used[i] : 0, room = a->capacity - used;
-  int *row = a->index + a->first[i] + used * a->stride;
+  const int room = a->capacity;
+  int *row = a->index + a->first[i];
   int begin, end, total = 0;
 #if defined(__CUDACC__)
   /* sorted in one by one; a segment after the other */
@@ -134,7 +125,7 @@ TM_FN int tm_search(int i, const tm_search_args *a)
     if (!(a->segments >> s & 1)) continue;
     int n = 0;
     for (int r = 0; r < 9; r++) {
-      tm_search_part(i, a, x, r, &begin, &end);
+      tm_search_cells(&a->cells, x, r, &begin, &end);
       for (int k = begin; k < end; k++) {
         int j;
         if (!tm_search_run(a, k, k + 1, x, reach, 0, 1, &j)) continue;
@@ -153,7 +144,7 @@ TM_FN int tm_search(int i, const tm_search_args *a)
 #else
   int found[TM_SEARCH_MOST + TM_COLUMN], place[TM_SEARCH_MOST + TM_COLUMN], n = 0, kept = 0;
   for (int r = 0; r < 9 && n <= TM_SEARCH_MOST; r++) {
-    tm_search_part(i, a, x, r, &begin, &end);
+    tm_search_cells(&a->cells, x, r, &begin, &end);
     n = tm_search_run(a, begin, end, x, reach, n, TM_SEARCH_MOST, found);
   }
   if (n > TM_SEARCH_MOST) return n;
@@ -184,7 +175,7 @@ TM_FN int tm_search(int i, const tm_search_args *a)
     row += m * a->stride;
   }
 #endif
-  return used + total;
+  return total;
 }
 
 #endif

@@ -4,65 +4,29 @@
 #define TM_SETTLE_H
 
 #include "tm_kept.h"
-#include "tm_search.h"
 #include "tm_state.h"
 
-/* What a particle tells before pairs are kept: E row major, and whether it is searched next. */
-enum { TM_TOLD_SEARCHED = 9, TM_TOLD = 10 };
+enum { TM_TOLD = 9 };            /* what a particle tells before pairs are kept: E row major */
 
 typedef struct {
   tm_kept_rows rows;
+  tm_rows near;                /* all that are within reach */
   tm_records rec;              /* of this step's force point */
   tm_state state;
-  const tm_real *gradient, *stretch;
+  const tm_real *gradient;
   tm_real *memory;             /* TM_K */
   tm_real *told;               /* TM_TOLD, owned and ghost */
+  tm_real *next;               /* 1: searched in the next step, 0; owned and ghost */
+  const unsigned char *was, *now;    /* searched in this step, in the next one; owned and ghost */
+  const unsigned char *dirty;  /* rows whose particle or neighbours are not what they were */
+  int settles, measures;       /* particles may come to rest in this step; G is measured */
   int corrected;               /* gradients are: Q = 1 */
   tm_real threshold, strain;   /* of plastic strain, of any strain since the search; infinite: never */
-  tm_real dt, h, slope_norm, art_inv_w;
+  tm_real dt, h, reach2, slope_norm, art_inv_w, visc_alpha, visc_beta;
   int art_n, first;            /* first: the pairs of the first search of all, without artificial stress */
 } tm_settle_args;
 
-TM_FN tm_mat3 tm_mat_transposed(tm_mat3 a)
-{
-  tm_real t = a.xy; a.xy = a.yx; a.yx = t;
-  t = a.xz; a.xz = a.zx; a.zx = t;
-  t = a.yz; a.yz = a.zy; a.zy = t;
-  return a;
-}
-
-/* Inverse; *good is 0 where the matrix is close to one that has none. In two dimensions that of the
-   upper left block, with zz = 1. */
-TM_FN tm_mat3 tm_mat_inverse(tm_mat3 a, int dim3, int *good)
-{
-  tm_mat3 b = tm_mat_identity();
-  const tm_real size = a.xx * a.xx + a.xy * a.xy + a.yx * a.yx + a.yy * a.yy;
-  if (!dim3) {
-    const tm_real det = a.xx * a.yy - a.xy * a.yx;
-    *good = fabs(det) > 0.05 * 0.5 * size;
-    if (!*good) return b;
-    b.xx = a.yy / det; b.xy = -a.xy / det; b.yx = -a.yx / det; b.yy = a.xx / det;
-    return b;
-  }
-  const tm_real all = (size + a.xz * a.xz + a.yz * a.yz + a.zx * a.zx + a.zy * a.zy + a.zz * a.zz) / 3.0;
-  const tm_real cxx = a.yy * a.zz - a.yz * a.zy, cyx = a.yz * a.zx - a.yx * a.zz, czx = a.yx * a.zy - a.yy * a.zx;
-  const tm_real det = a.xx * cxx + a.xy * cyx + a.xz * czx;
-  *good = fabs(det) > 0.05 * all * sqrt(all);
-  if (!*good) return b;
-  b.xx = cxx / det; b.yx = cyx / det; b.zx = czx / det;
-  b.xy = (a.xz * a.zy - a.xy * a.zz) / det;
-  b.yy = (a.xx * a.zz - a.xz * a.zx) / det;
-  b.zy = (a.xy * a.zx - a.xx * a.zy) / det;
-  b.xz = (a.xy * a.yz - a.xz * a.yy) / det;
-  b.yz = (a.xz * a.yx - a.xx * a.yz) / det;
-  b.zz = (a.xx * a.yy - a.xy * a.yx) / det;
-  return b;
-}
-
-/* Is the particle with memory k searched in this step? New ones are. */
-TM_FN int tm_is_searched(const tm_real *k) { return k[TM_K_SEARCHED] > 0.5 || k[TM_K_SEARCHES] < 0.5; }
-
-/* B of this step: of a particle that was searched in it, 1/rho. */
+/* B: of a particle that was searched in this step 1/rho, else that of the next force point. */
 TM_FN tm_mat3 tm_settle_map(int i, const tm_settle_args *a)
 {
   const tm_real *k = a->memory + (ptrdiff_t) i * TM_K;
@@ -71,19 +35,22 @@ TM_FN tm_mat3 tm_settle_map(int i, const tm_settle_args *a)
   return tm_mat_load(k + TM_K_B);
 }
 
-/* Is particle i to be searched in the next step? */
-TM_FN int tm_settle_wanted(int i, const tm_settle_args *a, tm_mat3 E, unsigned effects)
+/* Has it failed, or flowed beyond the threshold? */
+TM_FN int tm_settle_flows(int i, const tm_settle_args *a, unsigned effects)
 {
   const tm_real *k = a->memory + (ptrdiff_t) i * TM_K;
   if (k[TM_K_NEAR] > 0.5) return 1;
   if ((effects & TM_FX_PLASTICITY) &&
       tm_field_row(&a->state, TM_F_PSTRAIN, i)[0] - k[TM_K_PSTRAIN] > a->threshold)
     return 1;
-  if (!(a->threshold < 1e300)) return 0;
-  if ((effects & TM_FX_DAMAGE) && tm_field_row(&a->state, TM_F_DAMAGE, i)[tm_column(1)] > 0.5) return 1;
-  if (!(a->strain < 1e300)) return 0;
-  /* E = J F^T, J = det F */
-  const int dim3 = (effects & TM_FX_3D) != 0;
+  return (a->threshold < 1e300) && (effects & TM_FX_DAMAGE) &&
+      tm_field_row(&a->state, TM_F_DAMAGE, i)[tm_column(1)] > 0.5;
+}
+
+/* Has it been strained since its search? E = J F^T, J = det F. */
+TM_FN int tm_settle_strained(const tm_settle_args *a, tm_mat3 E, int dim3)
+{
+  if (!(a->threshold < 1e300) || !(a->strain < 1e300)) return 0;
   const tm_mat3 C = tm_mat_mul(E, tm_mat_transposed(E));
   const tm_real det = dim3 ? E.xx * (E.yy * E.zz - E.yz * E.zy) - E.xy * (E.yx * E.zz - E.yz * E.zx)
                                  + E.xz * (E.yx * E.zy - E.yy * E.zx)
@@ -95,181 +62,154 @@ TM_FN int tm_settle_wanted(int i, const tm_settle_args *a, tm_mat3 E, unsigned e
   return !(strain2 <= a->strain * a->strain);
 }
 
-/* First pass: what particle i tells. Returns 1 when it is searched next. */
+/* First pass: is particle i searched in the next step? One that is stays so until particles settle. */
 TM_FN int tm_settle_tell(int i, const tm_settle_args *a, unsigned effects)
 {
   const int dim3 = (effects & TM_FX_3D) != 0;
-  const tm_real rho = tm_main_record(&a->rec, i)[tm_part(TM_REC_RHO)];
-  int good;
-  const tm_mat3 E = tm_mat_inverse(tm_mat_scale(rho, tm_settle_map(i, a)), dim3, &good);
-  tm_real *out = a->told + (ptrdiff_t) i * TM_TOLD;
-  const int searched = !good || tm_settle_wanted(i, a, E, effects);
-  tm_mat_store(out, E);
-  out[TM_TOLD_SEARCHED] = searched;
+  const tm_real *k = a->memory + (ptrdiff_t) i * TM_K;
+  int searched = (tm_is_searched(k) && !a->settles) || tm_settle_flows(i, a, effects);
+  if (a->settles) {
+    const tm_real rho = tm_main_record(&a->rec, i)[tm_part(TM_REC_RHO)];
+    int good;
+    const tm_mat3 E = tm_mat_inverse(tm_mat_scale(rho, tm_settle_map(i, a)), dim3, &good);
+    tm_mat_store(a->told + (ptrdiff_t) i * TM_TOLD, E);
+    searched = searched || !good || tm_settle_strained(a, E, dim3);
+  }
+  a->next[i] = searched;
   return searched;
 }
 
-/* Weights of the pair in entry `from` of the row, as it is now, into entry `to`. */
-TM_FN void tm_settle_pair(int i, int j, int to, const tm_settle_args *a, int kernel, int dim3)
+/* Weights of the pair as it is now into entry `to` of the row; returns bits TM_ROW_... */
+TM_FN int tm_settle_pair(int i, int j, int to, const tm_settle_args *a, int kernel, int dim3)
 {
   const tm_real *ri = tm_main_record(&a->rec, i), *rj = tm_main_record(&a->rec, j);
   const tm_vec3 d = tm_vec(ri[tm_part(0)] - rj[tm_part(0)], ri[tm_part(1)] - rj[tm_part(1)],
                            dim3 ? ri[tm_part(2)] - rj[tm_part(2)] : 0.0);
-  const tm_real r = tm_vec_norm(d), q = r / a->h, slope = tm_kernel_slope(kernel, q);
+  const tm_real r = tm_vec_norm(d), q = r / a->h, slope = tm_kernel_slope(kernel, q), g = slope / q;
   const tm_vec3 w = tm_vec_scale(slope / r, d);
   const tm_real *ei = a->told + (ptrdiff_t) i * TM_TOLD, *ej = a->told + (ptrdiff_t) j * TM_TOLD;
-  const ptrdiff_t next = a->rows.capacity * a->rows.stride;
-  float *out = tm_weight(&a->rows, i) + to * a->rows.stride;
+  float *out = tm_weight(&a->rows, i);
+#define TM_OUT(c) out[tm_weight_place(&a->rows, c, to)]
+  int mixed = 0;
   for (int c = 0; c < 3; c++) {
-    out[(TM_W_OWN + c) * next] = (float) (ei[3 * c] * w.x + ei[3 * c + 1] * w.y + ei[3 * c + 2] * w.z);
-    out[(TM_W_OTHER + c) * next] = (float) (ej[3 * c] * w.x + ej[3 * c + 1] * w.y + ej[3 * c + 2] * w.z);
+    const float own = (float) (ei[3 * c] * w.x + ei[3 * c + 1] * w.y + ei[3 * c + 2] * w.z);
+    const float other = (float) (ej[3 * c] * w.x + ej[3 * c + 1] * w.y + ej[3 * c + 2] * w.z);
+    TM_OUT(TM_W_OWN + c) = own;
+    TM_OUT(TM_W_OTHER + c) = other;
+    mixed |= own != other;
   }
-  out[TM_W_SLOPE * next] = (float) (slope / q);
-  out[TM_W_TENSILE * next] =
-      a->first ? 0.0f : (float) tm_power_int(tm_kernel_shape(kernel, q) * a->art_inv_w, a->art_n);
-  out[TM_W_DISTANCE * next] = (float) q;
+  const tm_real per_soft = 1.0 / tm_viscosity_soft2(1.0, q * q);
+  const tm_real pi = 2.0 * g * per_soft / (ri[tm_part(TM_REC_RHO)] + rj[tm_part(TM_REC_RHO)]);
+  const tm_real f = a->first ? 0.0 : tm_power_int(tm_kernel_shape(kernel, q) * a->art_inv_w, a->art_n);
+  TM_OUT(TM_W_BULK) = (float) (a->visc_alpha * 0.5 * (ri[tm_part(TM_REC_C)] + rj[tm_part(TM_REC_C)]) * pi);
+  TM_OUT(TM_W_SHOCK) = (float) (a->visc_beta * per_soft * pi);
+  TM_OUT(TM_W_TENSILE) = (float) (f * g);
+  TM_OUT(TM_W_SLOPE) = (float) g;
+  TM_OUT(TM_W_DISTANCE) = (float) q;
+#undef TM_OUT
+  return (mixed ? TM_ROW_MIXED : 0) | (f > 0.0 ? TM_ROW_TENSE : 0);
 }
 
 /* G of a row as it is now. */
 TM_FN tm_mat3 tm_settle_stretch(int i, const tm_settle_args *a, int dim3)
 {
   const tm_real *ri = tm_main_record(&a->rec, i);
-  const ptrdiff_t stride = a->rows.stride, next = a->rows.capacity * stride;
+  const ptrdiff_t stride = a->rows.stride;
   const int *row = a->rows.index + a->rows.first[i];
   const float *w = tm_weight(&a->rows, i);
   tm_real G[9] = {0, 0, 0, 0, 0, 0, 0, 0, 0};
   for (int k = 0; k < a->rows.kept[i]; k++) {
     const tm_real *rj = tm_main_record(&a->rec, row[k * stride]);
-    for (int r = 0; r < (dim3 ? 3 : 2); r++)
-      for (int c = 0; c < 3; c++)
-        G[3 * r + c] += rj[tm_part(TM_REC_M)] * (rj[tm_part(r)] - ri[tm_part(r)]) * (tm_real) w[c * next + k * stride];
+    const tm_real m = rj[tm_part(TM_REC_M)];
+    for (int c = 0; c < (dim3 ? 3 : 2); c++) {
+      const tm_real mw = m * (tm_real) w[tm_weight_place(&a->rows, TM_W_OWN + c, k)];
+      for (int r = 0; r < (dim3 ? 3 : 2); r++) G[3 * r + c] += (rj[tm_part(r)] - ri[tm_part(r)]) * mw;
+    }
   }
   return tm_mat_scale(a->slope_norm, tm_mat_load(G));
+}
+
+/* The row of particle i, which is not searched next: out go pairs of those that are, in come those of which
+   one end has come to rest. Returns whether anything did. */
+TM_FN int tm_settle_row(int i, const tm_settle_args *a, int kernel, int dim3)
+{
+  const tm_kept_rows *r = &a->rows;
+  const ptrdiff_t stride = r->stride;
+  int *row = r->index + r->first[i], n = 0, changed = 0;
+  float *w = tm_weight(r, i);
+  tm_real *k = a->memory + (ptrdiff_t) i * TM_K;
+  int kind = a->was[i] ? 0 : (int) k[TM_K_ROW];
+  for (int e = 0; e < r->kept[i]; e++) {
+    const int j = row[e * stride];
+    if (a->now[j]) continue;
+    if (n < e) {
+      row[n * stride] = j;
+      for (int c = 0; c < TM_WEIGHTS; c++) w[tm_weight_place(r, c, n)] = w[tm_weight_place(r, c, e)];
+    }
+    n++;
+  }
+  changed = n < r->kept[i];
+  if (a->settles) {
+    const tm_real *ri = tm_main_record(&a->rec, i);
+    const int *near = a->near.index + a->near.first[i];
+    for (int e = 0; e < a->near.mechanical[i]; e++) {
+      const int j = near[e * a->near.stride];
+      if (a->now[j] || !(a->was[i] || a->was[j])) continue;
+      const tm_real *rj = tm_main_record(&a->rec, j);
+      const tm_real dx = ri[tm_part(0)] - rj[tm_part(0)], dy = ri[tm_part(1)] - rj[tm_part(1)];
+      const tm_real dz = dim3 ? ri[tm_part(2)] - rj[tm_part(2)] : 0.0;
+      if (!(dx * dx + dy * dy + dz * dz < a->reach2)) continue;
+      row[n * stride] = j;
+      kind |= tm_settle_pair(i, j, n++, a, kernel, dim3);
+      changed = 1;
+    }
+  }
+  r->kept[i] = n;
+  for (int e = n; e < tm_kept_places(n); e++) {
+    row[e * stride] = i;
+    for (int c = 0; c < TM_WEIGHTS; c++) w[tm_weight_place(r, c, e)] = 0.0f;
+  }
+  k[TM_K_ROW] = kind;
+  return changed;
 }
 
 /* Second pass, when the ghosts have been told: the row and the memory of particle i. */
 TM_FN void tm_settle(int i, const tm_settle_args *a, unsigned effects)
 {
   const int kernel = tm_fx_kernel(effects), dim3 = (effects & TM_FX_3D) != 0;
-  const tm_kept_rows *r = &a->rows;
-  const ptrdiff_t stride = r->stride, next = r->capacity * stride;
   tm_real *k = a->memory + (ptrdiff_t) i * TM_K;
-  const tm_real was = tm_is_searched(k);
-  tm_mat3 B = tm_settle_map(i, a);
+  const int was = a->was[i], will = a->now[i];
+  const tm_real plastic = (effects & TM_FX_PLASTICITY) ? tm_field_row(&a->state, TM_F_PSTRAIN, i)[0] : 0.0;
   k[TM_K_MARK] = was;
   k[TM_K_SEARCHES] += was;
-  k[TM_K_SEARCHED] = a->told[(ptrdiff_t) i * TM_TOLD + TM_TOLD_SEARCHED];
-  if (k[TM_K_SEARCHED] > 0.5) {
-    r->kept[i] = r->fresh[i] = 0;
-    r->fresh_first[i] = r->first[i];
-    k[TM_K_PSTRAIN] = (effects & TM_FX_PLASTICITY) ? tm_field_row(&a->state, TM_F_PSTRAIN, i)[0] : 0.0;
+  k[TM_K_SEARCHED] = will;
+  if (will) {
+    a->rows.kept[i] = 0;
+    /* who begins is not asked before he has flowed for as long as the others */
+    if (!was) k[TM_K_PSTRAIN] = plastic - 2.0 * (a->threshold < 1e300 ? a->threshold : 0.0) - 1e-300;
+    else if (a->settles) k[TM_K_PSTRAIN] = plastic;
     return;
   }
-  int *row = r->index + r->first[i], n = 0;
-  float *w = tm_weight(r, i);
-  for (int e = 0; e < r->kept[i]; e++) {
-    const int j = row[e * stride];
-    if (a->told[(ptrdiff_t) j * TM_TOLD + TM_TOLD_SEARCHED] > 0.5) continue;
-    if (n < e) {
-      row[n * stride] = j;
-      for (int c = 0; c < TM_WEIGHTS; c++) w[c * next + n * stride] = w[c * next + e * stride];
-    }
-    n++;
-  }
-  int changed = r->fresh[i] > 0 || n < r->kept[i];
-  for (int e = r->kept[i]; e < r->kept[i] + r->fresh[i]; e++) {
-    const int j = row[e * stride];
-    if (a->told[(ptrdiff_t) j * TM_TOLD + TM_TOLD_SEARCHED] > 0.5) continue;
-    row[n * stride] = j;
-    tm_settle_pair(i, j, n++, a, kernel, dim3);
-  }
-  r->kept[i] = n;
-  r->fresh[i] = 0;
-  r->fresh_first[i] = r->first[i] + n * stride;
-
+  if (!was && !a->dirty[i] && !a->measures && a->rows.kept[i] > 0) return;
   const tm_mat3 L = tm_mat_from_row(a->gradient + tm_row(i, 9));
-  tm_mat3 G = changed ? tm_settle_stretch(i, a, dim3) : tm_mat_load(a->stretch + (ptrdiff_t) i * 9);
-  tm_mat3 Q = changed ? tm_mat_identity() : tm_mat_load(k + TM_K_Q);
-  if (changed && !a->corrected) Q = tm_mat_mul(tm_mat_transposed(G), B);
-  tm_mat_store(k + TM_K_Q, Q);
-  /* the next force point is dt ahead */
-  tm_mat3 step = tm_mat_scale(a->dt, L);
-  step.xx += 1.0; step.yy += 1.0; step.zz += 1.0;
-  int good;
-  const tm_mat3 inverse = tm_mat_inverse(tm_mat_mul(step, G), dim3, &good);
-  if (good) B = tm_mat_mul(tm_mat_transposed(inverse), Q);
-  else {    /* too few neighbours to tell: B follows L */
-    const tm_mat3 back = tm_mat_inverse(step, dim3, &good);
-    if (good) B = tm_mat_mul(tm_mat_transposed(back), B);
+  if (was) {
+    k[TM_K_PSTRAIN] = plastic;
+    tm_mat_store(k + TM_K_B, tm_mat_scale(1.0 / tm_main_record(&a->rec, i)[tm_part(TM_REC_RHO)], tm_mat_identity()));
   }
-  if (!dim3) B.xz = B.yz = B.zx = B.zy = 0.0;
-  tm_mat_store(k + TM_K_B, B);
-}
-
-TM_FN tm_real tm_speed(int i, const tm_state *s)
-{
-  const double *v = s->v + 3 * (ptrdiff_t) i;
-  return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
-/* ---- from time to time: is something near that is no neighbour, or has a neighbour moved? */
-
-typedef struct {
-  tm_search_args search;       /* cells and types; cells wide enough for what comes near until the next time */
-  tm_kept_rows rows;
-  tm_records rec;
-  tm_real *memory;
-  const unsigned char *searched;
-  tm_real h, near, change;     /* the last two in units of h: see below */
-  tm_real time;                /* since the last time, taken for that to the next one */
-} tm_watch_args;
-
-/* Distance of j from i in units of h, and what it will have become the next time if it goes on. */
-TM_FN tm_real tm_watch_distance(int i, int j, const tm_watch_args *a, tm_real *then)
-{
-  const tm_real *ri = tm_main_record(&a->rec, i), *rj = tm_main_record(&a->rec, j);
-  const tm_vec3 d = tm_vec(ri[tm_part(0)] - rj[tm_part(0)], ri[tm_part(1)] - rj[tm_part(1)],
-                           ri[tm_part(2)] - rj[tm_part(2)]);
-  const tm_vec3 v = tm_vec(ri[tm_part(4)] - rj[tm_part(4)], ri[tm_part(5)] - rj[tm_part(5)],
-                           ri[tm_part(6)] - rj[tm_part(6)]);
-  const tm_real r = tm_vec_norm(d);
-  *then = (r + a->time * tm_vec_dot(v, d) / r) / a->h;
-  return r / a->h;
-}
-
-/* Sets memory TM_K_NEAR: the particle is searched in every step until nothing has moved for
-   TM_NEAR_HOLD times. So where bodies meet, slide and part the rates are those of the search in every
-   step; kept pairs would hold bodies together that part. */
-TM_FN void tm_watch(int i, const tm_watch_args *a)
-{
-  tm_real *k = a->memory + (ptrdiff_t) i * TM_K, then;
-  const int was_near = k[TM_K_NEAR] > 0.5;
-  if (!was_near && tm_is_searched(k)) return;
-  const tm_kept_rows *r = &a->rows;
-  const int *row = r->index + r->first[i];
-  const float *w = tm_weight(r, i) + TM_W_DISTANCE * r->capacity * r->stride;
-  int known = 0, all = 0, moves = 0;
-  for (int e = 0; e < r->kept[i] && !was_near; e++) {
-    const tm_real q = tm_watch_distance(i, row[e * r->stride], a, &then);
-    known += q < a->near || then < a->near;
-    moves += fabs(q - (tm_real) w[e * r->stride]) > a->change;
+  const int changed = (was || a->dirty[i]) && tm_settle_row(i, a, kernel, dim3);
+  if (changed || a->measures) {
+    /* G of these positions, and as the next ones will have it */
+    const tm_mat3 G = tm_settle_stretch(i, a, dim3), ahead = tm_mat_add(G, tm_mat_scale(a->dt, tm_mat_mul(L, G)));
+    if (changed && !a->corrected)
+      tm_mat_store(k + TM_K_Q, tm_mat_mul(tm_mat_transposed(was ? G : ahead), tm_mat_load(k + TM_K_B)));
+    else if (changed) tm_mat_store(k + TM_K_Q, tm_mat_identity());
+    tm_mat_store(k + TM_K_G, ahead);
+  } else if (was || a->rows.kept[i] == 0) {    /* without pairs: B follows L */
+    tm_mat_store(k + TM_K_G, tm_mat_scale(0.0, L));
+    tm_kept_turn(k, L, a->dt, dim3);
+    return;
   }
-  const double *x = a->search.cells.x + 3 * (ptrdiff_t) i;
-  for (int c = 0; c < 9; c++) {
-    int begin, end;
-    tm_search_cells(&a->search.cells, x, c, &begin, &end);
-    for (int e = begin; e < end; e++) {
-      const int j = a->search.cells.index[e];
-      if (!(tm_search_meets(i, j, &a->search) & TM_MEETS_MECHANICAL)) continue;
-      const tm_real q = tm_watch_distance(i, j, a, &then);
-      if (q < a->near || then < a->near) {
-        all += !a->searched[j];
-        moves += was_near && fabs(q - then) > a->change;
-      }
-    }
-  }
-  if (moves || (!was_near && all > known)) k[TM_K_NEAR] = TM_NEAR_HOLD;
-  else if (was_near) k[TM_K_NEAR] -= 1.0;
+  tm_kept_turn(k, L, 0.0, dim3);
 }
 
 #endif

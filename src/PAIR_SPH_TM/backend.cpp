@@ -28,6 +28,11 @@ void Backend::zero(void *p, size_t bytes)
   if (bytes) memset(p, 0, bytes);
 }
 
+void Backend::fill(unsigned char *p, unsigned char value, size_t n)
+{
+  if (n) memset(p, value, n);
+}
+
 void Backend::add(double *to, const double *from, size_t n)
 {
   for (size_t k = 0; k < n; k++) to[k] += from[k];
@@ -100,21 +105,36 @@ int Backend::mark(const tm_cells &c, const unsigned char *marks)
   return c.marked[c.n] = sum;
 }
 
-int Backend::flag(int n, const tm_real *told, unsigned char *searched)
+static void add_count(int *sum, const int *n) { *sum += *n; }
+
+int Backend::moved(int n, const tm_moved_args &a)
 {
-  int sum = 0;
-  for (int i = 0; i < n; i++) sum += searched[i] = told[(size_t) i * TM_TOLD + TM_TOLD_SEARCHED] > 0.5;
-  return sum;
+  return sum_particles(*this, n, 0, [&](int i) { return tm_moved(i, &a); }, add_count);
 }
 
-int Backend::active(int n, const tm_kept_rows &r, int *whole, int *which)
+int Backend::select(int n, const tm_select_args &a, int *which)
 {
   int m = 0;
-  for (int i = 0; i < n; i++) {
-    whole[i] = r.kept[i] + r.fresh[i];
-    if (tm_kept_active(i, &r)) which[m++] = i;
-  }
+  for (int i = 0; i < n; i++)
+    if (tm_selected(i, &a)) which[m++] = i;
   return m;
+}
+
+int Backend::border_change(int n, const tm_border_args &a)
+{
+  return sum_particles(*this, n, 0, [&](int i) { return tm_border_change(i, &a); }, add_count);
+}
+
+void Backend::border_touch(int n, const tm_border_args &a)
+{
+  for (int i = 0; i < n; i++) tm_border_touch(i, &a);
+}
+
+void Backend::border(int n, const tm_border_args &a)
+{
+  blocks(n, [&](int begin, int end) {
+    for (int i = begin; i < end; i++) tm_border(i, &a);
+  });
 }
 
 void Backend::kept_show(int n, const tm_kept_args &a, tm_real *shown)
@@ -130,11 +150,11 @@ void Backend::kept_rates(int n, const tm_kept_args &a, unsigned effects)
   blocks(n, [&](int begin, int end) { loop(begin, end, &a); });
 }
 
-int Backend::settle_tell(int n, const tm_settle_args &a, unsigned effects)
+void Backend::settle_tell(int n, const tm_settle_args &a, unsigned effects)
 {
-  return sum_particles(
-      *this, n, 0, [&](int i) { return tm_settle_tell(i, &a, effects); },
-      [](int *sum, const int *k) { *sum += *k; });
+  blocks(n, [&](int begin, int end) {
+    for (int i = begin; i < end; i++) tm_settle_tell(i, &a, effects);
+  });
 }
 
 void Backend::settle(int n, const tm_settle_args &a, unsigned effects)

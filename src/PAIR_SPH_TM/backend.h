@@ -9,6 +9,7 @@
 #define SPHTM_BACKEND_H
 
 #include "tm_body_contact.h"
+#include "tm_border.h"
 #include "tm_drift.h"
 #include "tm_exchange.h"
 #include "tm_hold.h"
@@ -17,7 +18,6 @@
 #include "tm_neighbors.h"
 #include "tm_predict.h"
 #include "tm_rates.h"
-#include "tm_settle.h"
 #include "tm_single.h"
 #include "tm_size.h"
 #include "tm_smoothing.h"
@@ -47,6 +47,7 @@ class Backend {
   virtual void to_host(void * /*here*/, const void * /*there*/, size_t) {}
   virtual void copy(void *to, const void *from, size_t bytes);    // within it
   virtual void zero(void *, size_t bytes);
+  virtual void fill(unsigned char *, unsigned char value, size_t n);
   virtual void add(double *to, const double *from, size_t n);
   virtual void wait() {}    // until all loops are done
 
@@ -59,12 +60,15 @@ class Backend {
   virtual void bin(const tm_cells &);
   virtual int search(int n, const tm_search_args &);
   virtual int mark(const tm_cells &, const unsigned char *marks);    // counts those marked in order of cells
-  // rows that are kept; active: rows that the ordinary rates are for, how many
-  virtual int flag(int n, const tm_real *told, unsigned char *searched);
-  virtual int active(int n, const tm_kept_rows &, int *whole, int *which);
+  virtual int moved(int n, const tm_moved_args &);
+  virtual int select(int n, const tm_select_args &, int *which);    // which are, in order; how many
+  // rows that are kept, and those at their border
+  virtual int border_change(int n, const tm_border_args &);
+  virtual void border_touch(int n, const tm_border_args &);
+  virtual void border(int n, const tm_border_args &);
   virtual void kept_show(int n, const tm_kept_args &, tm_real *shown);
   virtual void kept_rates(int n, const tm_kept_args &, unsigned effects);
-  virtual int settle_tell(int n, const tm_settle_args &, unsigned effects);
+  virtual void settle_tell(int n, const tm_settle_args &, unsigned effects);
   virtual void settle(int n, const tm_settle_args &, unsigned effects);
   virtual void watch(int n, const tm_watch_args &);
   virtual double fastest(int n, const tm_state &);    // the largest speed

@@ -147,29 +147,38 @@ struct Mark {
     if (k < c.n) sum += marks[c.index[k]];
   }
 };
-struct Flag {
-  const tm_real *told;
-  unsigned char *searched;
-  KOKKOS_FUNCTION int operator()(int i) const
-  {
-    return searched[i] = told[(ptrdiff_t) i * TM_TOLD + TM_TOLD_SEARCHED] > 0.5;
-  }
-};
 struct SumInt {
   KOKKOS_FUNCTION void operator()(int *sum, const int *k) const { *sum += *k; }
 };
-struct Active {
-  tm_kept_rows r;
-  int *whole, *which;
+struct Moved {
+  tm_moved_args a;
+  KOKKOS_FUNCTION int operator()(int i) const { return tm_moved(i, &a); }
+};
+struct Select {
+  tm_select_args a;
+  int *which;
   KOKKOS_FUNCTION void operator()(int i, int &m, bool last) const
   {
-    const int active = tm_kept_active(i, &r);
-    if (last) {
-      whole[i] = r.kept[i] + r.fresh[i];
-      if (active) which[m] = i;
-    }
-    m += active;
+    if (!tm_selected(i, &a)) return;
+    if (last) which[m] = i;
+    m++;
   }
+};
+struct BorderChange {
+  tm_border_args a;
+  KOKKOS_FUNCTION int operator()(int i) const { return tm_border_change(i, &a); }
+};
+struct BorderTouch {
+  tm_border_args a;
+  KOKKOS_FUNCTION void operator()(int i) const { tm_border_touch(i, &a); }
+};
+struct Border {
+  tm_border_args a;
+  KOKKOS_FUNCTION void operator()(int i) const { tm_border(i, &a); }
+};
+struct FillBytes {
+  unsigned char *p, value;
+  KOKKOS_FUNCTION void operator()(int i) const { p[i] = value; }
 };
 struct KeptShow {
   tm_kept_args a;
@@ -197,7 +206,7 @@ device_kept_loop_t find_kept(int index, std::integer_sequence<int, INDEX...>)
 struct SettleTell {
   tm_settle_args a;
   unsigned fx;
-  KOKKOS_FUNCTION int operator()(int i) const { return tm_settle_tell(i, &a, fx); }
+  KOKKOS_FUNCTION void operator()(int i) const { tm_settle_tell(i, &a, fx); }
 };
 struct Settle {
   tm_settle_args a;
@@ -393,15 +402,25 @@ class DeviceBackend : public Backend {
     Kokkos::parallel_scan("sph/tm mark", Kokkos::RangePolicy<LMPDeviceType>(0, c.n + 1), Mark{c, marks}, sum);
     return sum;
   }
-  int flag(int n, const tm_real *told, unsigned char *searched) override
+  int moved(int n, const tm_moved_args &a) override
   {
-    return kokkos_sum("sph/tm flag", n, 0, Flag{told, searched}, SumInt());
+    return kokkos_sum("sph/tm moved", n, 0, Moved{a}, SumInt());
   }
-  int active(int n, const tm_kept_rows &r, int *whole, int *which) override
+  int select(int n, const tm_select_args &a, int *which) override
   {
     int m = 0;
-    Kokkos::parallel_scan("sph/tm active", Kokkos::RangePolicy<LMPDeviceType>(0, n), Active{r, whole, which}, m);
+    Kokkos::parallel_scan("sph/tm select", Kokkos::RangePolicy<LMPDeviceType>(0, n), Select{a, which}, m);
     return m;
+  }
+  int border_change(int n, const tm_border_args &a) override
+  {
+    return kokkos_sum("sph/tm border change", n, 0, BorderChange{a}, SumInt());
+  }
+  void border_touch(int n, const tm_border_args &a) override { kokkos_each("sph/tm border touch", n, BorderTouch{a}); }
+  void border(int n, const tm_border_args &a) override { kokkos_each("sph/tm border", n, Border{a}); }
+  void fill(unsigned char *p, unsigned char value, size_t n) override
+  {
+    kokkos_each("sph/tm fill", (int) n, FillBytes{p, value});
   }
   void kept_show(int n, const tm_kept_args &a, tm_real *shown) override
   {
@@ -411,9 +430,9 @@ class DeviceBackend : public Backend {
   {
     find_kept(kept_loop_index(fx), std::make_integer_sequence<int, KEPT_LOOPS>())(n, a);
   }
-  int settle_tell(int n, const tm_settle_args &a, unsigned fx) override
+  void settle_tell(int n, const tm_settle_args &a, unsigned fx) override
   {
-    return kokkos_sum("sph/tm settle tell", n, 0, SettleTell{a, fx}, SumInt());
+    kokkos_each("sph/tm settle tell", n, SettleTell{a, fx});
   }
   void settle(int n, const tm_settle_args &a, unsigned fx) override
   {

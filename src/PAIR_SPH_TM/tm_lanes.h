@@ -107,6 +107,22 @@ TM_FN tm_sum tm_lanes_zero(void)
   return v;
 }
 
+/* Where it is below 0, else 0. */
+TM_FN tm_lanes tm_lanes_negative(tm_lanes v)
+{
+#if TM_VECTOR
+#if TM_SINGLE
+  typedef int tm_bits __attribute__((vector_size(TM_VECTOR)));
+#else
+  typedef long long tm_bits __attribute__((vector_size(TM_VECTOR)));
+#endif
+  const tm_lanes none = {0};
+  return (tm_lanes) ((tm_bits) v & (tm_bits) (v < none));
+#else
+  return v < 0 ? v : 0;
+#endif
+}
+
 /* ---- positions: in single they are whole numbers of a unit that wrap around (tm_single.h), so that
    differences are exact wherever the body is */
 

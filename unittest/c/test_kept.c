@@ -1,6 +1,6 @@
 /* Rows that are kept: a block that turns and stretches. Exact gradients of linear velocities where corrected,
    objective ones where not; forces without resultant, work conjugate to the strain rates; one end searched. */
-#include "tm_settle.h"
+#include "tm_border.h"
 #include "ut.h"
 
 #include <stdlib.h>
@@ -14,8 +14,9 @@ static int N, in_3d;
 static double X[MOST][3], x[MOST][3], force[MOST][3];
 static tm_real main_rec[MOST * TM_REC], stress_rec[MOST * TM_REC_STRESS], heat_rec[MOST * TM_REC_HEAT];
 static tm_real shown[MOST * TM_KEPT], told[MOST * TM_TOLD], memory[MOST * TM_K];
-static tm_real gradient[MOST * 9], stretch[MOST * 9], heat[MOST], artificial[MOST];
-static int row[MOST * ROOM], kept[MOST], fresh[MOST];
+static tm_real gradient[MOST * 9], heat[MOST], artificial[MOST], next[MOST];
+static int row[MOST * ROOM], kept[MOST], fresh[MOST], near[MOST * ROOM], near_count[MOST];
+static unsigned char was[MOST], now[MOST], dirty[MOST];
 static ptrdiff_t first[MOST], fresh_first[MOST];
 static float *weight;
 
@@ -42,13 +43,27 @@ static void place(tm_mat3 A, tm_mat3 L)
   }
 }
 
-static void search(int i, const int *which)
+static void search(int i)
 {
+  near_count[i] = 0;
   for (int j = 0; j < N; j++) {
-    if (j == i || (which && !which[i] && !which[j])) continue;
+    if (j == i) continue;
     const double a = x[i][0] - x[j][0], b = x[i][1] - x[j][1], c = x[i][2] - x[j][2];
-    if (a * a + b * b + c * c < 4.0 * H * H) row[first[i] + kept[i] + fresh[i]++] = j;
+    if (a * a + b * b + c * c < 4.5 * H * H) near[first[i] + near_count[i]++] = j;
   }
+}
+
+static tm_rows near_rows(void)
+{
+  tm_rows r = {near, first, near_count, NULL, NULL, 1};
+  return r;
+}
+
+static tm_border_args border_args(void)
+{
+  tm_border_args a = {rows(), near_rows(), next, was, now, dirty, 0, 0};
+  a.own = N;
+  return a;
 }
 
 static tm_settle_args settle_args(int corrected)
@@ -58,12 +73,19 @@ static tm_settle_args settle_args(int corrected)
   a.rows = rows();
   a.rec.main = main_rec;
   a.gradient = gradient;
-  a.stretch = stretch;
+  a.near = near_rows();
   a.memory = memory;
   a.told = told;
+  a.next = next;
+  a.was = was;
+  a.now = now;
+  a.dirty = dirty;
+  a.settles = a.measures = 1;
   a.corrected = corrected;
   a.threshold = a.strain = INFINITY;
   a.h = H;
+  a.reach2 = 4.0 * H * H;
+  a.visc_alpha = a.visc_beta = 1.0;
   a.slope_norm = tm_kernel_norm(TM_KERNEL_HYPERBOLIC, in_3d ? 3 : 2, H) / H;
   a.art_inv_w = 1.0;
   a.art_n = 4;
@@ -73,8 +95,13 @@ static tm_settle_args settle_args(int corrected)
 
 static void settle(const tm_settle_args *a, unsigned fx)
 {
+  const tm_border_args b = border_args();
   for (int i = 0; i < N; i++) tm_settle_tell(i, a, fx);
+  for (int i = 0; i < N; i++) tm_border_change(i, &b);
+  memset(dirty, 0, sizeof dirty);
+  for (int i = 0; i < N; i++) tm_border_touch(i, &b);
   for (int i = 0; i < N; i++) tm_settle(i, a, fx);
+  for (int i = 0; i < N; i++) tm_border(i, &b);
 }
 
 static void rates(unsigned fx)
@@ -89,13 +116,11 @@ static void rates(unsigned fx)
   a.memory = memory;
   a.h = H;
   a.slope_norm = settle_args(0).slope_norm;
-  a.visc_alpha = a.visc_beta = 1.0;
   a.force_unit = 1.0;
   a.force = force[0];
   a.gradient = gradient;
   a.heat = heat;
   a.artificial = artificial;
-  a.stretch = stretch;
   memset(force, 0, sizeof force);
   for (int i = 0; i < N; i++) tm_kept_show(i, &a, shown);
   for (int i = 0; i < N; i++) tm_kept_rates(i, &a, fx);
@@ -148,6 +173,7 @@ static void start(void)
         heat_rec[N * TM_REC_HEAT + 1] = 100;
         first[N] = (ptrdiff_t) N * ROOM;
         kept[N] = fresh[N] = 0;
+        now[N] = 1;
         for (int k = 0; k < TM_K; k++) memory[N * TM_K + k] = 0.0;
       }
 }
@@ -160,7 +186,7 @@ static void run(int corrected, unsigned fx)
   L.xx = 300; L.xy = -200; L.yx = 500; L.yy = -100;
   if (in_3d) { L.xz = 40; L.zx = -60; L.yz = 20; L.zy = 70; L.zz = 250; }
   place(tm_mat_identity(), L);
-  for (int i = 0; i < N; i++) search(i, NULL);
+  for (int i = 0; i < N; i++) search(i);
   memset(gradient, 0, sizeof gradient);
   tm_settle_args a = settle_args(corrected);
   settle(&a, fx);
@@ -197,17 +223,20 @@ static void run(int corrected, unsigned fx)
   static int which[MOST];
   memset(which, 0, sizeof which);
   which[N / 2] = 1;
-  for (int i = 0; i < N; i++) told[i * TM_TOLD + TM_TOLD_SEARCHED] = which[i];
+  for (int i = 0; i < N; i++) search(i);
   memory[(N / 2) * TM_K + TM_K_NEAR] = 1.0;
   settle(&a, fx);
   UT_TRUE(kept[N / 2] == 0);
-  for (int i = 0; i < N; i++) search(i, which);
-  memory[(N / 2) * TM_K + TM_K_SEARCHED] = 1.0;
   memory[(N / 2) * TM_K + TM_K_NEAR] = 0.0;
+  int border = 0;
+  for (int i = 0; i < N; i++) {
+    for (int e = 0; e < kept[i]; e++) UT_TRUE(row[first[i] + e] != N / 2);
+    UT_TRUE(fresh[i] <= 1 && (!fresh[i] || row[fresh_first[i]] == N / 2));
+    border += fresh[i];
+  }
+  UT_TRUE(border == near_count[N / 2]);
   memset(gradient, 0, sizeof gradient);
   rates(fx);
-  for (int i = 0; i < N; i++)
-    for (int e = 0; e < kept[i]; e++) UT_TRUE(row[first[i] + e] != N / 2);
   settle(&a, fx);
   rates(fx);
   check_conservation(fx, 0.0);
@@ -219,12 +248,15 @@ static void run(int corrected, unsigned fx)
       int back = 0;
       while (back < kept[j] && row[first[j] + back] != i) back++;
       UT_TRUE(back < kept[j]);
-      const float *w = weight + first[i] * TM_WEIGHTS + e, *v = weight + first[j] * TM_WEIGHTS + back;
+      const tm_kept_rows r = rows();
+      const float *w = tm_weight(&r, i), *v = tm_weight(&r, j);
       for (int c = 0; c < 3; c++) {
-        UT_TRUE(w[c * ROOM] == -v[(3 + c) * ROOM]);
-        UT_TRUE(v[c * ROOM] == -w[(3 + c) * ROOM]);
+        UT_TRUE(w[tm_weight_place(&r, TM_W_OWN + c, e)] == -v[tm_weight_place(&r, TM_W_OTHER + c, back)]);
+        UT_TRUE(v[tm_weight_place(&r, TM_W_OWN + c, back)] == -w[tm_weight_place(&r, TM_W_OTHER + c, e)]);
       }
-      for (int c = 6; c < TM_WEIGHTS; c++) UT_TRUE(w[c * ROOM] == v[c * ROOM]);
+      for (int c = 0; c < TM_WEIGHTS; c++)
+        if (c >= TM_W_TENSILE || c == TM_W_BULK || c == TM_W_SHOCK)
+          UT_TRUE(w[tm_weight_place(&r, c, e)] == v[tm_weight_place(&r, c, back)]);
     }
   }
   if (corrected)

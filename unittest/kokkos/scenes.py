@@ -152,6 +152,10 @@ SCENES = {
                                                          material=PLASTIC + " eos tait 7", fix="") + end(60),
     "smoothing length that follows": BAR.format(style="", material=JOHNSON_COOK, fix="energy yes\n"
                                                 "fix lists all adapt/neigh asph psi every 2") + end(60, VALUES + " h"),
+    "lists with a margin": BAR.format(style="", material=JOHNSON_COOK,
+                                      fix="\nfix lists all adapt/neigh threshold 0 margin 0.2") + end(60),
+    "lists that are kept": BAR.format(style="", material=JOHNSON_COOK,
+                                      fix="\nfix lists all adapt/neigh threshold 1e-3") + end(220),
     "without artificial terms": BAR.format(style="viscosity 0 0 artstress 0 4", material="", fix="courant 0.2") + end(60),
     "cut": CUT + end(80),
     "bodies, heat fixes, drive": BODIES + end(150, VALUES + " surface/area"),

@@ -1,5 +1,6 @@
-"""fix adapt/neigh threshold 0: rows of its own cell search in every step. The same bits as LAMMPS's list rebuilt in every
-step and as its skin list, on 1, 2 and 4 ranks, bodies that conduct and touch, periodic boundaries; and its errors."""
+"""fix adapt/neigh threshold 0: rows of its own cell search in every step, or with a margin where particles
+have moved. The same bits as LAMMPS's list rebuilt in every step and as its skin list, on 1, 2 and 4 ranks, bodies that conduct
+and touch, periodic boundaries; and its errors."""
 import numpy as np
 from contact_scene import block, particles
 from sphtm_scene import Checks, run
@@ -36,6 +37,7 @@ CASES = {
                                   meet="pair_coeff 1 2 contact friction 0.3 conductance 1e5"),
     "2D, periodic": dict(dim=2, style="wendland/c4 1.7", boundary="p p p", meet="", material=STEEL, steps=60),
 }
+MARGIN = dict(check="yes", lists="fix lists all adapt/neigh threshold 0 margin 0.2")
 EVERY, OWN = dict(check="no", lists=""), dict(check="yes", lists="fix lists all adapt/neigh threshold 0")
 
 
@@ -71,6 +73,8 @@ def main():
         checks.above(case + ": it yields", values[:, 14].max(), 1e-4)
         checks.true(case + ": same bits", last(case, OWN) == every)
         checks.true(case + ": same bits on 2 ranks", last(case, OWN, 2, "2 1 1") == every)
+        checks.true(case + ": rows with a margin, same bits", last(case, MARGIN) == every)
+        checks.true(case + ": rows with a margin, same bits on 2 ranks", last(case, MARGIN, 2, "2 1 1") == every)
     checks.true("3D: same bits on 4 ranks", last("3D", OWN, 4, "2 2 1") == last("3D", EVERY))
 
     def error(words):
@@ -79,6 +83,7 @@ def main():
 
     for words, parts in {"threshold": ("threshold", "1 value"), "threshold -1": ("threshold", "-1"),
                          "threshold 0 rows 0": ("rows", "0"), "threshold nan": ("threshold", "nan"),
+                         "threshold 0 margin 1.5": ("margin", "1.5"),
                          "threshold 0 rows 16": ("row has room for 16", "rows"),
                          "thresh 0": ("thresh", "known are", "threshold")}.items():
         said = error(words)

@@ -190,6 +190,7 @@ def errors(checks):
             ("threshold 1e-5", "hyperbolic 1.2 balsara yes", "", ("threshold", "balsara")),
             ("threshold 1e-5", "hyperbolic 1.2 correction yes", "", ("threshold", "correction", "inf")),
             ("threshold 1e-5 stretch 0", "hyperbolic 1.2", "", ("stretch", "0")),
+            ("threshold 1e-5 margin 0", "hyperbolic 1.2", "", ("margin", "0")),
             ("threshold 1e-5 approach 0.7", "hyperbolic 1.2", "", ("approach", "0.7"))):
         folder = None
         text = SCRIPT.format(dim=2, bz="p", grid="* * *", skin="3e-4", every=1, fixes=fixes, more="", steps="run 1",

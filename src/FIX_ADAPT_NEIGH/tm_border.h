@@ -1,0 +1,182 @@
+/* SPH-TM: adaptive lists: which rows of neighbours are out of date, which particles are searched, and the rows
+   at the border between them and those that are kept. See tm_kept.h.
+
+   Every particle has a row of all within reach and a margin, from its place at its last search. It is
+   searched anew when a particle near it has moved by half the margin. Of such rows the rates take what
+   is within reach, so nothing depends on when they were made. */
+#ifndef TM_BORDER_H
+#define TM_BORDER_H
+
+#include "tm_search.h"
+#include "tm_settle.h"
+
+typedef struct {
+  const double *x;             /* owned and ghost */
+  double *place;               /* at the last search */
+  tm_real limit2;              /* of the distance, squared */
+  unsigned char *marks;        /* result: has moved; then place becomes x. NULL: only look */
+} tm_moved_args;
+
+TM_FN int tm_moved(int i, const tm_moved_args *a)
+{
+  const double *x = a->x + 3 * (ptrdiff_t) i;
+  double *p = a->place + 3 * (ptrdiff_t) i;
+  const tm_real dx = x[0] - p[0], dy = x[1] - p[1], dz = x[2] - p[2];
+  const int moved = !(dx * dx + dy * dy + dz * dz <= a->limit2);
+  if (!a->marks) return moved;
+  a->marks[i] = (unsigned char) moved;
+  for (int d = 0; moved && d < 3; d++) p[d] = x[d];
+  return moved;
+}
+
+typedef struct {
+  tm_kept_rows rows;
+  tm_rows near;
+  const tm_real *next;         /* as in tm_settle_args */
+  unsigned char *was, *now, *dirty;
+  int own, ghosts;             /* particles */
+} tm_border_args;
+
+/* What is to come is now; returns whether that is a change. */
+TM_FN int tm_border_change(int i, const tm_border_args *a)
+{
+  a->was[i] = a->now[i];
+  a->now[i] = a->next[i] > 0.5;
+  return a->was[i] != a->now[i];
+}
+
+/* Marks the rows that hold one that has changed. Rows of owned particles are told by it; ghosts have none. */
+TM_FN void tm_border_touch(int i, const tm_border_args *a)
+{
+  const int change = a->was[i] != a->now[i];
+  if (!change && !a->ghosts) return;
+  const int lengths[2] = {a->near.mechanical[i], a->rows.kept[i]};
+  const int *rows[2] = {a->near.index + a->near.first[i], a->rows.index + a->rows.first[i]};
+  if (change) a->dirty[i] = 1;
+  for (int r = 0; r < 2; r++)
+    for (int e = 0; e < lengths[r]; e++) {
+      const int j = rows[r][e * a->rows.stride];
+      if (j < a->own) {
+        if (change) a->dirty[j] = 1;
+      } else if (a->was[j] != a->now[j])
+        a->dirty[i] = 1;
+    }
+}
+
+/* Behind the kept pairs of a row: those whose other end is searched, in the order of the near row. */
+TM_FN void tm_border(int i, const tm_border_args *a)
+{
+  if (!a->dirty[i]) return;
+  const tm_kept_rows *r = &a->rows;
+  const int places = tm_kept_places(r->kept[i]);
+  const int *near = a->near.index + a->near.first[i];
+  int *row = r->index + r->first[i] + places * r->stride, n = 0;
+  for (int e = 0; e < a->near.mechanical[i] && !a->now[i]; e++) {
+    const int j = near[e * a->near.stride];
+    if (a->now[j]) row[n++ * r->stride] = j;
+  }
+  r->fresh[i] = n;
+  r->fresh_first[i] = r->first[i] + places * r->stride;
+}
+
+/* Kinds of particles to be listed. */
+enum {
+  TM_SELECT_SEARCHED,          /* searched */
+  TM_SELECT_BORDER,            /* not searched, with neighbours that are, or without any */
+  TM_SELECT_NEAR               /* those near one that has moved */
+};
+
+typedef struct {
+  int kind;
+  tm_border_args border;
+  tm_cells cells;              /* with the marked counted */
+} tm_select_args;
+
+TM_FN int tm_selected(int i, const tm_select_args *a)
+{
+  if (a->kind == TM_SELECT_SEARCHED) return a->border.now[i];
+  if (a->kind == TM_SELECT_BORDER)
+    return !a->border.now[i] && (a->border.rows.fresh[i] > 0 || a->border.rows.kept[i] == 0);
+  for (int k = 0; k < 9; k++) {
+    int begin, end;
+    tm_search_cells(&a->cells, a->cells.x + 3 * (ptrdiff_t) i, k, &begin, &end);
+    if (a->cells.marked[begin] != a->cells.marked[end]) {
+      a->border.dirty[i] = 1;
+      return 1;
+    }
+  }
+  return 0;
+}
+
+TM_FN tm_real tm_speed(int i, const tm_state *s)
+{
+  const double *v = s->v + 3 * (ptrdiff_t) i;
+  return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/* ---- from time to time: is something near that is no neighbour, or has a neighbour moved? */
+
+typedef struct {
+  tm_kept_rows rows;
+  tm_rows near_rows;           /* all that are within reach */
+  tm_records rec;
+  tm_real *memory;
+  const unsigned char *now;    /* searched */
+  tm_real h, support, near, change;  /* the last three in units of h: see below */
+  tm_real time;                /* since the last time, taken for that to the next one */
+} tm_watch_args;
+
+/* Square of the distance of j from i, and v.x of the pair. */
+TM_FN tm_real tm_watch_distance2(const tm_real *ri, const tm_real *rj, tm_real *vx)
+{
+  const tm_real dx = ri[tm_part(0)] - rj[tm_part(0)], dy = ri[tm_part(1)] - rj[tm_part(1)];
+  const tm_real dz = ri[tm_part(2)] - rj[tm_part(2)];
+  *vx = (ri[tm_part(4)] - rj[tm_part(4)]) * dx + (ri[tm_part(5)] - rj[tm_part(5)]) * dy +
+      (ri[tm_part(6)] - rj[tm_part(6)]) * dz;
+  return dx * dx + dy * dy + dz * dz;
+}
+
+/* Is a pair within reach near, or will it be the next time if it goes on? Rows may hold more than what is within
+   reach: who asks must not notice. */
+TM_FN int tm_watch_near(tm_real r2, tm_real vx, const tm_watch_args *a)
+{
+  const tm_real near = a->near * a->h, support = a->support * a->h;
+  if (r2 < near * near) return 1;
+  if (!(r2 < support * support)) return 0;
+  const tm_real r = sqrt(r2);
+  return r + a->time * vx / r < near;
+}
+
+/* Sets memory TM_K_NEAR: the particle is searched in every step until nothing has moved for
+   TM_NEAR_HOLD times. So where bodies meet, slide and part the rates are those of the search in every
+   step; kept pairs would hold bodies together that part. */
+TM_FN void tm_watch(int i, const tm_watch_args *a)
+{
+  tm_real *k = a->memory + (ptrdiff_t) i * TM_K, vx;
+  const int was_near = k[TM_K_NEAR] > 0.5;
+  if (!was_near && tm_is_searched(k)) return;
+  const tm_kept_rows *r = &a->rows;
+  const int *row = r->index + r->first[i], *near = a->near_rows.index + a->near_rows.first[i];
+  const float *w = tm_weight(r, i);
+  const tm_real *ri = tm_main_record(&a->rec, i);
+  int known = 0, all = 0, moves = 0;
+  for (int e = 0; e < r->kept[i] && !was_near; e++) {
+    const tm_real r2 = tm_watch_distance2(ri, tm_main_record(&a->rec, row[e * r->stride]), &vx);
+    const tm_real q = w[tm_weight_place(r, TM_W_DISTANCE, e)];
+    const tm_real least = a->h * tm_max(q - a->change, 0.0), most = a->h * (q + a->change);
+    known += tm_watch_near(r2, vx, a);
+    moves += r2 < least * least || r2 > most * most;
+  }
+  for (int e = 0; e < a->near_rows.mechanical[i] && !moves; e++) {
+    const int j = near[e * a->near_rows.stride];
+    if (a->now[j] && !was_near) continue;
+    const tm_real r2 = tm_watch_distance2(ri, tm_main_record(&a->rec, j), &vx);
+    if (!tm_watch_near(r2, vx, a)) continue;
+    all += !a->now[j];
+    moves += was_near && fabs(a->time * vx) > a->change * a->h * sqrt(r2);
+  }
+  if (moves || (!was_near && all > known)) k[TM_K_NEAR] = TM_NEAR_HOLD;
+  else if (was_near) k[TM_K_NEAR] -= 1.0;
+}
+
+#endif
