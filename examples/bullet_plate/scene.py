@@ -9,7 +9,8 @@ import numpy as np
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "bench"))
 from study import Study                                                                # noqa: E402
 
-ROWS = {"every step": {"adapt": "threshold 0"}, "every step, lists of LAMMPS": {"search": "every"},
+ROWS = {"every step": {"adapt": "threshold 0"}, "every step, rows with a margin": {"adapt": "threshold 0 margin 0.15"},
+        "every step, lists of LAMMPS": {"search": "every"},
         "search once": {"adapt": "threshold inf"}, "1e-4": {"adapt": "threshold 1e-4"}, "1e-5": {"adapt": "threshold 1e-5"},
         "1e-6": {"adapt": "threshold 1e-6"}, "skin list": {}}
 
@@ -20,6 +21,8 @@ def measure(result):
     last = v[v[:, 1] > 0.9 * v[-1, 1]]
     m = {"residual": last[:, 2].mean(), "residual_tail": last[:, 3].mean()}
     t = result.thermo[-1]
+    if "f_lists[2]" in t:
+        m["searched"] = float(t["f_lists[2]"][-1] / t["Step"][-1])
     m["energy_drift"] = np.abs(t["f_body[9]"] / t["f_body[9]"][0] - 1).max()
     m["particles"] = int(t["Atoms"][0])
     return m

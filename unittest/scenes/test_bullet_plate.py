@@ -1,6 +1,6 @@
 """The bullet through the plate (F14; examples/bullet_plate), with 3 particles over the plate: it goes through,
-LAMMPS's skin list gives the velocity of a list made anew in every step. Counter-case: at
-150 m/s the plate stops it."""
+LAMMPS's skin list and rows with a margin give the velocity of a list made anew in every step, kept rows give it within 1 %.
+Counter-case: at 150 m/s the plate stops it."""
 import os
 
 import numpy as np
@@ -20,6 +20,12 @@ def residual(**more):
 skin, result = residual()
 every, _ = residual(search="every")
 checks.near("residual velocity: skin list against every step, m/s", skin, every, relative=0.01)
+margin, _ = residual(adapt="threshold 0 margin 0.15")
+checks.near("rows with a margin against every step", margin, every, relative=1e-12)
+kept, adapted = residual(adapt="threshold 1e-5")
+checks.near("residual velocity: threshold 1e-5 against every step", kept, every, relative=0.01)
+t = adapted.thermo[-1]
+checks.below("threshold 1e-5: searches per particle and step", t["f_lists[2]"][-1] / t["Step"][-1], 0.8)
 checks.above("it goes through at, m/s", skin, 60.0)
 checks.below("and has lost speed", skin, 300.0)
 t = result.thermo[-1]

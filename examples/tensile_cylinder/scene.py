@@ -1,0 +1,37 @@
+#!/usr/bin/python3
+"""The tensile cylinder with every kind of list: force, neck, largest strain, time. ./sphtm scenes tensile_cylinder"""
+import os
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [HERE, os.path.join(HERE, "..", "..", "bench")]
+from measure import measure                                                            # noqa: E402
+from study import Study                                                                # noqa: E402
+
+# corrected gradients take whole rows: thresholds between 0 and inf have plain sums
+PLAIN = "correction no"
+ROWS = {"skin": {}, "every_step": {"adapt": "threshold 0"}, "margin": {"adapt": "threshold 0 margin 0.15"},
+        "once": {"adapt": "threshold inf"}, "skin_plain": {"options": PLAIN},
+        "1e-4_plain": {"adapt": "threshold 1e-4", "options": PLAIN}, "1e-5_plain": {"adapt": "threshold 1e-5", "options": PLAIN}}
+FORCE, RADIUS, STRAIN = (2.82e6, 2.91e6), (45.6e-3, 46.2e-3), (0.281, 0.286)    # F14 and finite elements
+
+
+def main():
+    sizes = {"small": {"n": 5, "faster": 4, "grip": 0.075, "pull": 7.31e-3}, "default": {"n": 6, "faster": 4}, "large": {"n": 8}}
+    study = Study(__file__, sizes, __doc__)
+    rows = {}
+    for row, variables in ROWS.items():
+        if not study.wants(row):
+            continue
+        result = study.run(row, dict(study.size, **variables), repeats=study.options.repeats)
+        m, t = measure(result.folder, float(study.size["n"])), result.thermo[-1]
+        rows[row] = {"force": m["force"], "radius": m["radius"], "strain": float(m["strain"]),
+                     "force_within": FORCE[0] <= m["force"] <= FORCE[1], "radius_within": RADIUS[0] <= m["radius"] <= RADIUS[1],
+                     "ends_apart": m["ends apart"], "processor": result.processor, "wall": result.wall}
+        if "f_lists[2]" in t:
+            rows[row]["searched"] = float(t["f_lists[2]"][-1] / t["Step"][-1])
+    study.end({"rows": rows, "strain_of_the_paper": STRAIN})
+
+
+if __name__ == "__main__":
+    main()
