@@ -21,7 +21,7 @@ def measure(result):
     last = v[v[:, 1] > 0.9 * v[-1, 1]]
     m = {"residual": last[:, 2].mean(), "residual_tail": last[:, 3].mean()}
     t = result.thermo[-1]
-    if "f_lists[2]" in t:
+    if "f_lists[2]" in t and t["f_lists[2]"][-1] > 0:      # threshold 0 counts no searches
         m["searched"] = float(t["f_lists[2]"][-1] / t["Step"][-1])
     m["energy_drift"] = np.abs(t["f_body[9]"] / t["f_body[9]"][0] - 1).max()
     m["particles"] = int(t["Atoms"][0])
