@@ -25,10 +25,11 @@ def main():
             continue
         result = study.run(row, dict(study.size, **variables), repeats=study.options.repeats)
         m, t = measure(result.folder, float(study.size["n"])), result.thermo[-1]
-        rows[row] = {"force": m["force"], "radius": m["radius"], "strain": float(m["strain"]),
-                     "force_within": FORCE[0] <= m["force"] <= FORCE[1], "radius_within": RADIUS[0] <= m["radius"] <= RADIUS[1],
-                     "ends_apart": m["ends apart"], "processor": result.processor, "wall": result.wall}
-        if "f_lists[2]" in t:
+        rows[row] = {"force": float(m["force"]), "radius": float(m["radius"]), "strain": float(m["strain"]),
+                     "force_within": bool(FORCE[0] <= m["force"] <= FORCE[1]),
+                     "radius_within": bool(RADIUS[0] <= m["radius"] <= RADIUS[1]),
+                     "ends_apart": float(m["ends apart"]), "processor": result.processor, "wall": result.wall}
+        if "f_lists[2]" in t and t["f_lists[2]"][-1] > 0:      # threshold 0 counts no searches
             rows[row]["searched"] = float(t["f_lists[2]"][-1] / t["Step"][-1])
     study.end({"rows": rows, "strain_of_the_paper": STRAIN})
 
