@@ -310,6 +310,7 @@ double AdaptLists::output(int k)
 void AdaptLists::to_tags()
 {
   if (margin == 0.0 || by_tag || table.capacity == 0) return;
+  fix.body().host_particles();
   const tagint *tag = fix.host()->atom->tag;
   names.assign(tag, tag + all());
   by_tag = true;
@@ -318,8 +319,10 @@ void AdaptLists::to_tags()
 // the places are those they were before, of particles without images
 bool AdaptLists::same_places()
 {
+  if (!by_tag) return false;
+  fix.body().host_particles();
   const tagint *tag = fix.host()->atom->tag;
-  return by_tag && all() == own() && (int) names.size() == own() && std::equal(names.begin(), names.end(), tag);
+  return all() == own() && (int) names.size() == own() && std::equal(names.begin(), names.end(), tag);
 }
 
 // entry k of row i; tags: those of its entries
@@ -343,6 +346,7 @@ void AdaptLists::to_indices()
   if (!by_tag) return;
   by_tag = false;
   if (!keeps()) return;
+  fix.body().host_particles();
   const tagint *tag = fix.host()->atom->tag;
   if (all() == own() && (int) names.size() == own() && std::equal(names.begin(), names.end(), tag)) return;
   double **x = fix.host()->atom->x;

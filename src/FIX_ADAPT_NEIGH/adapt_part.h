@@ -24,6 +24,7 @@ class AdaptPart {
   virtual int keyword(int narg, char **arg) = 0;
   virtual std::vector<std::string> keywords() const = 0;
   virtual bool in_use() const = 0;
+  virtual bool on_host() const { return false; }    // works on LAMMPS's particles of the host in any step
 
   virtual void ready() {}    // once, when all keywords are read and the fix is LAMMPS's; may add other fixes
 

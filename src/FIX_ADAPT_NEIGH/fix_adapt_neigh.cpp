@@ -8,6 +8,7 @@
 #include "refinement.h"
 
 #include "atom.h"
+#include "atom_masks.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
@@ -41,6 +42,9 @@ FixAdaptNeigh::FixAdaptNeigh(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
   for (const auto &p : parts)
     if (p->in_use()) used.push_back(p.get());
   for (const AdaptPart *p : used) size_vector += (int) p->outputs().size();
+  bool on_host = false;
+  for (const AdaptPart *p : used) on_host = on_host || p->on_host();
+  if (!on_host) datamask_read = datamask_modify = EMPTY_MASK;    // with Kokkos; or every step copies all there and back
   vector_flag = size_vector > 0;
   update_packed_size();
   for (AdaptPart *p : used) p->grow(atom->nmax);

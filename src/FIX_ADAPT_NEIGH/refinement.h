@@ -26,6 +26,7 @@ class Refinement : public AdaptPart {
   int keyword(int narg, char **arg) override;
   std::vector<std::string> keywords() const override { return {"refine", "coarsen"}; }
   bool in_use() const override { return kind >= 0 || coarsen != NEVER; }
+  bool on_host() const override { return true; }
   void ready() override;
   void init() override;
   void setup() override;
