@@ -44,7 +44,7 @@ FixAdaptNeigh::FixAdaptNeigh(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
   for (const AdaptPart *p : used) size_vector += (int) p->outputs().size();
   bool on_host = false;
   for (const AdaptPart *p : used) on_host = on_host || p->on_host();
-  if (!on_host) datamask_read = datamask_modify = EMPTY_MASK;    // with Kokkos; or every step copies all there and back
+  if (!on_host) datamask_read = datamask_modify = EMPTY_MASK;    // with Kokkos: the loops ask for what they need
   vector_flag = size_vector > 0;
   update_packed_size();
   for (AdaptPart *p : used) p->grow(atom->nmax);
