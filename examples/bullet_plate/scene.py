@@ -29,7 +29,7 @@ def measure(result):
 
 
 def main():
-    sizes = {"small": {"n": 3, "thick": 9e-3, "end": 1.5e-4, "width": 72e-3}, "default": {"n": 5}, "large": {"n": 16}}
+    sizes = {"small": {"n": 3, "thick": 9e-3, "end": 1.5e-4, "width": 72e-3}, "default": {"n": 5}, "large": {"n": 10, "sample": 20}}
     study = Study(__file__, sizes, __doc__)
     table, results = {}, {}
     for repeat in range(study.options.repeats):         # round by round, so that a busy spell hits all rows alike
