@@ -168,7 +168,7 @@ def counters(name, folder, top, lammps):
         return None, "no ncu here"
     path = os.path.join(folder, "counters.csv")
     before = [ncu, "--csv", "--log-file", path, "--clock-control", "none", "--target-processes", "all",
-              "--launch-skip", "600", "--launch-count", "60",
+              "--launch-skip", "300", "--launch-count", "60",
               "--metrics", ",".join(METRICS)]
     output, status = lammps(folder, prepare(name, folder, top, 60), before=before)
     if status != 0 or not os.path.isfile(path):
