@@ -94,7 +94,7 @@ class AdaptLists : public AdaptPart, public RowSource {
   void check_effects();
   void cover_reach();
   void make_room(int);
-  tm_kept_rows kept_rows(), host_kept_rows();
+  tm_kept_rows kept_rows(bool on_host = false);
   tm_kept_args kept_args(const tm_records &);
   tm_border_args border_args();
   bool blind() const;

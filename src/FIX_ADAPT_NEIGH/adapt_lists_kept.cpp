@@ -37,31 +37,19 @@ void AdaptLists::make_room(int n)
   memory.resize((size_t) quiet.particles * TM_K);
 }
 
-tm_kept_rows AdaptLists::kept_rows()
+// where the loops run, or on the host
+tm_kept_rows AdaptLists::kept_rows(bool on_host)
 {
+  const auto write = [on_host](auto &a) { return on_host ? a.host_write() : a.loop_write(); };
   tm_kept_rows r;
-  r.index = quiet.index.loop_write();
-  r.kept = kept.loop_write();
-  r.fresh = quiet.count[0].loop_write();
-  r.first = quiet.first.loop_read();
-  r.fresh_first = fresh_first.loop_write();
+  r.index = write(quiet.index);
+  r.kept = write(kept);
+  r.fresh = write(quiet.count[0]);
+  r.first = on_host ? quiet.first.host_read() : quiet.first.loop_read();
+  r.fresh_first = write(fresh_first);
   r.stride = quiet.stride;
   r.capacity = quiet.capacity;
-  r.weight = weight.loop_write();
-  return r;
-}
-
-tm_kept_rows AdaptLists::host_kept_rows()
-{
-  tm_kept_rows r;
-  r.index = quiet.index.host_write();
-  r.kept = kept.host_write();
-  r.fresh = quiet.count[0].host_write();
-  r.first = quiet.first.host_read();
-  r.fresh_first = fresh_first.host_write();
-  r.stride = quiet.stride;
-  r.capacity = quiet.capacity;
-  r.weight = weight.host_write();
+  r.weight = write(weight);
   return r;
 }
 
@@ -329,7 +317,7 @@ bool AdaptLists::same_places()
 void AdaptLists::drop(int i, int k)
 {
   const int last = --kept.host_write()[i];
-  const tm_kept_rows r = host_kept_rows();
+  const tm_kept_rows r = kept_rows(true);
   const ptrdiff_t stride = r.stride;
   float *w = tm_weight(&r, i);
   int *index = r.index + r.first[i];
@@ -395,7 +383,7 @@ void AdaptLists::grow(int nmax)
 void AdaptLists::copy(int from, int to)
 {
   if (!keeps() || quiet.capacity == 0) return;
-  const tm_kept_rows r = host_kept_rows();
+  const tm_kept_rows r = kept_rows(true);
   tm_real *k = memory.host_write();
   r.kept[to] = r.kept[from];
   std::copy_n(k + (size_t) from * TM_K, (int) TM_K, k + (size_t) to * TM_K);
@@ -422,7 +410,7 @@ int AdaptLists::most_packed() const
 int AdaptLists::pack(int i, double *buf)
 {
   if (!keeps() || quiet.capacity == 0) return 0;
-  const tm_kept_rows r = host_kept_rows();
+  const tm_kept_rows r = kept_rows(true);
   const int n = r.kept[i], *index = r.index + r.first[i];
   const ptrdiff_t stride = r.stride;
   const float *w = tm_weight(&r, i);
@@ -441,7 +429,7 @@ int AdaptLists::unpack(int i, const double *buf)
   if (!keeps() || quiet.capacity == 0) return 0;
   const double *start = buf;
   const int n = (int) *buf++;
-  const tm_kept_rows r = host_kept_rows();
+  const tm_kept_rows r = kept_rows(true);
   int *index = r.index + r.first[i];
   const ptrdiff_t stride = r.stride;
   float *w = tm_weight(&r, i);

@@ -42,7 +42,8 @@ void PairSPHTM::check_masses()
                      particle_mass(t));
     else if (!atom->rmass_flag && differs(atom->mass[t], t))
       error->warning(FLERR, "Pair sph/tm: mass of type {} is {:.8g}, density times spacing gives "
-                            "{:.8g}; the mass is kept. Without a mass command it follows from the material", t, atom->mass[t], particle_mass(t));
+                            "{:.8g}; the mass is kept. Without a mass command it follows from the material",
+                     t, atom->mass[t], particle_mass(t));
 }
 
 // a spacing in another unit than the box: before LAMMPS complains about its bins

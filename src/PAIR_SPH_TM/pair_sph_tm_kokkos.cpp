@@ -224,7 +224,9 @@ int PairSPHTMKokkos::pack_forward_comm_kokkos(int n, DAT::tdual_int_1d k_sendlis
 void PairSPHTMKokkos::unpack_forward_comm_kokkos(int n, int first, DAT::tdual_xfloat_1d &buf)
 {
   kokkos_each("sph/tm receive ghosts", n,
-              UnpackGhosts{{rec, forwarded ? forwarded_columns : forward_columns(), forwarded ? forwarded->loop_write() : nullptr}, first, buf.view<LMPDeviceType>().data()});
+              UnpackGhosts{{rec, forwarded ? forwarded_columns : forward_columns(),
+                            forwarded ? forwarded->loop_write() : nullptr},
+                           first, buf.view<LMPDeviceType>().data()});
 }
 
 void PairSPHTMKokkos::take_ghost_positions()
