@@ -23,7 +23,8 @@ from host import DEVICES, TOP, fresh, lammps
 
 def bench(out, names, gpus):
     results, failed = [], 0
-    print("%-28s %-9s %10s %6s %9s %9s   %s" % ("case", "precision", "particles", "neigh", "ns/p-step", "ms/step", "pair modify neigh comm other  copies/step  of particle data, bytes"))
+    print("%-28s %-9s %10s %6s %9s %9s   %s" % ("case", "precision", "particles", "neigh", "ns/p-step", "ms/step",
+        "pair modify neigh comm other  copies/step  of particle data, bytes"))
     for name in names:
         result = cases.run(name, fresh(os.path.join(out, name)), TOP, lambda *a, **k: lammps(*a, gpus=gpus, **k))
         results.append(result)
