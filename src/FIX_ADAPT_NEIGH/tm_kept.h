@@ -28,6 +28,10 @@
 
 #include "tm_rates.h"
 
+#if TM_SINGLE
+#error "double only: both ends of a kept pair hold the same products in double"
+#endif
+
 enum {
   TM_W_OWN = 0,        /* a_i */
   TM_W_BULK = 3,       /* alpha c/rho slope(q)/q / (q^2 + 0.01), c and rho means of the pair */

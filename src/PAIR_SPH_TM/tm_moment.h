@@ -18,6 +18,10 @@
 #include "tm_eigen.h"
 #include "tm_rates.h"
 
+#if TM_SINGLE
+#error "double only: the correction of the gradients has the precision of the state"
+#endif
+
 #define TM_MOMENT_LOW 0.1
 
 /* K of particle i into a->correction, P K into its record. */

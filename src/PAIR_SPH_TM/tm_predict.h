@@ -13,6 +13,10 @@
 #include "tm_state.h"
 #include "tm_transpose.h"
 
+#if TM_SINGLE
+#error "double only: prediction has the precision of the state"
+#endif
+
 typedef struct {
   tm_state state;
   tm_records rec;

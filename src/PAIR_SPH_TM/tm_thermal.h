@@ -9,6 +9,10 @@
 
 #include "tm_rates.h"
 
+#if TM_SINGLE
+#error "double only: pairs that exchange heat alone have the precision of the state"
+#endif
+
 TM_FN void tm_thermal(int i, const tm_rates_args *a, unsigned effects)
 {
   const int kernel = tm_fx_kernel(effects), dim3 = (effects & TM_FX_3D) != 0;

@@ -29,7 +29,7 @@ typedef double tm_real;
 
 /* Precision of pair arithmetic: that of the state, or single in a file that defines TM_PAIR_SINGLE
    before its first header. Constants of pair functions are integers or TM_PAIR(x), so that nothing
-   is computed in double on the way. */
+   is computed in double on the way. A header that is double only refuses to compile in single. */
 #if defined(TM_PAIR_SINGLE)
 typedef float tm_pair;
 #define TM_SINGLE 1
