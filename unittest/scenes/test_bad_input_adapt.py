@@ -1,0 +1,87 @@
+"""Malformed scripts: fix adapt/neigh, refine and asph. See bad_input.py."""
+from bad_input import fine, run_all, wrong
+
+AN = "adapt/neigh"
+PATTERN = "refine square epsilon 0.4 alpha 0.6 "
+
+
+def adapt(text, before=""):
+    return {"more": before + "\nfix ad all adapt/neigh " + text}
+
+
+fine("refine",
+     adapt(PATTERN + "when pstrain above 0.1 and not region work or gradient vonmises above 1e9 level 2 every 10"))
+fine("refine and coarsen", adapt(PATTERN + "when neighbors below 3 coarsen when pstrain below 1 or c_k[2] below 5",
+                                 "compute k all property/atom x y"))
+wrong("refine without pattern", adapt("refine"), AN, "refine", "square", "icosahedron")
+wrong("refine with an unknown pattern", adapt("refine triangle epsilon 1 alpha 1 when neighbors above 1"), AN,
+      "triangle", "hexagon")
+wrong("refine with a pattern of 3D", adapt("refine cube epsilon 0.5 alpha 0.6 when neighbors above 1"), AN, "cube",
+      "3 dimensions")
+wrong("refine twice", adapt((PATTERN + "when pstrain above 0.1 ") * 2), AN, "refine", "twice")
+wrong("refine without epsilon", adapt("refine square alpha 0.6 when neighbors above 1"), AN, "epsilon",
+      "smoothing lengths")
+wrong("refine without alpha", adapt("refine square epsilon 0.5 when neighbors above 1"), AN, "alpha")
+wrong("refine without when", adapt(PATTERN), AN, "refine square", "when")
+for bad in ("0", "-1", "nan"):
+    wrong("refine epsilon " + bad, adapt("refine square epsilon %s alpha 0.6 when neighbors above 1" % bad), AN,
+          "epsilon", bad)
+for bad in ("0", "1.1", "nan"):
+    wrong("refine alpha " + bad, adapt("refine square epsilon 0.4 alpha %s when neighbors above 1" % bad), AN, "alpha",
+          bad)
+wrong("refine with a negative mass", adapt("refine hexagon epsilon 0.3 alpha 0.8 when neighbors above 1"), AN,
+      "hexagon", "0.3", "0.8", "hyperbolic", "negative", "-0.62", "larger epsilon")
+wrong("refine with no mass for the corners", adapt("refine hexagon epsilon 0.6 alpha 1 when neighbors above 1"), AN,
+      "all but one", "no mass", "smaller alpha")
+wrong("refine with coinciding children", adapt("refine hexagon epsilon 1e-7 alpha 0.8 when neighbors above 1"), AN,
+      "close together")
+wrong("refine level 0", adapt(PATTERN + "when neighbors above 1 level 0"), AN, "level", "1 to 8")
+wrong("refine every 0", adapt(PATTERN + "when neighbors above 1 every 0"), AN, "every", "0")
+wrong("refine velocity own", adapt(PATTERN + "when neighbors above 1 velocity own"), AN, "velocity", "parent or linear",
+      "own")
+wrong("criterion that ends", adapt(PATTERN + "when pstrain"), AN, "refine when", "above or below")
+wrong("criterion without limit", adapt(PATTERN + "when pstrain above"), AN, "refine when", "a limit")
+wrong("criterion with a bad limit", adapt(PATTERN + "when pstrain above much"), AN, "pstrain above", "much")
+wrong("criterion over", adapt(PATTERN + "when pstrain over 0.1"), AN, "above or below", "over")
+wrong("criterion after and", adapt(PATTERN + "when pstrain above 0.1 and"), AN, "a criterion")
+wrong("criterion of an unknown value", adapt(PATTERN + "when strain above 0.1"), AN, "strain", "c_ID",
+      "compute sph/tm/atom")
+wrong("criterion of no region", adapt(PATTERN + "when region elsewhere"), AN, "region elsewhere")
+wrong("criterion of no compute", adapt(PATTERN + "when c_none above 0.1"), AN, "compute none")
+wrong("criterion of a column too many", adapt(PATTERN + "when c_k[3] above 0.1", "compute k all property/atom x y"), AN,
+      "k[n]", "2")
+wrong("criterion of an array without column", adapt(PATTERN + "when c_k above 0.1", "compute k all property/atom x y"),
+      AN, "k[n]")
+wrong("criterion of a global compute", adapt(PATTERN + "when c_thermo_temp above 0.1"), AN, "thermo_temp",
+      "no values of particles")
+wrong("criterion of an equal variable", adapt(PATTERN + "when v_a above 0.1", "variable a equal 1"), AN, "variable a",
+      "style atom")
+wrong("criterion of no fix", adapt(PATTERN + "when f_none above 0.1"), AN, "fix none")
+wrong("criterion of a fix at other steps",
+      adapt(PATTERN + "when f_a above 0.1 every 10", "fix a all ave/atom 1 5 15 vx"), AN, "fix a", "15", "10")
+wrong("coarsen without refine", adapt("coarsen fallen"), AN, "coarsen", "refine")
+wrong("coarsen alone", adapt(PATTERN + "when neighbors above 1 coarsen"), AN, "coarsen", "fallen")
+wrong("coarsen never", adapt(PATTERN + "when neighbors above 1 coarsen never"), AN, "coarsen", "never")
+
+# --- asph --------------------------------------------------------------------------------------------------
+
+A = "fix adapt/neigh asph"
+
+
+def asph(words, **more):
+    return dict({"more": "fix lists all adapt/neigh " + words}, **more)
+
+
+wrong("asph without a mode", asph("asph"), A, "psi or density")
+wrong("asph of an unknown mode", asph("asph tensor"), A, "psi or density", "tensor")
+wrong("asph twice", asph("asph psi asph density"), A, "twice")
+wrong("asph every 0", asph("asph psi every 0"), A, "every", "0")
+wrong("asph every without a number", asph("asph psi every"), A, "every", "value")
+wrong("asph limits above 1", asph("asph psi limits 1.5 2"), A, "limits lo", "1.5")
+wrong("asph limits below 1", asph("asph psi limits 0.5 0.9"), A, "limits hi", "0.9")
+wrong("asph, its effect forced off", asph("asph psi", fix="fix body all sph/tm effects smoothing off"), A, "smoothing",
+      "forced off")
+wrong("adapt/neigh with an unknown keyword", asph("h psi"), "fix adapt/neigh", "h", "asph")
+fine("asph", asph("asph psi every 2 limits 0.5 2"))
+
+run_all()

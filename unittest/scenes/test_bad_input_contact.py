@@ -1,0 +1,128 @@
+"""Malformed scripts: fix contact/tri and compute cutting/force. See bad_input.py."""
+import os
+
+from bad_input import HEAT, JC, THREE_D, coeff, fine, run_all, warned, wrong
+from sphtm_scene import SOURCE
+
+T = "contact/tri tool"
+MESH = os.path.join(SOURCE, "unittest", "meshes", "")
+AWAY = "file @ascii.stl scale 1e-3 move 10e-3 0 0 "
+
+
+def tool(text, more=""):
+    return dict(THREE_D, more="fix tool all contact/tri %s\n%s" % (text.replace("@", MESH), more))
+
+
+fine("tool", tool(AWAY))
+fine("tool from VTK with motion", tool("file @poly_ascii_30.vtk scale 1e-3 move 10e-3 0 0 friction 0.3",
+                                       "fix_modify tool move linear -1 0 0 ramp 1e-6"))
+wrong("tool without mesh", tool("friction 0.3"), "contact/tri", "file insert.stl")
+wrong("mesh missing", tool("file nowhere.stl"), T, "nowhere.stl", "cannot")
+wrong("mesh is a folder", tool("file ."), T, "mesh file .", "directory")
+wrong("mesh empty", tool("file @empty.stl"), T, "empty.stl", "empty")
+wrong("mesh without triangles", tool("file @binary_none.stl"), T, "binary_none.stl", "no triangles")
+wrong("mesh is a web page", tool("file @page.stl"), T, "page.stl", "web page", "save the file itself")
+wrong("mesh is a text", tool("file @text.stl"), T, "text.stl")
+wrong("mesh is an archive", tool("file @zip.stl"), T, "zip.stl")
+wrong("mesh truncated, ASCII", tool("file @ascii_cut_facet.stl"), T, "ascii_cut_facet.stl", "line")
+wrong("mesh truncated, binary", tool("file @binary_cut.stl"), T, "binary_cut.stl", "byte")
+wrong("mesh with half a header", tool("file @binary_half_header.stl"), T, "binary_half_header.stl")
+wrong("mesh with a NaN vertex", tool("file @ascii_nan.stl"), T, "ascii_nan.stl", "facet 2", "NaN")
+wrong("mesh with a NaN vertex, binary", tool("file @binary_nan.stl"), T, "binary_nan.stl")
+wrong("mesh with an infinite vertex", tool("file @ascii_inf.stl"), T, "ascii_inf.stl")
+wrong("mesh of no area", tool("file @all_degenerate.stl"), T, "all_degenerate.stl", "area")
+wrong("mesh in one point", tool("file @all_in_one_point.stl"), T, "all_in_one_point.stl")
+wrong("mesh with a wrong word", tool("file @ascii_bad_word.stl"), T, "ascii_bad_word.stl", "line")
+wrong("mesh of quadrangles", tool("file @quads.vtk"), T, "quads.vtk", "triang")
+wrong("mesh cut, VTK", tool("file @cut_cells.vtk"), T, "cut_cells.vtk")
+warned("mesh with a hole", tool("file @open.stl scale 1e-3 move 10e-3 0 0"), T, "open")
+wrong("mesh inside out", tool("file @inside_out.stl scale 1e-3 move 10e-3 0 0"), T, "inside_out.stl", "flip yes",
+      "flip no")
+fine("mesh inside out, flipped", tool("file @inside_out.stl scale 1e-3 move 10e-3 0 0 flip yes"))
+
+# --- fix contact/tri: keywords ------------------------------------------------------------------------------
+
+K = "contact/tri"
+wrong("unknown tool keyword", tool(AWAY + "frictoin 0.3"), K, "frictoin", "known are", "friction")
+wrong("tool keyword without value", tool(AWAY + "friction"), K, "friction", "1 value")
+wrong("scale 0", tool("file @ascii.stl scale 0"), K, "scale", "0")
+wrong("scale nan", tool("file @ascii.stl scale nan"), K, "scale", "nan")
+wrong("scale a word", tool("file @ascii.stl scale small"), K, "scale", "small")
+wrong("move with two values", tool("file @ascii.stl move 1 2"), K, "move", "3 values")
+wrong("move inf", tool("file @ascii.stl move inf 0 0"), K, "move", "inf")
+wrong("rotate without axis", tool("file @ascii.stl rotate 0 0 1 90"), K, "rotate", "axis", "angle")
+wrong("rotate about nothing", tool("file @ascii.stl rotate axis 0 0 0 angle 90"), K, "rotate", "zero")
+wrong("rotate by nan", tool("file @ascii.stl rotate axis 0 0 1 angle nan"), K, "rotate", "nan")
+for bad in ("-0.3", "nan", "inf"):
+    wrong("tool friction " + bad, tool(AWAY + "friction " + bad), K, "friction", bad)
+wrong("friction/table falling", tool(AWAY + "friction/table 500 0.3 300 0.2"), K, "friction/table", "increase")
+wrong("friction/table without pairs", tool(AWAY + "friction/table damping 0.1"), K, "friction/table", "T1 mu1")
+wrong("friction/shear 2", tool(AWAY + "friction/shear 2"), K, "friction/shear", "2")
+for bad in ("0", "-1", "nan", "inf"):
+    wrong("tool penalty " + bad, tool(AWAY + "penalty " + bad), K, "penalty", bad)
+wrong("tool damping -1", tool(AWAY + "damping -1"), K, "damping", "-1")
+wrong("approach perhaps", tool(AWAY + "approach perhaps"), K, "approach", "perhaps")
+wrong("method guess", tool(AWAY + "method guess"), K, "method", "closest or f15", "guess")
+wrong("sides three", tool(AWAY + "sides three"), K, "sides", "one or two", "three")
+wrong("tool heat some", tool(AWAY + "heat some"), K, "heat", "perfect or conductance", "some")
+wrong("tool conductance -1", tool(AWAY + "heat conductance -1"), K, "heat", "-1")
+wrong("tool temperature -5", tool(AWAY + "temperature -5"), K, "temperature", "-5")
+wrong("tool share 2", tool(AWAY + "share 2"), K, "share", "2")
+wrong("tool share and effusivity", tool(AWAY + "share 0.5 effusivity 1000"), K, "share or effusivity")
+wrong("tool lumped 0", tool(AWAY + "lumped 0 500 300"), K, "lumped", "0")
+wrong("tool heat without heat constants", tool(AWAY + "heat perfect"), "heat is on", "fix contact/tri tool", "type 1",
+      "heat k cp chi")
+wrong("tool particles of no type", dict(tool(AWAY + "particles 7"), **coeff(JC + HEAT)), K, "particles", "7")
+wrong("tool particles that are no heat body", dict(tool(AWAY + "particles 1"), **coeff(JC + HEAT)), K, "particles",
+      "type 1")
+wrong("vtk without a star", tool(AWAY + "vtk 10 tool.vtk"), K, "vtk", "tool.vtk", "*")
+wrong("vtk every 0 steps", tool(AWAY + "vtk 0 tool.*.vtk"), K, "vtk", "0")
+wrong("vtk into a folder that is not there", tool(AWAY + "vtk 1 nowhere/tool.*.vtk"), K, "nowhere/tool")
+wrong("unknown motion", tool(AWAY, "fix_modify tool move forward 1 0 0"), K, "move", "forward", "linear")
+wrong("motion with two values", tool(AWAY, "fix_modify tool move linear 1 0"), K, "move linear", "Vx Vy Vz")
+wrong("motion nan", tool(AWAY, "fix_modify tool move linear nan 0 0"), K, "move linear", "nan")
+wrong("wiggle with period 0", tool(AWAY, "fix_modify tool move wiggle 1 0 0 0"), K, "wiggle", "period")
+wrong("rotation about nothing", tool(AWAY, "fix_modify tool move rotate 0 0 0 0 0 0 1"), K, "rotate", "axis")
+wrong("motion by no variable", tool(AWAY, "fix_modify tool move variable v_a NULL NULL NULL NULL NULL"), K,
+      "variable a")
+wrong("motion by an atom variable",
+      tool(AWAY, "variable a atom x\nfix_modify tool move variable v_a NULL NULL NULL NULL NULL"),
+      K, "variable a", "equal-style")
+wrong("ramp -1", tool(AWAY, "fix_modify tool move linear 1 0 0 ramp -1"), K, "ramp", "-1")
+wrong("tool before the state", dict(tool(AWAY), fix="", more="fix tool all contact/tri " + AWAY.replace("@", MESH)
+                                    + "\nfix body all sph/tm"), K, "after fix body sph/tm")
+wrong("tool without the state", dict(tool(AWAY), fix="", compute="", pair_style="pair_style zero 3e-3",
+                                     pair_coeff="pair_coeff * *\nmass 1 1"), K, "fix body all sph/tm")
+wrong("tool in 2D that is not extruded", {"more": "fix tool all contact/tri " + AWAY.replace("@", MESH)}, K, "2d",
+      "extruded", "scale")
+
+# --- fix contact/tri: overlap at the start; the mesh is the octahedron or wedge of unittest/meshes -------------
+
+wrong("tool overlaps the work", tool("file @ascii.stl scale 2e-3 move 4.2e-3 1.5e-3 1.5e-3"), T, "overlaps", "by ",
+      "along", "move it by that along +x", "particle", "overlap allow")
+wrong("tool swallows the work", tool("file @ascii.stl scale 60e-3 move -5e-3 -5e-3 -5e-3"), T, "overlaps",
+      "overlap allow")
+fine("tool moved by what the message says", tool("file @ascii.stl scale 2e-3 move 5.006e-3 1.5e-3 1.5e-3"))
+wrong("tool moved by a little less", tool("file @ascii.stl scale 2e-3 move 4.985e-3 1.5e-3 1.5e-3"), T, "overlaps",
+      "+x")
+fine("tool overlaps the work and may",
+     tool("file @ascii.stl scale 2e-3 move 4.2e-3 1.5e-3 1.5e-3 overlap allow penalty 0.001"))
+
+# --- compute cutting/force -----------------------------------------------------------------------------------
+
+
+def cut(text):
+    return dict(tool(AWAY, "fix_modify tool move linear -1 0 0"), compute="compute p all cutting/force " + text,
+                thermo="thermo 5\nthermo_style custom step c_p[1]")
+
+
+U = "cutting/force"
+fine("cutting force", cut("tool"))
+wrong("cutting force without tool", cut(""), U)
+wrong("cutting force of no tool", cut("body"), U, "body", "fix contact/tri")
+wrong("cutting force keyword", cut("tool depth 1"), U, "depth", "direction")
+wrong("cutting direction 0", cut("tool direction 0 0 0"), U, "direction", "zero")
+wrong("cutting direction nan", cut("tool direction 1 nan 0"), U, "direction", "nan")
+wrong("cutting width -1", cut("tool width -1"), U, "width", "-1")
+
+run_all()
