@@ -1,16 +1,11 @@
 """A steel block between two plates, to a fifth of its height."""
-from frame import PLANE, Case
+from frame import Case, lattice_block
 
 CASE = Case(
     title="compression to 20 % height",
     criterion="drift of the energy sum over the work of the plates",
     counter="courant 1 without viscosity",
-    setup=PLANE + """
-lattice         sq {dx} origin 0.5 0.5 0
-region          box block -0.03 0.03 -0.002 0.012 -0.1 0.1 units box
-create_box      1 box
-region          work block -0.005 0.005 0 0.01 INF INF units box
-create_atoms    1 region work
+    setup=lattice_block("-0.005 0.005 0 0.01", "-0.03 0.03 -0.002 0.012", "{dx}") + """
 pair_style      sph/tm hyperbolic 1.2 spacing {dx} {options}
 pair_coeff      1 1 density 7850 elastic 210e9 0.3 strength plastic 350e6 500e6
 """,

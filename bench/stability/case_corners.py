@@ -21,9 +21,6 @@ CASE = Case(
 lattice         sq 1e-3 orient x 1 1 0 orient y -1 1 0 origin 0.25 0.25 0
 region          box block -0.08 0.08 -0.06 0.06 -0.1 0.1 units box
 create_box      2 box
-region          a prism -0.01 0.01 -0.01 0.01 -1 1 0 0 0 units box
-region          left block -0.0145 0 -0.0142 0.0142 INF INF units box rotate 0 0 0 0 0 0 1
-""".replace("region          left block -0.0145 0 -0.0142 0.0142 INF INF units box rotate 0 0 0 0 0 0 1\n", "") + """
 variable        p atom "abs(x+0.0152)+abs(y) < 0.0143"
 variable        q atom "abs(x-0.0152)+abs(y-{aside}) < 0.0143"
 create_atoms    1 box

@@ -1,7 +1,7 @@
 """A block under its weight on a floor that slides to and fro: friction that reverses with every half period."""
 import numpy as np
 
-from frame import PLANE, Case
+from frame import Case, lattice_block
 
 
 def judge(r):
@@ -14,12 +14,7 @@ CASE = Case(
     title="friction with reversing motion",
     criterion="drift of the energy sum, or friction work that came back, over the friction work",
     counter="contact 400 times as stiff, with the constant step of the sound speed",
-    setup=PLANE + """
-lattice         sq 1e-3 origin 0.5 0.5 0
-region          box block -0.03 0.03 -0.012 0.02 -0.1 0.1 units box
-create_box      1 box
-region          work block -0.006 0.006 0 0.006 INF INF units box
-create_atoms    1 region work
+    setup=lattice_block("-0.006 0.006 0 0.006", "-0.03 0.03 -0.012 0.02") + """
 pair_style      sph/tm hyperbolic 1.2 spacing 1e-3
 pair_coeff      1 1 density 1000 elastic 1e7 0.3
 """,

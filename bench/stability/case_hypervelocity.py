@@ -1,14 +1,16 @@
 """An aluminium cylinder of 10 mm hits a plate of 2 mm at 3.1 km/s, in plane strain: the set-up of Howell and Ball (J.
 Comput. Phys. 175, 128, 2002), which Mehra and Chaturvedi (J. Comput. Phys. 212, 318, 2006) took up for SPH. Published
-diameters of the hole: 19.2 to 19.8 mm; taken here at 8 us (the time in those papers was not at hand; the hole still grows). Constants of aluminium: density 2785, c0 5328, s 1.338, gamma 2.0, shear modulus
-27.6 GPa, yield stress 300 MPa."""
+diameters of the hole: 19.2 to 19.8 mm; taken here at 8 us (the time in those papers was not at hand; the hole still
+grows). Constants of aluminium: density 2785, c0 5328, s 1.338, gamma 2.0, shear modulus 27.6 GPa, yield stress 300
+MPa."""
 import numpy as np
 
 from frame import PLANE, Case
 
 
 def hole(r):
-    """Between the innermost particles of the plate that stayed with it: the gap around y = 0 of the pieces of type 2."""
+    """Between the innermost particles of the plate that stayed with it: the gap around y = 0 of the pieces of type
+    2."""
     e, dx = r.end, r.settings["dx"]
     plate = e["type"] == 2
     x, y = e["x"][plate], e["y"][plate]

@@ -1,7 +1,7 @@
 """A block is sheared, heated beyond its melting temperature, and cooled until it is solid again."""
 import numpy as np
 
-from frame import PLANE, Case
+from frame import Case, lattice_block
 
 
 def judge(r):
@@ -16,14 +16,9 @@ CASE = Case(
     title="melting and solidification",
     criterion="stress while molten over the stress before; back after cooling",
     counter="a strength that knows no temperature",
-    setup=PLANE + """
-lattice         sq 1e-3 origin 0.5 0.5 0
-region          box block -0.03 0.03 -0.002 0.02 -0.1 0.1 units box
-create_box      1 box
-region          work block -0.01 0.01 0 0.01 INF INF units box
+    setup=lattice_block("-0.01 0.01 0 0.01", "-0.03 0.03 -0.002 0.02") + """
 region          base block INF INF INF 0.002 INF INF units box
 region          head block INF INF 0.008 INF INF INF units box
-create_atoms    1 region work
 group           base region base
 group           head region head
 group           middle subtract all base head
@@ -32,7 +27,8 @@ pair_coeff      1 1 density 7830 elastic 200e9 0.29 strength {strength} heat 38 
 """,
     model="""
 fix             body all sph/tm temperature 300 energy yes
-variable        T equal 300+1600*(time>1e-5)*((time<3e-5)*(time-1e-5)/2e-5+(time>=3e-5)*(time<5e-5)+(time>=5e-5)*(time<7e-5)*(7e-5-time)/2e-5)
+variable        hot equal (time<3e-5)*(time-1e-5)/2e-5+(time>=3e-5)*(time<5e-5)+(time>=5e-5)*(time<7e-5)*(7e-5-time)/2e-5
+variable        T equal 300+1600*(time>1e-5)*v_hot
 fix             warm all sph/tm/heat temperature v_T
 variable        v equal 20*((time<5e-6)*time/5e-6+(time>=5e-6))
 fix             hold base sph/tm/drive 0 0 0

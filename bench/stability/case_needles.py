@@ -8,4 +8,5 @@ def prepare(folder, settings):
     write_stl(stl(folder), triangles if settings["needles"] else triangles[:2] + triangles[-2:])
 
 
-CASE = floor("needle triangles of aspect 1e4", "the needles are left out: a slit", prepare, {"needles": 0}, {"needles": 1})
+CASE = floor("needle triangles of aspect 1e4", "the needles are left out: a slit", prepare, {"needles": 0},
+             {"needles": 1})

@@ -1,18 +1,18 @@
-"""A block hits another; one particle is moved by 1e-12 spacings. How the difference grows must not depend on how the run is
-done: one rank, two ranks, and with Kokkos (where SPHTM_LMP_KK and LAMMPS_PLUGIN_PATH_KK say where it is) threads and the
-loops of a GPU."""
+"""A block hits another; one particle is moved by 1e-12 spacings. How the difference grows must not depend on how the
+run is done: one rank, two ranks, and with Kokkos (where SPHTM_LMP_KK and LAMMPS_PLUGIN_PATH_KK say where it is) threads
+and the loops of a GPU."""
 import os
 import time
 
 import numpy as np
 
-from frame import PLANE, run
+from frame import PLANE, answer, run
 
 MOVED = 1e-12
 LIMIT = 100
 TITLE = "growth of a perturbation of 1e-12 spacings"
-CRITERION = ("difference after 1500 steps over the one at the start, largest of one rank, two ranks and, where there is one, "
-             "Kokkos")
+CRITERION = ("difference after 1500 steps over the one at the start, largest of one rank, two ranks and, where there "
+             "is one, Kokkos")
 COUNTER = "courant 1 without viscosity"
 SCENE = PLANE + """
 atom_modify     map array
@@ -56,10 +56,5 @@ def measure(quick):
         ways["Kokkos, threads"] = {"environment": there, "arguments": kk}
         ways["Kokkos, loops of a GPU"] = {"environment": dict(there, SPHTM_KOKKOS_LOOPS="device"), "arguments": kk}
     factors = {name: grown("", 0.4, **how) for name, how in ways.items()}
-    counter = grown("viscosity 0 0", 1.0)
-    value = max(factors.values())
-    return {"title": TITLE, "criterion": CRITERION, "counter_run": COUNTER, "limit": LIMIT, "unit": "", "factors": factors,
-            "steps": 1500, "seconds": round(time.time() - began, 1), "error": "", "value": value,
-            "holds": bool(value <= LIMIT), "counter_value": counter if np.isfinite(counter) else None,
-            "counter_error": "" if np.isfinite(counter) else "stopped", "counter_fails": bool(not counter <= LIMIT),
-            "restart": "not tried"}
+    return answer(TITLE, CRITERION, COUNTER, LIMIT, 1500, began, max(factors.values()), grown("viscosity 0 0", 1.0),
+                  factors=factors)

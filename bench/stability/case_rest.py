@@ -1,5 +1,5 @@
 """A block lies on a floor under its weight for 1e6 steps."""
-from frame import PLANE, Case
+from frame import Case, lattice_block
 
 
 def judge(r):
@@ -13,12 +13,7 @@ CASE = Case(
     title="at rest under gravity, 1e6 steps",
     criterion="drift in spacings, or speed over that of a fall by one spacing",
     counter="no contact force while separating (approach yes)",
-    setup=PLANE + """
-lattice         sq 1e-3 origin 0.5 0.5 0
-region          box block -0.02 0.02 -0.012 0.02 -0.1 0.1 units box
-create_box      1 box
-region          work block -0.003 0.003 0 0.004 INF INF units box
-create_atoms    1 region work
+    setup=lattice_block("-0.003 0.003 0 0.004", "-0.02 0.02 -0.012 0.02") + """
 pair_style      sph/tm hyperbolic 1.2 spacing 1e-3
 pair_coeff      1 1 density 1000 elastic 1e7 0.3
 """,

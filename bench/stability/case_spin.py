@@ -1,5 +1,5 @@
-"""A free elastic body turns about its middle axis, and so tumbles, for a hundred turns. Without artificial stress, whose
-pair forces are not central and so have a torque."""
+"""A free elastic body turns about its middle axis, and so tumbles, for a hundred turns. Without artificial stress,
+whose pair forces are not central and so have a torque."""
 import numpy as np
 
 from frame import SPACE, Case
@@ -37,5 +37,5 @@ variable        lz equal angmom(all,z)
 thermo          500
 thermo_style    custom step time dt v_turn v_lx v_ly v_lz f_body[1] f_body[7] f_body[9]
 """,
-    steps="steps", settings={"omega": 300.0, "correction": "yes", "steps": 86000, "turns": 100}, bad={"correction": "no"},
-    quick={"steps": 8700, "turns": 10}, judge=judge, limit=0.01)
+    steps="steps", settings={"omega": 300.0, "correction": "yes", "steps": 86000, "turns": 100},
+    bad={"correction": "no"}, quick={"steps": 8700, "turns": 10}, judge=judge, limit=0.01)

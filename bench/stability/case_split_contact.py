@@ -1,10 +1,10 @@
 """An elastic block hits a rigid plate; while it is pressed against it, its foot is split."""
-from frame import PLANE, Case
+from frame import Case, lattice_block
 
 
 def judge(r):
-    """Change of the energy sum over the kinetic energy of the start, deepest penetration over the spacing; 1 where nothing
-    was split or the block does not come back."""
+    """Change of the energy sum over the kinetic energy of the start, deepest penetration over the spacing; 1 where
+    nothing was split or the block does not come back."""
     if r.t["f_ad[1]"][-1] < 20 or not r.end["vy"].mean() > 0:
         return 1.0
     drift = abs(r.t["f_body[9]"] - r.t["f_body[9]"][0]).max() / r.t["f_body[1]"][0]
@@ -15,12 +15,7 @@ CASE = Case(
     title="split next to a contact",
     criterion="change of the energy sum over the kinetic energy, deepest penetration in spacings; the block comes back",
     counter="children that reach farther than their parent: epsilon 1",
-    setup=PLANE + """
-lattice         sq 1e-3 origin 0.5 0.5 0
-region          box block -0.02 0.04 -0.01 0.05 -0.1 0.1 units box
-create_box      1 box
-region          work block 0 0.016 0 0.010 INF INF units box
-create_atoms    1 region work
+    setup=lattice_block("0 0.016 0 0.010", "-0.02 0.04 -0.01 0.05") + """
 pair_style      sph/tm hyperbolic 1.2 spacing 1e-3 artstress 0 4
 pair_coeff      1 1 density 2700 elastic 70e9 0.3
 velocity        all set 0 -20 0 units box
@@ -31,7 +26,8 @@ fix             plate all contact/tri file plate.stl move 0.008 -0.001 0
 variable        foot atom (step>{split})*(id<=48)
 fix             ad all adapt/neigh refine square epsilon {epsilon} alpha 0.5 when v_foot above 0.5 every 10
 thermo          5
-thermo_style    custom step atoms time dt f_plate[2] f_plate[12] f_plate[13] f_ad[1] f_body[1] f_body[2] f_body[5] f_body[7] f_body[9]
+thermo_style    custom step atoms time dt f_plate[2] f_plate[12] f_plate[13] f_ad[1] &
+                f_body[1] f_body[2] f_body[5] f_body[7] f_body[9]
 thermo_modify   lost error norm no
 """,
     steps="steps", meshes={"plate.stl": "block --size 0.05 0.002 0.02"},

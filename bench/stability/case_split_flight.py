@@ -1,14 +1,16 @@
 """An elastic block flies and turns freely, and one half of it is split in flight."""
 import numpy as np
 
-from frame import PLANE, Case
+from frame import Case, lattice_block
 
 
 def judge(r):
-    """Largest change of momentum, angular momentum and energy sum over those of the start; 1 where nothing was split."""
+    """Largest change of momentum, angular momentum and energy sum over those of the start; 1 where nothing was
+    split."""
     if r.t["f_ad[1]"][-1] < 50:
         return 1.0
-    p = np.hypot(r.t["v_px"] - r.t["v_px"][0], r.t["v_py"] - r.t["v_py"][0]).max() / np.hypot(r.t["v_px"][0], r.t["v_py"][0])
+    px, py = r.t["v_px"], r.t["v_py"]
+    p = np.hypot(px - px[0], py - py[0]).max() / np.hypot(px[0], py[0])
     spin = abs(r.t["v_lz"] / r.t["v_lz"][0] - 1).max()
     return max(p, spin, abs(r.t["f_body[9]"] / r.t["f_body[9]"][0] - 1).max())
 
@@ -17,12 +19,7 @@ CASE = Case(
     title="split in free flight",
     criterion="change of momentum, angular momentum and energy sum over those of the start, in two turns",
     counter="plain gradients instead of corrected ones",
-    setup=PLANE + """
-lattice         sq 1e-3 origin 0.5 0.5 0
-region          box block -0.03 0.05 -0.03 0.05 -0.001 0.001 units box
-create_box      1 box
-region          work block 0 0.016 0 0.010 INF INF units box
-create_atoms    1 region work
+    setup=lattice_block("0 0.016 0 0.010", "-0.03 0.05 -0.03 0.05") + """
 pair_style      sph/tm hyperbolic 1.2 spacing 1e-3 artstress 0 4 correction {correction}
 pair_coeff      * * materials.sphtm rubber
 variable        vx atom 2-{omega}*(y-0.005)
@@ -47,5 +44,5 @@ thermo          100
 thermo_style    custom step atoms time dt v_px v_py v_lz f_ad[1] f_body[1] f_body[2] f_body[7] f_body[9]
 thermo_modify   lost error norm no
 """,
-    steps="steps", settings={"correction": "yes", "omega": 1500, "split": 450, "steps": 12000}, bad={"correction": "no"},
-    judge=judge, limit=0.01)
+    steps="steps", settings={"correction": "yes", "omega": 1500, "split": 450, "steps": 12000},
+    bad={"correction": "no"}, judge=judge, limit=0.01)

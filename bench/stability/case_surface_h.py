@@ -1,11 +1,11 @@
 """A plate flies apart: its particles fail one after the other, and their smoothing lengths grow after neighbors that go
 away for good."""
-from frame import PLANE, Case
+from frame import Case, lattice_block
 
 
 def judge(r):
-    """Largest h over the one of the start, or 100 times the change of the energy sum over the kinetic energy of the start;
-    10 where nothing failed."""
+    """Largest h over the one of the start, or 100 times the change of the energy sum over the kinetic energy of the
+    start; 10 where nothing failed."""
     if r.end["c_p"].mean() < 0.5:
         return 10.0
     drift = 100 * abs(r.t["f_body[9]"] - r.t["f_body[9]"][0]).max() / r.t["f_body[1]"][0]
@@ -16,12 +16,7 @@ CASE = Case(
     title="h-growth at free surfaces",
     criterion="largest h over that of the start, or 100 times the change of the energy sum over the kinetic energy",
     counter="no limit: h up to 50 times that of the start",
-    setup=PLANE + """
-lattice         sq 1e-3 origin 0.5 0.5 0
-region          box block -0.05 0.062 -0.05 0.062 -0.1 0.1 units box
-create_box      1 box
-region          work block 0 0.012 0 0.012 INF INF units box
-create_atoms    1 region work
+    setup=lattice_block("0 0.012 0 0.012", "-0.05 0.062 -0.05 0.062") + """
 pair_style      sph/tm hyperbolic 1.2 spacing 1e-3
 pair_coeff      1 1 density 2700 elastic 70e9 0.33 strength plastic 100e6 1e9 damage strain 0.1
 variable        vx atom 1e5*(x-0.006)

@@ -1,7 +1,7 @@
 """A strip of hardening metal, pulled to three times its length, with smoothing lengths that follow it."""
 import numpy as np
 
-from frame import PLANE, Case
+from frame import Case, lattice_block
 
 
 def judge(r):
@@ -17,12 +17,7 @@ CASE = Case(
     title="tension to 200 %",
     criterion="1 - least cross section over the mean one, in the gauge",
     counter="no artificial stress",
-    setup=PLANE + """
-lattice         sq {dx} origin 0.5 0.5 0
-region          box block -0.03 0.06 -0.01 0.01 -0.1 0.1 units box
-create_box      1 box
-region          work block -0.012 0.012 -0.003 0.003 INF INF units box
-create_atoms    1 region work
+    setup=lattice_block("-0.012 0.012 -0.003 0.003", "-0.03 0.06 -0.01 0.01", "{dx}") + """
 region          base block INF -0.010 INF INF INF INF units box
 region          head block 0.010 INF INF INF INF INF units box
 group           base region base

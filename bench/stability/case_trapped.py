@@ -29,7 +29,8 @@ fix             top all contact/tri file plate.stl move 0 0.00151 0 penalty {pen
 fix_modify      top move linear 0 -4 0 ramp 1e-5
 fix_modify      low move linear 0 4 0 ramp 1e-5
 thermo          50
-thermo_style    custom step time dt f_top[2] f_low[2] f_top[8] f_top[13] f_body[1] f_body[2] f_body[5] f_body[6] f_body[7] f_body[8] f_body[9]
+thermo_style    custom step time dt f_top[2] f_low[2] f_top[8] f_top[13] &
+                f_body[1] f_body[2] f_body[5] f_body[6] f_body[7] f_body[8] f_body[9]
 """,
     steps=2900, meshes={"plate.stl": "block --size 0.05 0.002 0.02"}, settings={"penalty": 1, "dt": ""},
     bad={"penalty": 200, "dt": "dt 4e-8"}, judge=judge, limit=1.5)

@@ -1,7 +1,7 @@
 """Floors of triangles that an elastic cube falls on: the mesh decides, the result must not."""
 import os
 
-from frame import SPACE, Case
+from frame import Case, lattice_block
 
 SIDE = 4    # particles along an edge of the cube
 
@@ -24,8 +24,8 @@ def strips(cuts, half=0.02):
 
 
 def judge(r):
-    """Departure of the rebound from that of a floor of two triangles (closed form of none): change of the energy sum over
-    the kinetic energy; 1 where the cube is not above the floor and on its way up."""
+    """Departure of the rebound from that of a floor of two triangles (closed form of none): change of the energy sum
+    over the kinetic energy; 1 where the cube is not above the floor and on its way up."""
     e = r.end
     if e["z"].min() < 0 or e["vz"].mean() <= 0:
         return 1.0
@@ -35,14 +35,10 @@ def judge(r):
 def floor(title, counter, prepare, bad, settings=None):
     return Case(
         title=title,
-        criterion="change of the energy sum over the kinetic energy, deepest penetration over ten spacings; the cube rebounds",
+        criterion="change of the energy sum over the kinetic energy, deepest penetration over ten spacings; the cube "
+                  "rebounds",
         counter=counter,
-        setup=SPACE + """
-lattice         sc 2e-4 origin 0.5 0.5 0.5
-region          box block -2e-3 2e-3 -2e-3 2e-3 -2e-3 4e-3 units box
-create_box      1 box
-region          work block -4e-4 4e-4 -4e-4 4e-4 2e-4 1e-3 units box
-create_atoms    1 region work
+        setup=lattice_block("-4e-4 4e-4 -4e-4 4e-4 2e-4 1e-3", "-2e-3 2e-3 -2e-3 2e-3 -2e-3 4e-3", "2e-4", dim=3) + """
 pair_style      sph/tm hyperbolic 1.2 spacing 2e-4
 pair_coeff      1 1 density 7850 elastic 210e9 0.3
 velocity        all set 0.3 0.2 -20 units box
@@ -54,7 +50,8 @@ thermo          10
 thermo_style    custom step time dt f_floor[3] f_floor[13] f_body[1] f_body[5] f_body[9]
 thermo_modify   lost ignore
 """,
-        steps=2600, prepare=prepare, bad=bad, settings=dict({"penalty": 1}, **(settings or {})), judge=judge, limit=0.05)
+        steps=2600, prepare=prepare, bad=bad, settings=dict({"penalty": 1}, **(settings or {})), judge=judge,
+        limit=0.05)
 
 
 def stl(folder):

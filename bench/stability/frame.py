@@ -24,27 +24,14 @@ import numpy as np
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 sys.path.insert(0, os.path.join(ROOT, "unittest", "scenes"))
-from sphtm_scene import new_folder, run    # noqa: E402
+from sphtm_scene import PLANE, SPACE, lattice_block, new_folder, run    # noqa: E402,F401
 
-PLANE = """
-units           si
-dimension       2
-boundary        f f p
-atom_style      atomic
-newton          off
-"""
-SPACE = """
-units           si
-boundary        f f f
-atom_style      atomic
-newton          off
-"""
 END = "write_dump all custom {name}.dump id type x y z vx vy vz {values} modify sort id format float %.17g\n"
 
 
 class Case:
-    def __init__(self, title, criterion, counter, setup, model, steps, judge, limit, settings=None, bad=None, meshes=None,
-                 values="", restart=True, quick=None, unit="", prepare=None, before=""):
+    def __init__(self, title, criterion, counter, setup, model, steps, judge, limit, settings=None, bad=None,
+                 meshes=None, values="", restart=True, quick=None, unit="", prepare=None, before=""):
         self.title, self.criterion, self.counter, self.unit = title, criterion, counter, unit
         self.setup, self.model, self.steps, self.judge, self.limit = setup, model, steps, judge, limit
         self.settings, self.bad, self.quick = settings or {}, bad or {}, quick or {}
@@ -58,8 +45,11 @@ class Run:
     def __init__(self, case, settings, result, seconds):
         self.settings, self.result, self.seconds = settings, result, seconds
         self.error = "" if result.status == 0 else (result.errors() or "status %d" % result.status).splitlines()[0]
-        tables = result.thermo    # of the runs of one script: a table; the first row of the second is the last of the first
-        self.t = {k: np.concatenate([tables[0][k]] + [t[k][1:] for t in tables[1:]]) for k in tables[0]} if tables else {}
+        # of the runs of one script: a table; the first row of the second is the last of the first
+        tables = result.thermo
+        self.t = {}
+        for k in tables[0] if tables else ():
+            self.t[k] = np.concatenate([tables[0][k]] + [t[k][1:] for t in tables[1:]])
         self.output = result.output
         self.end = None if self.error else result.dump("end.dump")[-1]
         self.steps = int(self.t["Step"][-1]) if "Step" in self.t else 0
@@ -114,6 +104,15 @@ def measure(case, quick=False):
     answer["counter_error"] = bad.error
     answer["counter_fails"] = bool(bad.error or not answer["counter_value"] <= case.limit)
     return answer
+
+
+def answer(title, criterion, counter, limit, steps, began, value, counter_value, **more):
+    """What measure() returns, of a case that runs by itself; a counter-run that was stopped has the value inf."""
+    stopped = not np.isfinite(counter_value)
+    return dict(title=title, criterion=criterion, counter_run=counter, limit=limit, unit="", restart="not tried",
+                steps=steps, seconds=round(time.time() - began, 1), error="", value=value, holds=bool(value <= limit),
+                counter_value=None if stopped else counter_value, counter_error="stopped" if stopped else "",
+                counter_fails=bool(not counter_value <= limit), **more)
 
 
 def load(name):

@@ -8,6 +8,7 @@
     checks = Checks()
     checks.near("temperature", table["c_t"][-1], 284.33, relative=0.03)
     checks.end()                                  # prints a summary; the exit status says whether all hold
+    lattice_block("0 8e-3 0 6e-3", "-0.02 0.02 -0.02 0.02")    # the head of a script with a block of particles
 
 Environment: SPHTM_LMP, LAMMPS_PLUGIN_PATH, SPHTM_MPIRUN, SPHTM_SOURCE (see unittest/CMakeLists.txt or
 './sphtm env'). Without SPHTM_LMP a test is skipped. SPHTM_KEEP=1 keeps the folders of the runs.
@@ -25,6 +26,31 @@ import numpy as np
 
 SKIPPED = 77
 SOURCE = os.environ.get("SPHTM_SOURCE", os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))))
+
+
+# the head of a scene in SI units, in two and in three dimensions
+PLANE = """
+units           si
+dimension       2
+boundary        f f p
+atom_style      atomic
+newton          off
+"""
+SPACE = PLANE.replace("dimension       2", "dimension       3").replace("f f p", "f f f")
+
+
+def lattice_block(work, box, dx="1e-3", dim=2, types=1, more=""):
+    """A head, a box, and in region work particles of type 1, half a spacing within its surface. work, box: their lower
+    and upper coordinates, in two dimensions x and y alone; they may be fields of str.format. more: commands that must
+    stand before the box."""
+    flat = dim == 2
+    return (PLANE if flat else SPACE) + more + """\
+lattice         %s %s origin 0.5 0.5 %s
+region          box block %s units box
+create_box      %d box
+region          work block %s units box
+create_atoms    1 region work
+""" % ("sq" if flat else "sc", dx, "0" if flat else "0.5", box + " -5e-4 5e-4" * flat, types, work + " INF INF" * flat)
 
 
 class Result:
