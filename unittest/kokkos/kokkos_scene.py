@@ -12,7 +12,7 @@ import os
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "scenes"))
-from sphtm_scene import SKIPPED, SOURCE, Checks, new_folder, run    # noqa: E402,F401
+from sphtm_scene import PLANE, SKIPPED, SOURCE, Checks, lattice_block, new_folder, run    # noqa: E402,F401
 
 WAYS = {"plain": {}, "plain default": {"SPHTM_ISA": "default"}, "serial": {}, "threads": {},
         "device": {"SPHTM_KOKKOS_LOOPS": "device"}}

@@ -3,7 +3,7 @@ import os
 import subprocess
 import sys
 
-from kokkos_scene import SOURCE
+from kokkos_scene import PLANE, SOURCE, lattice_block
 
 DUMP = """
 compute         p all sph/tm/atom {values}
@@ -23,17 +23,7 @@ def end(steps, values=VALUES):
     return DUMP.format(values=values, steps=steps)
 
 
-BAR = """
-units           si
-dimension       3
-boundary        f f f
-atom_style      atomic
-newton          off
-lattice         sc 1e-3 origin 0.5 0.5 0.5
-region          box block -0.01 0.02 -0.01 0.02 -0.01 0.02 units box
-create_box      1 box
-region          work block 0 0.016 0 0.01 0 0.01 units box
-create_atoms    1 region work
+BAR = lattice_block("0 0.016 0 0.01 0 0.01", "-0.01 0.02 -0.01 0.02 -0.01 0.02", dim=3) + """
 region          left block INF 0.004 INF INF INF INF units box
 group           left region left
 pair_style      sph/tm hyperbolic 1.2 spacing 1e-3 {style}
@@ -42,16 +32,7 @@ velocity        left set 80 5 0 units box
 fix             body all sph/tm temperature 293 {fix}
 """
 
-CUT = """
-units           si
-boundary        f f f
-atom_style      atomic
-newton          off
-lattice         sc 1e-3 origin 0.5 0.5 0.5
-region          box block -0.02 0.03 -0.02 0.02 -0.02 0.02 units box
-create_box      1 box
-region          work block 0 0.016 -0.008 0 0 0.008 units box
-create_atoms    1 region work
+CUT = lattice_block("0 0.016 -0.008 0 0 0.008", "-0.02 0.03 -0.02 0.02 -0.02 0.02", dim=3) + """
 pair_style      sph/tm hyperbolic 1.2 spacing 1e-3 balsara yes xsph 0.1 correction yes
 pair_coeff      1 1 materials.sphtm c45e damage johnson/cook 0.5 1.0 -3.0 0.01 1.0
 region          base block INF INF INF -0.006 INF INF units box
@@ -66,12 +47,7 @@ thermo_style    custom step time dt c_fc[1] c_fc[2] f_tool[10] f_tool[12] f_body
 """
 
 # plane stress, two bodies that rub and conduct, heat that leaves through the free surface, a driven end
-BODIES = """
-units           si
-dimension       2
-boundary        f f p
-atom_style      atomic
-newton          off
+BODIES = PLANE + """
 lattice         sq 4e-4 origin 0.5 0.5 0
 region          box block -0.02 0.04 -0.02 0.02 -0.5e-3 0.5e-3 units box
 create_box      2 box
@@ -97,12 +73,7 @@ thermo_style    custom step time dt f_body[1] f_body[5] f_body[9] f_air f_sun f_
 """
 
 # a tool whose inside is made of particles that conduct
-TOOL_OF_PARTICLES = """
-units           si
-dimension       2
-boundary        f f p
-atom_style      atomic
-newton          off
+TOOL_OF_PARTICLES = PLANE + """
 lattice         sq 4e-4 origin 0.5 0.5 0
 region          box block -0.02 0.04 -0.02 0.02 -0.5e-3 0.5e-3 units box
 create_box      2 box

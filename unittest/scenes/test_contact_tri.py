@@ -6,7 +6,7 @@ import sys
 
 import numpy as np
 
-from sphtm_scene import SOURCE, Checks, new_folder, run
+from sphtm_scene import SOURCE, Checks, lattice_block, new_folder, run
 
 STEEL = "density 7850 elastic 210e9 0.3 strength plastic 350e6 0 heat 50 480 0.9"
 
@@ -17,16 +17,7 @@ def make_tool(folder, *arguments, name="tool.stl"):
 
 
 # a free block of 6 x 6 x 6 particles; %s: what the scene adds
-BLOCK = """
-units           si
-boundary        f f f
-atom_style      atomic
-newton          off
-lattice         sc 1e-3 origin 0.5 0.5 0.5
-region          box block -0.03 0.03 -0.03 0.03 -0.03 0.03 units box
-create_box      2 box
-region          work block 0 0.006 0 0.006 0 0.006 units box
-create_atoms    1 region work
+BLOCK = lattice_block("0 0.006 0 0.006 0 0.006", "-0.03 0.03 -0.03 0.03 -0.03 0.03", dim=3, types=2) + """
 pair_style      sph/tm hyperbolic 1.2 spacing 1e-3
 pair_coeff      * * {steel}
 fix             body all sph/tm temperature 300 energy yes
@@ -183,17 +174,7 @@ run             400
 
 
 # a block on a rigid plane, gravity tilted; elastic and cold
-SLOPE = """
-units           si
-dimension       2
-boundary        f f p
-atom_style      atomic
-newton          off
-lattice         sq 1e-3 origin 0.5 0.5 0
-region          box block -0.02 0.03 -0.005 0.01 -1e-4 1e-4 units box
-create_box      1 box
-region          work block 0 0.006 0 0.003 INF INF units box
-create_atoms    1 region work
+SLOPE = lattice_block("0 0.006 0 0.003", "-0.02 0.03 -0.005 0.01") + """
 pair_style      sph/tm hyperbolic 1.2 spacing 1e-3
 pair_coeff      1 1 density 1000 elastic 1e7 0.3 strength elastic
 fix             body all sph/tm
@@ -260,17 +241,7 @@ def heat(c):
     the block share their heat; a conductance carries h A dT."""
     folder = new_folder()
     make_tool(folder, "block", "--size", 40, 2, 40)
-    scene = """
-units           si
-dimension       2
-boundary        f f p
-atom_style      atomic
-newton          off
-lattice         sq 1e-4 origin 0.5 0.5 0
-region          box block -0.005 0.005 -0.002 0.005 -1e-4 1e-4 units box
-create_box      1 box
-region          work block -1e-3 1e-3 0 3e-3 INF INF units box
-create_atoms    1 region work
+    scene = lattice_block("-1e-3 1e-3 0 3e-3", "-0.005 0.005 -0.002 0.005", "1e-4") + """
 pair_style      sph/tm hyperbolic 1.2 spacing 1e-4
 pair_coeff      1 1 density 1000 elastic 1e5 0.3 strength elastic heat 2000 500 0.9
 fix             body all sph/tm temperature 300 courant 0.1

@@ -2,15 +2,10 @@
 off leaves the results of a scene that never asks for it, bit for bit."""
 import re
 
-from sphtm_scene import Checks, run
+from sphtm_scene import PLANE, Checks, run
 
 # two blocks fly at each other; 'number' in the material card of a scene decides what happens
-SCENE = """
-units           si
-dimension       2
-boundary        f f p
-atom_style      atomic
-newton          off
+SCENE = PLANE + """
 lattice         sq 1e-3 origin 0.5 0.5 0
 region          box block -0.02 0.04 -0.02 0.03 -0.001 0.001 units box
 create_box      1 box

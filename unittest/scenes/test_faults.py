@@ -11,20 +11,9 @@ import sys
 import time
 
 import numpy as np
-from sphtm_scene import SOURCE, Checks, new_folder, run
+from sphtm_scene import SOURCE, Checks, lattice_block, new_folder, run
 
-HEAD = """
-units           si
-dimension       2
-boundary        f f p
-atom_style      atomic
-atom_modify     map array
-newton          off
-lattice         sq 1e-3 origin 0.5 0.5 0
-region          box block -0.02 0.02 -0.02 0.02 -0.01 0.01 units box
-create_box      1 box
-region          work block 0 0.008 0 0.006 INF INF units box
-create_atoms    1 region work
+HEAD = lattice_block("0 0.008 0 0.006", "-0.02 0.02 -0.02 0.02", more="atom_modify     map array\n") + """
 pair_style      sph/tm hyperbolic 1.2 spacing 1e-3 balsara yes xsph 0.1 {plane}
 pair_coeff      1 1 density 7830 elastic 200e9 0.29 strength johnson/cook 792e6 510e6 0.26 0.014 1.03 298 1793 1 &
                 heat 38 477 0.9 damage johnson/cook 0.5 1.0 -3.0 0.01 1.0 {eos}

@@ -2,21 +2,11 @@
 patch test; plane stress and plane strain against the closed forms."""
 import numpy as np
 
-from sphtm_scene import Checks, run
+from sphtm_scene import Checks, lattice_block, run
 
 E, NU, RHO, DX = 70e9, 0.33, 2700.0, 1e-3
 KERNELS = {"hyperbolic": 1.2, "cubic": 1.2, "quintic": 1.0, "wendland/c2": 1.5, "wendland/c4": 1.7}
-HEAD = """
-units           si
-dimension       {dim}
-boundary        f f {bz}
-atom_style      atomic
-newton          off
-lattice         {lattice} 1e-3 origin 0.5 0.5 {zo}
-region          box block -0.04 0.1 -0.03 0.04 {z} units box
-create_box      1 box
-region          work block 0 {length} 0 {width} {thick} units box
-create_atoms    1 region work
+STYLE = """
 pair_style      sph/tm {kernel} {ratio} spacing 1e-3 form {form} {options}
 pair_coeff      1 1 density 2700 elastic 70e9 0.33 strength elastic
 """
@@ -24,11 +14,9 @@ checks = Checks()
 
 
 def head(dim, kernel, form, options="", length=40, width=6):
-    flat = dim == 2
-    return HEAD.format(dim=dim, bz="p" if flat else "f", lattice="sq" if flat else "sc", zo=0 if flat else 0.5,
-                       z="-0.0005 0.0005" if flat else "-0.03 0.04", length=length * DX, width=width * DX,
-                       thick="INF INF" if flat else "0 %g" % (width * DX), kernel=kernel, ratio=KERNELS[kernel],
-                       form=form, options=options)
+    work = " ".join("0 %g" % (n * DX) for n in (length, width, width)[:dim])
+    return lattice_block(work, "-0.04 0.1 -0.03 0.04" + " -0.03 0.04" * (dim - 2), dim=dim) + STYLE.format(
+        kernel=kernel, ratio=KERNELS[kernel], form=form, options=options)
 
 
 # --- momentum of a disordered, tumbling lump: the sum of all against the sum of magnitudes

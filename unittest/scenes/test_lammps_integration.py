@@ -6,21 +6,10 @@ import re
 import sys
 
 import numpy as np
-from sphtm_scene import SOURCE, Checks, run
+from sphtm_scene import SOURCE, Checks, lattice_block, run
 
-HEAD = """
-units si
-dimension 2
-boundary f f p
-atom_style atomic
-atom_modify map array
-newton off
-lattice sq 1e-3 origin 0.5 0.5 0
-region box block -5e-3 17e-3 -5e-3 17e-3 -0.5e-3 0.5e-3 units box
-create_box 2 box
-region work block 0 8e-3 0 8e-3 INF INF units box
-create_atoms 1 region work
-"""
+WORK, BOX = "0 8e-3 0 8e-3", "-5e-3 17e-3 -5e-3 17e-3"
+HEAD = lattice_block(WORK, BOX, types=2, more="atom_modify     map array\n")
 STYLE = """
 pair_style sph/tm hyperbolic 1.2 spacing 1e-3
 pair_coeff * * density 2700 elastic 70e9 0.33 strength plastic 100e6 1e9 heat 200 900 0.9
@@ -224,9 +213,8 @@ def moved():
         f = run(BLOCK + "run 20\n" + lines + "\nrun 0\nwrite_dump all custom f.dump id fx fy modify format float %.17g\n").dump("f.dump")[-1]
         worst = max(np.abs(f[n] - still[n]).max() / np.abs(still[n]).max() for n in ("fx", "fy"))
         checks.below("forces after " + name, worst, 1e-9)
-    box = BLOCK.replace("create_box", "change", 0)
-    tri = run(box.replace("region box block -5e-3 17e-3 -5e-3 17e-3 -0.5e-3 0.5e-3 units box",
-                          "region box prism -5e-3 17e-3 -5e-3 17e-3 -0.5e-3 0.5e-3 1e-3 0 0 units box") +
+    tilted = BLOCK.replace("box block", "box prism").replace(BOX + " -5e-4 5e-4", BOX + " -5e-4 5e-4 1e-3 0 0")
+    tri = run(tilted +
               "run 20\nrun 0\nwrite_dump all custom f.dump id fx fy modify format float %.17g\n").dump("f.dump")[-1]
     worst = max(np.abs(tri[n] - still[n]).max() / np.abs(still[n]).max() for n in ("fx", "fy"))
     checks.below("forces in a triclinic box", worst, 1e-9)
@@ -301,7 +289,7 @@ def surface_area():
 
 @test
 def memory():
-    big = HEAD.replace("-5e-3 17e-3 -5e-3 17e-3", "-5e-3 105e-3 -5e-3 105e-3").replace("0 8e-3 0 8e-3", "0 100e-3 0 100e-3")
+    big = lattice_block("0 100e-3 0 100e-3", "-5e-3 105e-3 -5e-3 105e-3", types=2, more="atom_modify     map array\n")
     elastic = "pair_coeff * * density 2700 elastic 70e9 0.33"
     cases = {"elastic": ("", elastic), "plastic": ("", elastic + " strength plastic 1e8 1e9"),
              "plastic, with heat": ("", elastic + " strength plastic 1e8 1e9 heat 200 900 0.9"),

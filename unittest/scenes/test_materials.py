@@ -10,7 +10,7 @@ import random
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
-from sphtm_scene import SOURCE, Checks, run
+from sphtm_scene import SOURCE, Checks, lattice_block, run
 
 CARDS = os.path.join(SOURCE, "materials", "materials.sphtm")
 NAMES = {"density": ["density"], "elastic": ["young", "poisson"], "heat": ["conductivity", "capacity", "taylor_quinney"],
@@ -38,18 +38,7 @@ VALUES = {
 
 # --- a run in which every constant matters ------------------------------------------------------------------
 
-SCENE = """
-clear
-units si
-dimension 2
-boundary f f p
-atom_style atomic
-newton off
-lattice sq 1e-3 origin 0.5 0.5 0
-region box block -5e-3 13e-3 -5e-3 13e-3 -0.5e-3 0.5e-3 units box
-create_box 1 box
-region work block 0 8e-3 0 8e-3 INF INF units box
-create_atoms 1 region work
+SCENE = "clear\n" + lattice_block("0 8e-3 0 8e-3", "-5e-3 13e-3 -5e-3 13e-3") + """
 region hot block 4e-3 INF INF INF INF INF units box
 group hot region hot
 pair_style sph/tm hyperbolic 1.2 spacing 1e-3

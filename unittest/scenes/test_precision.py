@@ -4,23 +4,16 @@ Far from the origin and in fast flight differences of neighbors must not lose di
 momentum and energy must hold, and neither ranks nor restarts may show."""
 import numpy as np
 
-from sphtm_scene import Checks, run
+from sphtm_scene import Checks, lattice_block, run
 
-SCENE = """
-units           si
-dimension       3
-boundary        f f f
-atom_style      atomic
+WORK = " ".join(3 * ["$(v_far) $(v_far+0.01)"])
+BOX = " ".join(3 * ["$(v_far-0.03) $(v_far+0.05)"])
+SCENE = lattice_block(WORK, BOX, dim=3, more="""\
 atom_modify     map array
-newton          off
 variable        far index 0
 variable        fly index 0
 variable        amplitude index 50
-lattice         sc 1e-3 origin 0.5 0.5 0.5
-region          box block $(v_far-0.03) $(v_far+0.05) $(v_far-0.03) $(v_far+0.05) $(v_far-0.03) $(v_far+0.05) units box
-create_box      1 box
-region          work block $(v_far) $(v_far+0.01) $(v_far) $(v_far+0.01) $(v_far) $(v_far+0.01) units box
-create_atoms    1 region work
+""") + """
 pair_style      sph/tm {kernel} {precision} spacing 1e-3 {more}
 pair_coeff      1 1 density 2700 elastic 70e9 0.33 strength johnson/cook 324e6 114e6 0.42 0.002 1.34 293 855 1.0 &
                 heat 167 896 0.9
@@ -93,17 +86,7 @@ for fly in (0, 400):    # waves of 0.1 m/s in a body at rest, and at 400 m/s, wh
                  1e-6 if fly == 0 else 1e-4)
 
 # --- a stressed body at rest: a column that stands on its foot, under 1e5 times its weight at g
-REST = """
-units           si
-dimension       2
-boundary        f f p
-atom_style      atomic
-newton          off
-lattice         sq 1e-3 origin 0.5 0.5 0
-region          box block -0.03 0.03 -0.01 0.05 -0.5 0.5 units box
-create_box      1 box
-region          column block -0.005 0.005 0 0.02 INF INF units box
-create_atoms    1 region column
+REST = lattice_block("-0.005 0.005 0 0.02", "-0.03 0.03 -0.01 0.05") + """
 region          foot block INF INF INF 0.003 INF INF units box
 group           foot region foot
 pair_style      sph/tm hyperbolic 1.2 precision {precision} spacing 1e-3

@@ -7,21 +7,10 @@ import os
 import subprocess
 import sys
 
-from sphtm_scene import SOURCE, Checks, new_folder, run
+from sphtm_scene import SOURCE, Checks, lattice_block, new_folder, run
 
-HEAD = """
-units           si
-boundary        f f f
-atom_style      atomic
-newton          off
-atom_modify     map array
-"""
-BODY = """
-lattice         sc 1e-3 origin 0.5 0.5 0.5
-region          box block -0.02 0.03 -0.02 0.02 -0.02 0.02 units box
-create_box      1 box
-region          work block 0 0.012 -0.006 0 0 0.006 units box
-create_atoms    1 region work
+BODY = lattice_block("0 0.012 -0.006 0 0 0.006", "-0.02 0.03 -0.02 0.02 -0.02 0.02", dim=3,
+                     more="atom_modify     map array\n") + """
 pair_style      sph/tm hyperbolic 1.2 spacing 1e-3 {options}
 pair_coeff      1 1 materials.sphtm c45e damage johnson/cook 0.5 1.0 -3.0 0.01 1.0
 region          base block INF INF INF -0.004 INF INF units box
@@ -52,9 +41,9 @@ def scene(options, ranks):
                     os.path.join(folder, "tool.stl")], check=True, stdout=subprocess.DEVNULL)
     half = STEPS // 2
     fixes = FIXES + "restart %d at.*.restart\n" % half
-    whole = run(HEAD + BODY.format(options=options) + fixes + f"run {STEPS}\n" + DUMP.format(name="whole.dump") + FINISH,
+    whole = run(BODY.format(options=options) + fixes + f"run {STEPS}\n" + DUMP.format(name="whole.dump") + FINISH,
                 ranks=ranks, folder=folder)
-    run(HEAD + BODY.format(options=options) + FIXES + f"run {half}\nrun {half}\n" + DUMP.format(name="cut.dump"),
+    run(BODY.format(options=options) + FIXES + f"run {half}\nrun {half}\n" + DUMP.format(name="cut.dump"),
         ranks=ranks, folder=folder)
     again = run(f"newton off\nread_restart at.{half}.restart\n" + FIXES + f"run {half}\n" + DUMP.format(name="again.dump") + FINISH,
                 ranks=ranks, folder=folder)

@@ -2,19 +2,9 @@
 whole."""
 import re
 
-from sphtm_scene import Checks, run
+from sphtm_scene import Checks, lattice_block, run
 
-SCENE = """
-units           si
-dimension       2
-boundary        f f p
-atom_style      atomic
-newton          off
-lattice         sq 1e-3 origin 0.5 0.5 0
-region          box block -0.02 0.07 -0.02 0.07 -0.001 0.001 units box
-create_box      1 box
-region          work block 0 0.05 0 0.05 INF INF units box
-create_atoms    1 region work
+SCENE = lattice_block("0 0.05 0 0.05", "-0.02 0.07 -0.02 0.07") + """
 pair_style      sph/tm hyperbolic 1.2 spacing 1e-3 {options}
 pair_coeff      1 1 density 7830 elastic 200e9 0.29 {material}
 fix             body all sph/tm temperature 300 {fix}

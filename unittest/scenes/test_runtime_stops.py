@@ -5,20 +5,9 @@ import os
 import re
 import sys
 
-from sphtm_scene import Checks, run
+from sphtm_scene import Checks, lattice_block, run
 
-BASE = """
-units si
-dimension 2
-boundary f f p
-atom_style atomic
-atom_modify map array
-newton off
-lattice sq 1e-3 origin 0.5 0.5 0
-region box block {box} -0.5e-3 0.5e-3 units box
-create_box 1 box
-region work block 0 8e-3 0 8e-3 INF INF units box
-create_atoms 1 region work
+SCENE = """
 pair_style sph/tm hyperbolic 1.2 spacing 1e-3
 pair_coeff 1 1 density 2700 elastic 70e9 0.33 strength johnson/cook 428e6 327e6 1.008 0.01 1.31 293 855 1.0 &
   heat 200 900 0.9
@@ -40,6 +29,12 @@ compute low all reduce min c_p[1] c_p[2]
 thermo_style custom step atoms c_low[1] c_low[2]
 run 20
 """
+
+
+def script(box, fix="", lines="", work="0 8e-3 0 8e-3", dx="1e-3"):
+    return lattice_block(work, box, dx, more="atom_modify     map array\n") + SCENE.format(fix=fix, lines=lines)
+
+
 # name, box, words of fix sph/tm, lines before the second run, fragments of the message
 CASES = [
     ("a force that becomes infinite", LARGE, "", "variable f equal exp(800*(step>25))\nfix push one addforce v_f 0 0",
@@ -61,7 +56,7 @@ CASES = [
 
 
 def stopped(checks, name, box, words, lines, fragments, ranks=1):
-    result = run(BASE.format(box=box, fix=words, lines=lines), expect_error=True, timeout=120, ranks=ranks)
+    result = run(script(box, words, lines), expect_error=True, timeout=120, ranks=ranks)
     errors = result.errors()
     missing = [f for f in fragments if f not in errors]
     checks.true(name + ": says what and where", result.status > 0 and not missing and "Loop time" in result.output,
@@ -84,15 +79,14 @@ if not wanted:
     stopped(checks, "on two ranks, a runaway particle", *CASES[1][1:], ranks=2)
 
     # who asks for it may lose particles; all others go on
-    result = run(BASE.format(box=SMALL, fix="lost ignore", lines=CASES[4][3] + "\nthermo_modify lost ignore"))
+    result = run(script(SMALL, "lost ignore", CASES[4][3] + "\nthermo_modify lost ignore"))
     checks.near("lost ignore: one particle is gone", result.thermo[-1]["Atoms"][-1] if "Atoms" in result.thermo[-1] else
                 float(re.findall(r"with (\d+) atoms", result.output)[-1]), 63)
 
     # a neighbour list that LAMMPS's defaults do not hold
-    dense = BASE.replace("lattice sq 1e-3", "lattice sq 0.05e-3").replace("0 8e-3 0 8e-3", "0 3e-3 0 3e-3")
-    result = run(dense.format(box=LARGE, fix="", lines=""), expect_error=True)
+    result = run(script(LARGE, work="0 3e-3 0 3e-3", dx="0.05e-3"), expect_error=True)
     checks.true("a neighbour list that overflows", result.status > 0 and "neigh_modify one" in result.errors(), result.errors()[:200])
-    few = BASE.format(box=LARGE, fix="", lines="").replace("thermo 10", "thermo 10\nneigh_modify one 5 page 100", 1)
+    few = script(LARGE).replace("thermo 10", "thermo 10\nneigh_modify one 5 page 100", 1)
     result = run(few, expect_error=True)
     checks.true("room for too few neighbours", result.status == 0 and "neigh_modify one" in result.output, result.errors()[:200])
 checks.end()
