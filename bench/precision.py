@@ -1,10 +1,11 @@
-"""What pair arithmetic in single costs in accuracy and gains in time: every scene test with a reference number, run with
-'precision double' and 'precision mixed', side by side, and the block of ./sphtm bench in both.
+"""What pair arithmetic in single costs in accuracy and gains in time: every scene test with a reference number, run
+with 'precision double' and 'precision mixed', side by side, and the block of ./sphtm bench in both.
 
     eval "$(./sphtm env)"; python3 bench/precision.py [--out FOLDER] [--rounds N] [TEST...]
 
-Writes precision.csv (one row for each comparison of a test: value and error in double and in mixed, the tolerance of the
-test) and prints a table of the quantities that have a reference; TEST is the name of a test without test_ and .py."""
+Writes precision.csv (one row for each comparison of a test: value and error in double and in mixed, the tolerance of
+the test) and prints a table of the quantities that have a reference; TEST is the name of a test without test_ and
+.py."""
 import argparse
 import csv
 import os
@@ -15,7 +16,8 @@ import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.dirname(HERE)
-TESTS = ("oscillating_plate", "taylor_bar", "tensile_cylinder", "rings", "heat_two_layer", "heat_friction", "heat_contact",
+TESTS = ("oscillating_plate", "taylor_bar", "tensile_cylinder", "rings", "heat_two_layer", "heat_friction",
+         "heat_contact",
          "contact_slope", "contact_books", "machining_small", "spinning_block", "time_order", "reference_rates")
 CASES = ("elastic", "plastic", "thermo", "contact")
 NEAR = re.compile(r"^(\S+) against (\S+), off by (\S+?)(?: \(.*?\))?, allowed (\S+)")
@@ -25,7 +27,8 @@ LIMIT = re.compile(r"^(\S+), (allowed|at least) (\S+)$")
 def lines_of(test, precision):
     """What the test says: name -> (ok, value, reference, error, limit), text where it is no comparison."""
     done = subprocess.run([sys.executable, os.path.join(TOP, "unittest", "scenes", "test_%s.py" % test)], text=True,
-                          env=dict(os.environ, SPHTM_PRECISION=precision), stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+                          env=dict(os.environ, SPHTM_PRECISION=precision), stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT)
     found, seen = {}, {}
     for line in done.stdout.splitlines():
         m = re.match(r"^(ok   |FAIL |     ) (.*)$", line)
@@ -77,7 +80,8 @@ def accuracy(tests, out):
 def block(case, precision, mesh):
     with open(os.path.join(HERE, "in.block")) as f:
         script = re.sub(r"^(pair_style .*?)( spacing)", r"\1 precision %s\2" % precision, f.read(), flags=re.M)
-    done = subprocess.run([os.environ["SPHTM_LMP"], "-nocite", "-log", "none", "-var", "case", case, "-var", "mesh", mesh],
+    done = subprocess.run([os.environ["SPHTM_LMP"], "-nocite", "-log", "none", "-var", "case", case, "-var", "mesh",
+                           mesh],
                           input=script, text=True, stdout=subprocess.PIPE, env=dict(os.environ, OMP_NUM_THREADS="1"))
     loop = re.search(r"Loop time of (\S+) on \d+ procs for (\d+) steps with (\d+) atoms", done.stdout)
     if not loop:
@@ -88,13 +92,14 @@ def block(case, precision, mesh):
 
 def speed(rounds, out):
     mesh = os.path.join(out, "tool.stl")
-    subprocess.run([sys.executable, os.path.join(TOP, "tools", "make_tool.py"), "block", "--size", "40", "40", "10", "--cells",
-                    "20", "20", "5", "--scale", "1e-3", "-o", mesh], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([sys.executable, os.path.join(TOP, "tools", "make_tool.py"), "block", "--size", "40", "40", "10",
+                    "--cells", "20", "20", "5", "--scale", "1e-3", "-o", mesh], check=True, stdout=subprocess.DEVNULL)
     times = {(c, p): [] for c in CASES for p in ("double", "mixed")}
     for _ in range(rounds):
         for c, p in times:
             times[c, p].append(block(c, p, mesh))
-    print("\nprocessor time per particle and step, ns, medians of %d rounds\n%-10s %8s %8s" % (rounds, "block", "double", "mixed"))
+    print("\nprocessor time per particle and step, ns, medians of %d rounds\n%-10s %8s %8s"
+          % (rounds, "block", "double", "mixed"))
     for c in CASES:
         d, m = (statistics.median(times[c, p]) for p in ("double", "mixed"))
         print("%-10s %8.0f %8.0f   %.2f" % (c, d, m, d / m))

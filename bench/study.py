@@ -5,7 +5,8 @@
     study.end({"row": {...}})                            # summary.json, and the same on the screen
 
 Options of every scene: --size NAME; --repeats N, timed runs of each row; --rows ROW ..., some of them only; --ranks N;
---lmp "ARGUMENTS", more of lmp's, for example "-k on g 1 -sf kk"; --look, only measure and draw what an earlier call left."""
+--lmp "ARGUMENTS", more of lmp's, for example "-k on g 1 -sf kk"; --look, only measure and draw what an earlier call
+left."""
 import argparse
 import json
 import os
@@ -85,7 +86,8 @@ class Study:
 
 
 def loop_times(output):
-    """Seconds of all run commands: by the clock, and of the processor (time of one rank, which others cannot take away)."""
+    """Seconds of all run commands: by the clock, and of the processor (time of one rank, which others cannot take
+    away)."""
     walls = [float(w) for w in re.findall(r"^Loop time of (\S+)", output, re.M)]
     shares = [float(s) / 100 for s in re.findall(r"([\d.]+)% CPU use", output)]
     return sum(walls), sum(w * s for w, s in zip(walls, shares))

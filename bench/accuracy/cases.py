@@ -16,8 +16,8 @@ LENGTH, RADIUS = 21.4e-3, 7.22e-3    # Taylor bar, converged hexahedra (examples
 
 
 def plane(folder):
-    subprocess.run([sys.executable, os.path.join(ROOT, "tools", "make_tool.py"), "plane", "--size", "1", "1", "--cells", "2", "2",
-                    "-o", os.path.join(folder, "plane.stl")], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([sys.executable, os.path.join(ROOT, "tools", "make_tool.py"), "plane", "--size", "1", "1", "--cells",
+                    "2", "2", "-o", os.path.join(folder, "plane.stl")], check=True, stdout=subprocess.DEVNULL)
 
 
 # --- clamped plate: half a swing of the first mode
@@ -28,7 +28,8 @@ def swing(run):
         period = plate_test.period(tip[:, 1], tip[:, 2] - tip[0, 2])
     except IndexError:
         return {"error": None, "note": "no return to the middle"}
-    return {"error": abs(period / plate_test.FACES - 1), "period": period, "lost": abs(t["f_body[7]"][-1]) / t["f_body[1]"][0]}
+    return {"error": abs(period / plate_test.FACES - 1), "period": period,
+            "lost": abs(t["f_body[7]"][-1]) / t["f_body[1]"][0]}
 
 
 def plate(settings, **more):
@@ -46,13 +47,15 @@ def bar(folder, variables):
 
 
 def bar_script(variables):
-    return changed(example("taylor_bar"), ("move 0 0 $(-0.05*v_dx)", "move 0 0 $(-0.05*v_dx) " + variables.pop("wall", "")))
+    return changed(example("taylor_bar"),
+                   ("move 0 0 $(-0.05*v_dx)", "move 0 0 $(-0.05*v_dx) " + variables.pop("wall", "")))
 
 
 def foot(run):
     length, radius, _, _ = bar_shape(run.dump("end.dump")[-1], run.variables["dx"])
     t = run.thermo[-1]
-    return {"error": max(abs(length / LENGTH - 1), abs(radius / RADIUS - 1)), "length_mm": 1e3 * length, "radius_mm": 1e3 * radius,
+    return {"error": max(abs(length / LENGTH - 1), abs(radius / RADIUS - 1)), "length_mm": 1e3 * length,
+            "radius_mm": 1e3 * radius,
             "penetration": t["f_wall[13]"].max(), "energy_drift": np.ptp(t["f_body[9]"]) / t["f_body[1]"][0]}
 
 
@@ -78,7 +81,8 @@ def heat_off(run):
 
 def heat(settings, **more):
     """Variables: n, kernel, precision."""
-    return Sweep(name="heat", quantity="temperature of two layers, largest error over the jump", reference="error function",
+    return Sweep(name="heat", quantity="temperature of two layers, largest error over the jump",
+                 reference="error function",
                  kind=CLOSED, script=heat_script, settings=settings, measure=heat_off, **more)
 
 
@@ -95,6 +99,6 @@ def rebound(run):
 
 
 def rings(settings, **more):
-    return Sweep(name="rings", quantity="net energy that artificial terms take from the colliding rings", reference="elastic: nothing",
-                 kind=CLOSED, script=example("rings"), settings=settings, measure=rebound,
+    return Sweep(name="rings", quantity="net energy that artificial terms take from the colliding rings",
+                 reference="elastic: nothing", kind=CLOSED, script=example("rings"), settings=settings, measure=rebound,
                  prepare=lambda folder, variables: rings_test.make_rings(os.path.join(folder, "rings.data")), **more)

@@ -21,7 +21,8 @@ def script(variables):
     card = "materials.sphtm ti6al4v"
     scaled = card if mass == 1 else "%s set density %r set capacity %r" % (card, DENSITY * mass, CAPACITY / mass)
     return changed(example("orthogonal_cut_2d"), (card, scaled), ("linear -8.33", "linear -%.9g" % speed),
-                   ("run             120000", "variable left equal %.9g-time\nfix stop all halt 10 v_left < 0 error continue "
+                   ("run             120000",
+                    "variable left equal %.9g-time\nfix stop all halt 10 v_left < 0 error continue "
                     "message no\nrun 100000000" % end), ("dump            1", "#"), ("vtk 10000 tool.*.vtk", ""),
                    ("10 10 100 c_fc", "1 50 50 c_fc"))
 

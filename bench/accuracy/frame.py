@@ -2,14 +2,14 @@
 
     Sweep(name=..., quantity=..., reference=...,   # of the error, in words
           kind=...,       # of the reference: "closed form", "finite elements", "finer run" (of the same code), ...
-          script=...,     # path of a script, or function(variables) -> its text; what it takes out of variables is no -var
+          script=...,     # path of a script, or function(variables) -> its text; what it takes out of them is no -var
           settings={"quick": {label: variables, ...}, "full": ..., "large": ...},    # large: for a GPU; may be absent
           measure=...,    # function(Run) -> {"error": relative error, or None where the run broke, more numbers}
           baseline=...,   # label of the setting whose time is 1; without it the first
           against=...,    # label of the setting that is the reference; measure then gives "value" instead of "error"
           order=...,      # function(variables) -> spacing or step, to fit the order of convergence over
           prepare=...,    # function(folder, variables): files of the run
-          also=...)       # further errors of the same runs: list of (name, quantity, reference, kind, what measure calls it)
+          also=...)       # further errors of these runs: list of (name, quantity, reference, kind, its name in measure)
 
 Every setting runs N times, round by round, so that a busy spell of the machine hits all alike; times are medians, and
 ratios to the baseline of the same sweep in the same call."""
@@ -31,8 +31,8 @@ CLOSED, ELEMENTS, SAME = "closed form", "finite elements", "finer run of the sam
 
 
 class Sweep:
-    def __init__(self, name, quantity, reference, kind, script, settings, measure, baseline=None, against=None, order=None,
-                 prepare=None, also=()):
+    def __init__(self, name, quantity, reference, kind, script, settings, measure, baseline=None, against=None,
+                 order=None, prepare=None, also=()):
         self.name, self.quantity, self.reference, self.kind, self.script = name, quantity, reference, kind, script
         self.settings, self.measure, self.baseline, self.against = settings, measure, baseline, against
         self.order, self.prepare, self.also = order, prepare, also
@@ -99,7 +99,8 @@ def front(points, clock):
     good = [p for p in points if p["error"] is not None]
     for p in points:
         p["front"] = p in good and not any(
-            q["error"] <= p["error"] and q[clock] <= p[clock] and (q["error"] < p["error"] or q[clock] < p[clock]) for q in good)
+            q["error"] <= p["error"] and q[clock] <= p[clock] and (q["error"] < p["error"] or q[clock] < p[clock])
+            for q in good)
 
 
 def measure(sweep, size, repeats, clock, lmp="", say=print):
@@ -140,8 +141,8 @@ def finish(points, clock, say):
     front(points, clock)
     for p in points:
         say("  %-34s %s error %-9s time %6.2f  processor %6.2f  (%.2f s, %.2f) %s" % (
-            p["setting"], "*" if p["front"] else " ", number(p["error"]), p["relative_time"], p["relative_processor"], p["wall"],
-            p["processor"], p["note"]))
+            p["setting"], "*" if p["front"] else " ", number(p["error"]), p["relative_time"], p["relative_processor"],
+            p["wall"], p["processor"], p["note"]))
 
 
 def order(sweep, size, points):
@@ -151,7 +152,8 @@ def order(sweep, size, points):
     good = [p for p in points if p["error"]]
     if len(good) < 2:
         return None
-    return order_of_convergence([sweep.order(sweep.settings[size][p["setting"]]) for p in good], [p["error"] for p in good])
+    return order_of_convergence([sweep.order(sweep.settings[size][p["setting"]]) for p in good],
+                                [p["error"] for p in good])
 
 
 def number(x):

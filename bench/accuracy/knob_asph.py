@@ -13,17 +13,21 @@ def reached(run):
     strain, stress, most = scene.curve(run)
     _, gone = scene.fracture(strain, stress)
     on_way = stress[(strain > 0.02) & (strain < 0.05)] / scene.flow(strain[(strain > 0.02) & (strain < 0.05)]) - 1
-    return {"error": 0.0 if gone is None else max(0.0, 1 - gone / GOAL), "fracture_strain": gone, "stress_off": abs(on_way).max()}
+    return {"error": 0.0 if gone is None else max(0.0, 1 - gone / GOAL), "fracture_strain": gone,
+            "stress_off": abs(on_way).max()}
 
 
 def by(**more):
-    rows = {label: dict(more, adapt=adapt) for label, adapt in dict(scene.ROWS, **{"rows kept": "threshold inf"}).items()}
+    rows = {label: dict(more, adapt=adapt)
+            for label, adapt in dict(scene.ROWS, **{"rows kept": "threshold inf"}).items()}
     return dict(rows, balanced=dict(more, options="plane stress artstress 0.3 4 balanced"))
 
 
 SWEEPS = [
-    Sweep(name="tension", quantity="strain reached by the flat specimen, shortfall", reference="0.15, the plastic path of S13",
-          kind="published SPH", also=[("stress", "engineering stress at strain 0.02 to 0.05", "flow curve of the material", CLOSED,
+    Sweep(name="tension", quantity="strain reached by the flat specimen, shortfall",
+          reference="0.15, the plastic path of S13",
+          kind="published SPH",
+          also=[("stress", "engineering stress at strain 0.02 to 0.05", "flow curve of the material", CLOSED,
                                        "stress_off")], script=example("flat_tensile_c45e"), measure=reached,
           settings={"quick": by(rows=8, speed=20), "full": by(rows=14, speed=20), "large": by(rows=50, speed=20)}),
 ]

@@ -3,7 +3,8 @@ from cases import plate, rings
 from frame import CLOSED
 
 TITLE = "artificial stress and viscosity"
-STRENGTHS = ((0, 0, ""), (0, 0.3, ""), (0, 1, ""), (0.1, 1, ""), (0.3, 0, ""), (0.3, 0.3, ""), (0.3, 1, ""), (0.3, 1, "balanced"))
+STRENGTHS = ((0, 0, ""), (0, 0.3, ""), (0, 1, ""), (0.1, 1, ""), (0.3, 0, ""), (0.3, 0.3, ""), (0.3, 1, ""),
+             (0.3, 1, "balanced"))
 
 
 def label(stress, alpha, how=""):
@@ -11,7 +12,8 @@ def label(stress, alpha, how=""):
 
 
 def plates(rows):
-    return {label(s, a, how): {"rows": rows, "options": "viscosity %g %g artstress %g 4 %s correction yes" % (a, a, s, how)}
+    return {label(s, a, how): {"rows": rows,
+                               "options": "viscosity %g %g artstress %g 4 %s correction yes" % (a, a, s, how)}
             for s, a, how in STRENGTHS}
 
 

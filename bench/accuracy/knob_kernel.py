@@ -31,12 +31,14 @@ def patches(steps):
 
 
 def plates(rows):
-    return each({"rows": rows, "end": 0.2}, lambda k, c: {"kernel": "%s %g" % (k, forms.KERNELS[k]), "options": BASE + c})
+    return each({"rows": rows, "end": 0.2},
+                lambda k, c: {"kernel": "%s %g" % (k, forms.KERNELS[k]), "options": BASE + c})
 
 
 SWEEPS = [
-    Sweep(name="patch", quantity="rate of stress in a linear velocity on disordered particles", reference="linear field",
-          kind=CLOSED, script=patch_script, settings={"quick": patches(3000), "full": patches(10000)}, measure=patch_off,
-          baseline="hyperbolic"),
+    Sweep(name="patch", quantity="rate of stress in a linear velocity on disordered particles",
+          reference="linear field",
+          kind=CLOSED, script=patch_script, settings={"quick": patches(3000), "full": patches(10000)},
+          measure=patch_off, baseline="hyperbolic"),
     plate({"quick": plates(6), "full": plates(10)}, baseline="hyperbolic"),
 ]

@@ -10,9 +10,10 @@ def by(what, factors, **more):
 
 
 def sweep(what, factors):
-    return Sweep(name=what, quantity="mean cutting force", reference="the cut without scaling", kind=SAME, script=cut.script,
-                 prepare=cut.mesh, measure=cut.force, against="no scaling",
-                 settings={"quick": by(what, factors, dx=40e-6, cut=0.4e-3), "full": by(what, factors, dx=20e-6, cut=0.5e-3)})
+    return Sweep(name=what, quantity="mean cutting force", reference="the cut without scaling", kind=SAME,
+                 script=cut.script, prepare=cut.mesh, measure=cut.force, against="no scaling",
+                 settings={"quick": by(what, factors, dx=40e-6, cut=0.4e-3),
+                           "full": by(what, factors, dx=20e-6, cut=0.5e-3)})
 
 
 SWEEPS = [sweep("speed", (2, 5, 10, 20)), sweep("mass", (4, 25, 100, 400))]

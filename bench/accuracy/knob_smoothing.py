@@ -10,7 +10,8 @@ def by(ratios, kernel, **more):
 
 
 SWEEPS = [
-    heat({size: by(RATIOS, "hyperbolic", n=n) for size, n in (("quick", 200), ("full", 400), ("large", 400))}, baseline="h 1.2"),
+    heat({size: by(RATIOS, "hyperbolic", n=n) for size, n in (("quick", 200), ("full", 400), ("large", 400))},
+         baseline="h 1.2"),
     plate({size: by(RATIOS if size == "full" else RATIOS[1:6], "wendland/c4", rows=n)
            for size, n in (("quick", 6), ("full", 10), ("large", 20))}, baseline="h 1.2"),
 ]

@@ -64,7 +64,8 @@ def by(values, **more):
 
 WAVE = (0.6, 0.4, 0.3, 0.2, 0.1, 0.05)
 SWEEPS = [
-    Sweep(name="wave", quantity="amplitude and phase of an elastic wave over ten periods", reference="frequency on the lattice",
+    Sweep(name="wave", quantity="amplitude and phase of an elastic wave over ten periods",
+          reference="frequency on the lattice",
           kind=CLOSED, script=script, settings={"quick": by(WAVE), "full": by(WAVE, width=64)}, measure=off,
           baseline="courant 0.4", order=lambda v: v["courant"]),
     taylor({"quick": by((0.6, 0.5, 0.3, 0.15), rings=3), "full": by((0.6, 0.5, 0.4, 0.3, 0.15), rings=4),

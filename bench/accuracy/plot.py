@@ -15,13 +15,15 @@ def sweep_on(axes, sweep, clock, label=None, texts=True):
     best = sorted((t, e) for t, e, p in points if p["front"])
     line, = axes.plot(*zip(*best), "-", lw=1, label=label) if best else axes.plot([], [], label=label)
     for t, e, p in points:
-        axes.plot(t, e, "o", ms=5 if p["front"] else 4, color=line.get_color(), mfc=None if p["front"] else "none", alpha=0.9)
+        axes.plot(t, e, "o", ms=5 if p["front"] else 4, color=line.get_color(), mfc=None if p["front"] else "none",
+                  alpha=0.9)
         if texts:
             axes.annotate(p["setting"], (t, e), xytext=(4, 3), textcoords="offset points", fontsize=6.5)
     for p in sweep["points"]:
         if p["error"] is None and p["note"] != "the reference" and texts:
             axes.plot(p[time_of], 1.0, "x", color=line.get_color())
-            axes.annotate(p["setting"] + ": broke", (p[time_of], 1.0), xytext=(4, 3), textcoords="offset points", fontsize=6.5)
+            axes.annotate(p["setting"] + ": broke", (p[time_of], 1.0), xytext=(4, 3), textcoords="offset points",
+                          fontsize=6.5)
     axes.set(xscale="log", yscale="log")
     for axis, text in ((axes.xaxis, lambda t, _: "%g" % t), (axes.yaxis, lambda e, _: "%g %%" % (100 * e))):
         axis.set_major_locator(LogLocator(subs=(1, 2, 5), numticks=8))

@@ -1,5 +1,6 @@
 """What accuracy costs: for each knob sweeps of its settings on cases with a reference, error against time. Writes
-<knob>.csv, <knob>.png, overview.png, table.rst, points.rst and summary.json. Called by ./sphtm accuracy [knob ...] [options]."""
+<knob>.csv, <knob>.png, overview.png, table.rst, points.rst and summary.json. Called by ./sphtm accuracy [knob ...]
+[options]."""
 import argparse
 import csv
 import json
@@ -13,7 +14,8 @@ import frame    # noqa: E402
 
 OUT = os.environ.get("SPHTM_OUT", os.path.join(frame.ROOT, "out", "accuracy"))
 NAMES = sorted(f[5:-3] for f in os.listdir(frame.HERE) if f.startswith("knob_") and f.endswith(".py"))
-COLUMNS = ("setting", "error", "relative_time", "relative_processor", "wall", "processor", "particles", "steps", "front", "note")
+COLUMNS = ("setting", "error", "relative_time", "relative_processor", "wall", "processor", "particles", "steps",
+           "front", "note")
 TARGETS = (0.01, 0.05, 0.1)
 
 
@@ -76,8 +78,10 @@ def write_csv(name, found):
         writer.writerow(("sweep",) + COLUMNS + ("more",))
         for sweep, s in found["sweeps"].items():
             for p in s["points"]:
-                more = " ".join("%s=%.6g" % kv for kv in p.items() if kv[0] not in COLUMNS and isinstance(kv[1], (int, float)))
-                writer.writerow([sweep] + ["%.6g" % p[c] if isinstance(p[c], float) else p[c] for c in COLUMNS] + [more])
+                more = " ".join("%s=%.6g" % kv
+                                for kv in p.items() if kv[0] not in COLUMNS and isinstance(kv[1], (int, float)))
+                writer.writerow([sweep] + ["%.6g" % p[c] if isinstance(p[c], float) else p[c] for c in COLUMNS]
+                                + [more])
 
 
 def cheapest(points, target, clock):
@@ -96,9 +100,11 @@ def shortly(note):
 
 
 def tables(knobs, clock):
-    """What to set for an error: the cheapest setting of each sweep; and all points. Times are over the sweep's baseline."""
+    """What to set for an error: the cheapest setting of each sweep; and all points. Times are over the sweep's
+    baseline."""
     time_of = "relative_time" if clock == "wall" else "relative_processor"
-    answers = [("knob", "case", "reference", "time is 1 at") + tuple("%g %%" % (100 * t) for t in TARGETS) + ("least error",)]
+    answers = [("knob", "case", "reference", "time is 1 at") + tuple("%g %%" % (100 * t) for t in TARGETS)
+               + ("least error",)]
     points = [("case", "setting: error, time; * on the front", "order")]
     for name, k in sorted(knobs.items()):
         for label, s in k["sweeps"].items():
@@ -124,7 +130,8 @@ def write(knobs, options, seconds):
               for n, k in sorted(knobs.items()) for s, v in k["sweeps"].items() for p in v["points"]]
     with open(os.path.join(OUT, "summary.json"), "w") as f:
         json.dump({"size": options.size, "clock": options.clock, "minutes": round(seconds / 60, 1), "load_average":
-                   round(os.getloadavg()[0], 1), "points": points, "knobs": {n: knobs[n] for n in sorted(knobs)}}, f, indent=1)
+                   round(os.getloadavg()[0], 1), "points": points, "knobs": {n: knobs[n] for n in sorted(knobs)}}, f,
+                   indent=1)
         f.write("\n")
     tables(knobs, options.clock)
 

@@ -118,7 +118,8 @@ def launches(name, folder, top, lammps, steps, particles):
 
 def transfers(short, long, steps):
     """What a longer run has more than a shorter one belongs to its steps."""
-    more = {kind: {k: (n[0] - short[kind].get(k, (0, 0))[0], n[1] - short[kind].get(k, (0, 0))[1]) for k, n in rows.items()}
+    more = {kind: {k: (n[0] - short[kind].get(k, (0, 0))[0], n[1] - short[kind].get(k, (0, 0))[1])
+                   for k, n in rows.items()}
             for kind, rows in long.items()}
     more = {kind: {k: n for k, n in rows.items() if n[0] > 0} for kind, rows in more.items()}
 
@@ -181,8 +182,10 @@ def counters(name, folder, top, lammps):
             value = float(row["Metric Value"].replace(",", ""))
         except (KeyError, ValueError):
             continue
-        kernels.setdefault(row["Kernel Name"], {}).setdefault(row["Metric Name"] + " " + row["Metric Unit"], []).append(value)
-    return [{"name": k, "metrics": {m: sum(v) / len(v) for m, v in metrics.items()}} for k, metrics in kernels.items()], ""
+        metric = row["Metric Name"] + " " + row["Metric Unit"]
+        kernels.setdefault(row["Kernel Name"], {}).setdefault(metric, []).append(value)
+    return [{"name": k, "metrics": {m: sum(v) / len(v) for m, v in metrics.items()}}
+            for k, metrics in kernels.items()], ""
 
 
 def profile(name, folder, top, lammps, steps=100):
@@ -194,7 +197,8 @@ def profile(name, folder, top, lammps, steps=100):
         return {"case": name, "error": failure(output, status)}
     rows = read_table(table)
     total = sum(r[3] for r in rows) or 1
-    kernels = [{"name": n, "kind": kind, "launches": calls, "us": 1e6 * seconds / max(calls, 1), "share": 100 * seconds / total,
+    kernels = [{"name": n, "kind": kind, "launches": calls, "us": 1e6 * seconds / max(calls, 1),
+                "share": 100 * seconds / total,
                 "bytes": size} for kind, n, calls, seconds, size in sorted(rows, key=lambda r: -r[3])]
     result = dict({"case": name}, **figures(output), kernels=kernels)
     result["counters"], result["no_counters"] = counters(name, folder, top, lammps)

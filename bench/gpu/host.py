@@ -22,7 +22,8 @@ def lammps(folder, arguments, gpus=1, environment=None, timeout=590, before=()):
     ranks = shlex.split(os.environ.get("SPHTM_MPIRUN", "mpirun")) + ["-np", str(gpus)] if gpus > 1 else []
     command = list(before) + ranks + [os.environ["SPHTM_LMP"], "-nocite", "-log", "none"] + kokkos_arguments(gpus)
     try:
-        done = subprocess.run(command + list(arguments), cwd=folder, env=dict(os.environ, **(environment or {})), timeout=timeout,
+        done = subprocess.run(command + list(arguments), cwd=folder, env=dict(os.environ, **(environment or {})),
+                              timeout=timeout,
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     except subprocess.TimeoutExpired as late:
         return (late.stdout or b"").decode(errors="replace"), "timeout"

@@ -1,7 +1,9 @@
-"""The work of a bundle for a machine with a GPU:  run test | sanitize | bench | profile [--gpus N] [--out FOLDER] [NAME...]
+"""The work of a bundle for a machine with a GPU:
 
-test      small versions of the scenes against results of the plain styles on a CPU, particle by particle, each run twice;
-          what stops a run ('stops'); the physics headers by themselves on the device ('headers')
+    run test | sanitize | bench | profile [--gpus N] [--out FOLDER] [NAME...]
+
+test      small versions of the scenes against results of the plain styles on a CPU, particle by particle, each run
+          twice; what stops a run ('stops'); the physics headers by themselves on the device ('headers')
 sanitize  the same under compute-sanitizer, memcheck and racecheck, a few steps each
 bench     time per particle and step of large scenes, and copies between host and device in a step
 profile   table of kernels of a large scene; with counters of the hardware where there is ncu
@@ -34,8 +36,8 @@ def bench(out, names, gpus):
             continue
         data = result.get("particle_data")
         print("%-28s %-9s %10d %6.0f %9.3f %9.3f   %s  %s  %s" % (
-            name, result["precision"], result["particles"], result["neighbors"], result["ns_per_particle_step"], result["ms_per_step"],
-            " ".join("%4.0f%%" % result["share"].get(s, 0) for s in cases.SECTIONS),
+            name, result["precision"], result["particles"], result["neighbors"], result["ns_per_particle_step"],
+            result["ms_per_step"], " ".join("%4.0f%%" % result["share"].get(s, 0) for s in cases.SECTIONS),
             "%.2f" % result["copies_per_step"] if data else "-",
             "%(copies_per_step).2f, %(bytes_per_step).0f" % data if data else "-"), flush=True)
     return {"gpus": gpus, "cases": results}, failed

@@ -36,7 +36,8 @@ SCENES = {
                                    {"dp": 0.25e-3, "width": 1e-3}, 300),
     "bullet_every_step": (BULLET, {**SMALL_BULLET, "adapt": "threshold 0"}, 200),
     "bullet_kept_rows": (BULLET, {**SMALL_BULLET, "adapt": "threshold 1e-5"}, 200),
-    "flat_tensile_asph": ("examples/flat_tensile_c45e/in.flat_tensile_c45e", {"rows": 16, "adapt": "asph psi every 5"}, 200),
+    "flat_tensile_asph": ("examples/flat_tensile_c45e/in.flat_tensile_c45e", {"rows": 16, "adapt": "asph psi every 5"},
+                          200),
     "two_layer_heat": ("examples/two_layer_heat/in.two_layer_heat", {"n": 100}, 500),
 }
 
@@ -54,11 +55,11 @@ def in_mixed(text):
 
 
 def small_script(text, steps, more=""):
-    """The script with its runs cut to so many steps, more lines before the first, the positions before it and the state of
-    the particles after the last run written."""
+    """The script with its runs cut to so many steps, more lines before the first, the positions before it and the state
+    of the particles after the last run written."""
     text = re.split(r"^clear\b", text, flags=re.M)[0]    # of scripts that start over with another value
-    before = more + ("compute         state all sph/tm/atom %s\nwrite_dump all custom %s id x y z modify sort id format "
-                     "float %%.17g\n" % (" ".join(COLUMNS[6:]), START))
+    before = more + ("compute         state all sph/tm/atom %s\nwrite_dump all custom %s id x y z modify sort id "
+                     "format float %%.17g\n" % (" ".join(COLUMNS[6:]), START))
     text = re.sub(r"^(?=run\s)", lambda m: before, text, count=1, flags=re.M)
     text = re.sub(r"^run(\s+)(?!0\b)\S+", lambda m: "run%s%d" % (m[1], steps), text, flags=re.M)
     return text + ("\nwrite_dump all custom %s id %s c_state[*] modify sort id format float %%.17g\n"

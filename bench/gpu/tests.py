@@ -13,9 +13,9 @@ import scenes
 import stops
 from host import TOP, fresh, lammps, write
 
-# Another machine adds in another order, with or without fused multiply-add: each step differs by some 1e-16 of the sums of
-# a row, and motion, contact and yield magnify that. On one CPU the loops for AVX-512 and those of any x86-64 come out at most
-# 2.5e-11 apart after these steps (block_on_slope); a GPU is given forty times that.
+# Another machine adds in another order, with or without fused multiply-add: each step differs by some 1e-16 of the sums
+# of a row, and motion, contact and yield magnify that. On one CPU the loops for AVX-512 and those of any x86-64 come
+# out at most 2.5e-11 apart after these steps (block_on_slope); a GPU is given forty times that.
 BOUND = 1e-9
 # The same in single: the two instruction sets come out at most 2.9e-7 apart (contact_mixed).
 MIXED_BOUND = 1.2e-5
@@ -89,7 +89,8 @@ def test_scene(name, out, gpus):
         if worst is None:
             error = "other particles than expected"
         elif not all(d <= bound(name) for d in worst.values()):    # NaN is no <= either
-            error = "differs by %.1e, allowed %.0e" % (max(worst.values(), key=lambda d: math.inf if d != d else d), bound(name))
+            error = "differs by %.1e, allowed %.0e" % (max(worst.values(), key=lambda d: math.inf if d != d else d),
+                                                       bound(name))
         _, trouble = run_scene(name, folder + ".again", gpus)
         result["same_again"] = not trouble and scenes.state(folder + ".again") == rows
         if not result["same_again"]:
@@ -109,7 +110,8 @@ def test_stops(out, gpus, jobs):
         # with several ranks another one may be the first to say it
         texts = [re.sub(r" on proc \d+", "", text) for text in (said, expected[name])]
         same = status not in (0, "timeout") and stops.same(*texts, MESSAGE_BOUND)
-        results.append({"scene": "stops: " + name, "what": said[:60], "error": "" if same else "says '%s', expected '%s'" % (said, expected[name])})
+        results.append({"scene": "stops: " + name, "what": said[:60],
+                        "error": "" if same else "says '%s', expected '%s'" % (said, expected[name])})
     rows = []
     for script in stops.ROWS_GROW, stops.ROWS_STAY:
         folder = fresh(os.path.join(out, "rows%d" % len(rows)))
@@ -117,7 +119,8 @@ def test_stops(out, gpus, jobs):
         output, status = lammps(folder, ["-in", "in.rows"], gpus)
         rows.append(scenes.rows_of(os.path.join(folder, "end.dump")) if status == 0 else cases.failure(output, status))
     same = rows[0] == rows[1] and len(rows[0]) == 64
-    results.append({"scene": "rows outgrow their room", "what": "the same state", "error": "" if same else "%s, %s" % tuple(
+    results.append({"scene": "rows outgrow their room", "what": "the same state",
+                    "error": "" if same else "%s, %s" % tuple(
         r if isinstance(r, str) else "%d particles" % len(r) for r in rows)})
     return results
 
@@ -130,8 +133,10 @@ def test_headers():
     failed = [c for c in checked if not c["ok"]]
     error = ""
     if done.returncode != 0 or failed or not checked:
-        error = "ends with %s: %s" % (done.returncode, "; ".join("%(group)s %(case)s" % c for c in failed) or done.stdout[-300:])
-    what = "%d cases, at most %.3f of what is allowed" % (len(checked), max([c["share_of_allowed"] for c in checked] or [math.nan]))
+        error = "ends with %s: %s" % (done.returncode,
+                                      "; ".join("%(group)s %(case)s" % c for c in failed) or done.stdout[-300:])
+    most = max([c["share_of_allowed"] for c in checked] or [math.nan])
+    what = "%d cases, at most %.3f of what is allowed" % (len(checked), most)
     return [{"scene": "headers on the device", "cases": checked, "what": what, "error": error}]
 
 
@@ -168,7 +173,8 @@ FOUND = 86                                                      # exit status of
 
 def find_sanitizer():
     for folder in "", os.environ.get("CUDA_HOME", "/usr/local/cuda"):
-        for path in os.path.join(folder, "bin", "compute-sanitizer"), os.path.join(folder, "compute-sanitizer", "compute-sanitizer"):
+        for within in "bin", "compute-sanitizer":
+            path = os.path.join(folder, within, "compute-sanitizer")
             if folder and os.path.isfile(path):
                 return path
     return shutil.which("compute-sanitizer")
@@ -189,7 +195,8 @@ def sanitize(out, names, jobs):
         tool, name = item
         folder = os.path.join(out, tool + "_" + re.sub(r"\W+", "_", name))
         log = folder + ".log"
-        before = [program, "--tool", tool, "--error-exitcode", str(FOUND), "--target-processes", "all", "--log-file", log]
+        before = [program, "--tool", tool, "--error-exitcode", str(FOUND), "--target-processes", "all", "--log-file",
+                  log]
         start, error = time.time(), ""
         if name == HEADERS:
             done = subprocess.run(before + [HEADER_TEST], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
@@ -209,8 +216,8 @@ def sanitize(out, names, jobs):
             error = (error + "; " if error else "") + "no summary of " + tool
         elif any(int(n) for n in found):
             error = "%s errors: %s" % (found[-1], " ".join(text.split("=========")[2:6])[:400])
-        return {"scene": "%s: %s" % (tool, name), "seconds": round(time.time() - start, 2), "error": error, "what": "clean",
-                "log": text[-4000:] if error else ""}
+        return {"scene": "%s: %s" % (tool, name), "seconds": round(time.time() - start, 2), "error": error,
+                "what": "clean", "log": text[-4000:] if error else ""}
 
     items = [(tool, name) for tool in TOOLS for name in chosen]
     results = [say(r) for r in in_parallel(work, items, jobs)]

@@ -15,8 +15,8 @@ dump            d all custom {steps} end.dump id type x y z vx vy vz fx fy fz c_
 dump_modify     d format float %.17g
 run             {steps}
 """
-VALUES = ("density temperature pstrain pstrain/rate flowstress vonmises pressure stress/xy damage failed energy thickness "
-          "soundspeed neighbors")
+VALUES = ("density temperature pstrain pstrain/rate flowstress vonmises pressure stress/xy damage failed energy "
+          "thickness soundspeed neighbors")
 
 
 def end(steps, values=VALUES):
@@ -92,7 +92,8 @@ thermo_style    custom step time dt f_tool[2] f_tool[10] f_tool[11] f_body[9]
 
 
 def insert(folder):
-    words = ["insert", "--rake", "10", "--clearance", "7", "--width", "20", "--height", "12", "--length", "8", "--radius", "0"]
+    words = ["insert", "--rake", "10", "--clearance", "7", "--width", "20", "--height", "12", "--length", "8",
+             "--radius", "0"]
     subprocess.run([sys.executable, os.path.join(SOURCE, "tools", "make_tool.py"), *words, "-o",
                     os.path.join(folder, "tool.stl")], check=True, stdout=subprocess.DEVNULL)
 
@@ -104,7 +105,8 @@ def box_stl(lo, hi):
     text = "solid box\n"
     for a, b, d, e in quads:
         for t in ((a, b, d), (a, d, e)):
-            text += "facet normal 0 0 0\nouter loop\n" + "".join("vertex %r %r %r\n" % tuple(c[n]) for n in t) + "endloop\nendfacet\n"
+            corners = "".join("vertex %r %r %r\n" % tuple(c[n]) for n in t)
+            text += "facet normal 0 0 0\nouter loop\n" + corners + "endloop\nendfacet\n"
     return text + "endsolid box\n"
 
 
@@ -118,7 +120,8 @@ SCENES = {
     "plastic, hardening": BAR.format(style="", material=PLASTIC, fix="") + end(60),
     "Johnson-Cook, conduction": BAR.format(style="", material=JOHNSON_COOK, fix="energy yes") + end(60),
     "corrected, shock, quintic": BAR.format(style="correction yes artstress 0 4", fix="", material=PLASTIC +
-                                            " eos shock 5300 1.34 2.0").replace("hyperbolic 1.2", "quintic 1.0") + end(40),
+                                            " eos shock 5300 1.34 2.0").replace("hyperbolic 1.2", "quintic 1.0")
+                                            + end(40),
     "form f14, tait, artstress by component": BAR.format(style="form f14 artstress 0.3 4 component viscosity 0.5 0.5",
                                                          material=PLASTIC + " eos tait 7", fix="") + end(60),
     "smoothing length that follows": BAR.format(style="", material=JOHNSON_COOK, fix="energy yes\n"
@@ -127,7 +130,8 @@ SCENES = {
                                       fix="\nfix lists all adapt/neigh threshold 0 margin 0.2") + end(60),
     "lists that are kept": BAR.format(style="", material=JOHNSON_COOK,
                                       fix="\nfix lists all adapt/neigh threshold 1e-3") + end(220),
-    "without artificial terms": BAR.format(style="viscosity 0 0 artstress 0 4", material="", fix="courant 0.2") + end(60),
+    "without artificial terms": BAR.format(style="viscosity 0 0 artstress 0 4", material="",
+                                           fix="courant 0.2") + end(60),
     "cut": CUT + end(80),
     "bodies, heat fixes, drive": BODIES + end(150, VALUES + " surface/area"),
     "tool of particles": TOOL_OF_PARTICLES + end(150),

@@ -1,5 +1,5 @@
-"""What stops a run on its way: scripts that do, and the message. It must be the same with Kokkos as without; on a GPU the
-bundle's 'run test' compares too (bench/gpu/run.py)."""
+"""What stops a run on its way: scripts that do, and the message. It must be the same with Kokkos as without; on a GPU
+the bundle's 'run test' compares too (bench/gpu/run.py)."""
 import re
 
 BASE = """
@@ -36,8 +36,8 @@ CASES = {
     "overlap at the start": dict(more="create_atoms 1 single 2.5e-3 2.5e-3 0 units box"),
 }
 
-# Rows that become many times longer than the room there was for them. What a row holds beyond the reach of the kernel does
-# not count: the state is the same, bit for bit, as with short rows.
+# Rows that become many times longer than the room there was for them. What a row holds beyond the reach of the kernel
+# does not count: the state is the same, bit for bit, as with short rows.
 GROW = BASE.format(box=LARGE, more="", fix="", lines="velocity one set 100 0 0 units box\n{skin}") + \
     "write_dump all custom end.dump id x y vx vy fx fy modify sort id format float %.17g\n"
 ROWS_GROW, ROWS_STAY = GROW.format(skin="neighbor 6e-3 bin"), GROW.format(skin="")

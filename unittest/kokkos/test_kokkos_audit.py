@@ -1,5 +1,5 @@
-"""fix sph/tm audit with Kokkos: the numbers of the plain styles on one thread and on two; with the loops of a GPU, whose
-arrays live in another memory and which round differently, to 1e-9."""
+"""fix sph/tm audit with Kokkos: the numbers of the plain styles on one thread and on two; with the loops of a GPU,
+whose arrays live in another memory and which round differently, to 1e-9."""
 import numpy as np
 from kokkos_scene import Checks, run_way
 from scenes import BAR

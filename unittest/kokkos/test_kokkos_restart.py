@@ -1,4 +1,5 @@
-"""A restart file written with Kokkos continues without it, and the other way round, as if nothing had been: all digits."""
+"""A restart file written with Kokkos continues without it, and the other way round, as if nothing had been: all
+digits."""
 from kokkos_scene import Checks, differing, lines_of, new_folder, run_way
 from scenes import CUT, end, insert
 

@@ -28,7 +28,8 @@ variable        wx atom -6e4*(x-5e-3)-3e4*(y-5e-3)
 variable        wy atom 3e4*(x-5e-3)
 velocity        a set v_wx v_wy NULL sum yes units box
 fix             body all sph/tm temperature 300 energy yes
-compute         p all sph/tm/atom density temperature pstrain pstrain/rate flowstress vonmises pressure stress/xy damage failed soundspeed
+compute         p all sph/tm/atom density temperature pstrain pstrain/rate flowstress vonmises pressure &
+                stress/xy damage failed soundspeed
 thermo          200
 run             600
 write_dump      all custom end.dump id x y z vx vy vz fx fy fz ix iy iz c_p[*] modify format float %.17g
@@ -37,7 +38,8 @@ write_dump      all custom end.dump id x y z vx vy vz fx fy fz ix iy iz c_p[*] m
 checks = Checks()
 plain = run_way("plain", SCENE)
 frame = plain.dump("end.dump")[-1]
-checks.above("particles that went through a face of the box", np.count_nonzero(abs(frame["ix"]) + abs(frame["iy"]) + abs(frame["iz"])), 100)
+checks.above("particles that went through a face of the box",
+             np.count_nonzero(abs(frame["ix"]) + abs(frame["iy"]) + abs(frame["iz"])), 100)
 checks.above("largest plastic strain", frame["c_p[3]"].max(), 1e-3)
 default = run_way("plain default", SCENE)
 ON_DEVICE = "-pk kokkos comm device sort device"
@@ -47,5 +49,6 @@ for ranks in 1, 2, 4:
     same_bits(checks, "%d ranks, exchanged where the loops run" % ranks, result, plain)
     checks.true("%d ranks: without LAMMPS's host code" % ranks, not any("classic" in w for w in result.warnings()),
                 " ".join(result.warnings()))
-    same_bits(checks, "%d ranks, device loops" % ranks, run_way("device", SCENE, ranks=ranks, options=ON_DEVICE), default)
+    same_bits(checks, "%d ranks, device loops" % ranks, run_way("device", SCENE, ranks=ranks, options=ON_DEVICE),
+              default)
 checks.end()

@@ -1,6 +1,6 @@
-"""Two examples whose particles are numbered by the rank that makes them, on two ranks with Kokkos as on one without: particle
-by particle, found by the place where it started. Rows are summed in order of the numbers, so only round-off differs, which
-motion and contact magnify (bench/gpu/tests.py says by how much)."""
+"""Two examples whose particles are numbered by the rank that makes them, on two ranks with Kokkos as on one without:
+particle by particle, found by the place where it started. Rows are summed in order of the numbers, so only round-off
+differs, which motion and contact magnify (bench/gpu/tests.py says by how much)."""
 import os
 import shutil
 import sys

@@ -21,7 +21,8 @@ for name, script in SCENES.items():
         insert(folder)
         results[way] = run_way(way, script, folder=folder, files=FILES)
     if name in TOUCHING:
-        checks.above("%s: bodies touch, %s" % (name, TOUCHING[name]), abs(results["plain"].thermo[-1][TOUCHING[name]][-1]), 1e-9)
+        checks.above("%s: bodies touch, %s" % (name, TOUCHING[name]),
+                     abs(results["plain"].thermo[-1][TOUCHING[name]][-1]), 1e-9)
     for way, reference in ("serial", "plain"), ("threads", "plain"), ("device", "plain default"):
         same_bits(checks, "%s: %s as %s" % (name, way, reference), results[way], results[reference])
         checks.below("%s: %s, printed sums" % (name, way), largest(results[way], results[reference]), 1e-12)

@@ -37,7 +37,8 @@ def rod(layers, dx, more, dim=2, style="hyperbolic 1.2", units="si", pad=0, body
     """layers: list of Layer; more: the commands after fix sph/tm. pad: empty spacings at both ends."""
     lo = -layers[0].n
     hi = lo + sum(l.n for l in layers)
-    text = HEAD.format(units=units, dim=dim, dx=dx, lattice="sq" if dim == 2 else "sc", origin="0" if dim == 2 else "0.5",
+    text = HEAD.format(units=units, dim=dim, dx=dx, lattice="sq" if dim == 2 else "sc",
+                       origin="0" if dim == 2 else "0.5",
                        lo=lo - pad, hi=hi + pad, z="$(-v_dx) ${dx}" if dim == 2 else "0 ${dx}", types=len(layers))
     at = lo
     for k, l in enumerate(layers, 1):

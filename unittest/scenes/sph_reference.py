@@ -210,7 +210,8 @@ def warmed(m, T, heat):
 class Body:
     def __init__(self, dim, x, v, kind, materials, box, kernel, h, spacing, viscosity=(1.0, 1.0), artstress=(0.3, 4),
                  component=False, xsph=0.0, form="f15", correction=False, balsara=False, plane_stress=False,
-                 temperature=293.15, heat=False, meets=None, load=(0.0, 0.0, 0.0), balanced=False, follow=None, every=1):
+                 temperature=293.15, heat=False, meets=None, load=(0.0, 0.0, 0.0), balanced=False, follow=None,
+                 every=1):
         self.__dict__.update(dim=dim, x=np.array(x, float), v=np.array(v, float), kind=kind, box=np.asarray(box, float),
                              kernel=kernel, h=h, spacing=spacing, viscosity=viscosity, artstress=artstress,
                              component=component, xsph=xsph, form=form, correction=correction, balsara=balsara,
@@ -303,7 +304,8 @@ class Body:
         touch = np.zeros((n, n), bool)
         hc = np.full((n, n), np.inf)
         for (a, b), law in self.meets.items():
-            mask = ((self.kind[:, None] == a) & (self.kind[None] == b)) | ((self.kind[:, None] == b) & (self.kind[None] == a))
+            of_a, of_b = self.kind == a, self.kind == b
+            mask = (of_a[:, None] & of_b[None]) | (of_b[:, None] & of_a[None])
             same[mask] = False
             heat_pair[mask] = law[0] == "heat"
             touch[mask] = law[0] == "contact"
@@ -360,7 +362,8 @@ class Body:
         alpha, beta = self.viscosity
         vx = np.sum(vij * d, axis=2)
         mu = np.where(vx < 0, h * vx / (r ** 2 + 0.01 * h ** 2), 0.0)
-        pi = (-alpha * 0.5 * (q["c"][:, None] + q["c"][None]) * mu + beta * mu ** 2) / (0.5 * (rho[:, None] + rho[None]))
+        c_mean, rho_mean = 0.5 * (q["c"][:, None] + q["c"][None]), 0.5 * (rho[:, None] + rho[None])
+        pi = (-alpha * c_mean * mu + beta * mu ** 2) / rho_mean
         if self.balsara:
             pi = pi * 0.5 * (self.switch[:, None] + self.switch[None])
         art -= pi[..., None] * gm
@@ -400,7 +403,8 @@ class Body:
             self.target = np.array([self.nodes(i) for i in range(self.n)])
 
     def nodes(self, i):
-        """n_h of the lattice that has the Psi of particle i: by 256 values and straight lines between, read backwards."""
+        """n_h of the lattice that has the Psi of particle i: by 256 values and straight lines between, read
+        backwards."""
         if not hasattr(self, "psi"):
             self.n_h = np.linspace(1 / REACH.get(self.kernel, 2.0), 4, 256)
             self.psi = [lattice_psi(self.kernel, self.dim, n) for n in self.n_h]
@@ -458,7 +462,8 @@ class Body:
             G, rho, s, d_eps, y, p = end(lzz)
             if self.failed[i]:
                 s = 0 * s
-            sigma_half = (0 * s if self.failed[i] else q["s"][i]) - (max(p_half, 0) if self.failed[i] else p_half) * np.eye(3)
+            s_half, p_half = (0 * s, max(p_half, 0)) if self.failed[i] else (q["s"][i], p_half)
+            sigma_half = s_half - p_half * np.eye(3)
             work = dt / rho_half[i] * np.sum(sigma_half * 0.5 * (G + G.T))
             rate["rho"][i] = (rho - self.rho[i]) / dt
             rate["s"][i] = (s - self.s[i]) / dt
@@ -472,7 +477,8 @@ class Body:
                 div = abs(np.trace(G))
                 self.switch[i] = div / (div + np.linalg.norm(curl) + 1e-4 * q["c"][i] / self.h)
             if self.heat and m.heat:
-                power = m.heat[2] * y * d_eps / dt * self.m[i] / rho + o["heat"][i] * self.m[i] / q["rho"][i] + o["source"][i]
+                power = m.heat[2] * y * d_eps / dt * self.m[i] / rho
+                power = power + o["heat"][i] * self.m[i] / q["rho"][i] + o["source"][i]
                 self.T[i] = warmed(m, T, dt * power / self.m[i])
                 rate["T"][i] = (self.T[i] - T) / dt
             self.rho[i], self.s[i] = rho, s

@@ -1,5 +1,5 @@
-"""./sphtm accuracy: one small sweep from its command line to csv, summary and pictures; what it refuses; the front; settings
-that break, and a sweep whose reference is one of its settings."""
+"""./sphtm accuracy: one small sweep from its command line to csv, summary and pictures; what it refuses; the front;
+settings that break, and a sweep whose reference is one of its settings."""
 import csv
 import json
 import os
@@ -18,7 +18,8 @@ checks, out = Checks(), new_folder()
 
 
 def command(*arguments):
-    return subprocess.run([sys.executable, os.path.join(FOLDER, "run.py"), *arguments], env=dict(os.environ, SPHTM_OUT=out),
+    return subprocess.run([sys.executable, os.path.join(FOLDER, "run.py"), *arguments],
+                          env=dict(os.environ, SPHTM_OUT=out),
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
 
 
@@ -29,8 +30,8 @@ with open(os.path.join(out, "summary.json")) as f:
 sweep = summary["knobs"]["spacing"]["sweeps"]["heat"]
 points = sweep["points"]
 checks.above("spacing: points", len(points), 4)
-checks.true("each with knob, setting, error and time", all(set(p) == {"knob", "sweep", "setting", "error", "relative_time"}
-                                                            for p in summary["points"]) and len(summary["points"]) == len(points))
+whole = all(set(p) == {"knob", "sweep", "setting", "error", "relative_time"} for p in summary["points"])
+checks.true("each with knob, setting, error and time", whole and len(summary["points"]) == len(points))
 checks.true("finer is better", all(a["error"] > b["error"] for a, b in zip(points, points[1:])))
 checks.above("order of convergence", sweep["order"], 1.0)
 base = next(p for p in points if p["setting"] == sweep["baseline"])
@@ -48,7 +49,8 @@ done = command("spacing", "sapcing")
 checks.true("a knob that there is not is named", done.returncode != 0 and "'sapcing'" in done.stdout and "spacing" in
             done.stdout.replace("sapcing", ""), done.stdout.strip()[-200:])
 done = command("spacing", "--sweep", "beam", "--quick")
-checks.true("so is a sweep", done.returncode != 0 and "'beam'" in done.stdout and "plate" in done.stdout, done.stdout.strip())
+checks.true("so is a sweep", done.returncode != 0 and "'beam'" in done.stdout and "plate" in done.stdout,
+            done.stdout.strip())
 done = command("spacing", "--repeats", "0")
 checks.true("and a number of repeats", done.returncode != 0 and "--repeats 0" in done.stdout, done.stdout.strip())
 
@@ -58,7 +60,8 @@ frame.front(four, "wall")
 checks.true("front", [p["front"] for p in four] == [True, True, False, False])
 
 # --- a setting that lmp stops, one whose measure finds nothing, errors against a setting of the sweep
-TEXT = "units si\nregion b block 0 1 0 1 0 1\ncreate_box 1 b\nmass 1 1\ncreate_atoms 1 single 0.5 0.5 0.5\nfix 1 all nve\nrun 5\n"
+TEXT = ("units si\nregion b block 0 1 0 1 0 1\ncreate_box 1 b\nmass 1 1\ncreate_atoms 1 single 0.5 0.5 0.5\n"
+        "fix 1 all nve\nrun 5\n")
 toy = frame.Sweep(name="toy", quantity="toy", reference="itself", kind="none", against="one", baseline="one",
                   script=lambda v: TEXT if v["value"] else TEXT + "none such\n",
                   settings={"quick": {"one": {"value": 2.0}, "more": {"value": 2.2}, "broken": {"value": 0}}},
@@ -66,5 +69,6 @@ toy = frame.Sweep(name="toy", quantity="toy", reference="itself", kind="none", a
 one, more, broken = frame.measure(toy, "quick", 2, "wall", say=lambda text: None)
 checks.true("the reference has no error", one["error"] is None and not one["front"], one["note"])
 checks.near("error against it", more["error"], 0.1, relative=1e-9)
-checks.true("what lmp stops has none, and says why", broken["error"] is None and "none such" in broken["note"], broken["note"])
+checks.true("what lmp stops has none, and says why", broken["error"] is None and "none such" in broken["note"],
+            broken["note"])
 checks.end()

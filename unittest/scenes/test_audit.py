@@ -3,7 +3,7 @@
 zero     every effect on, rows searched in every step, smoothing lengths that follow the density in every step: 0
 rows     two bars meet and yield: the stale rows' share grows with the threshold of fix adapt/neigh
 causes   each effect that is off, single precision, and lengths that lag are seen, by themselves, and nothing else
-ranks    the same numbers on 1, 2 and 4 ranks, across a periodic boundary, with another skin; the same run without audits
+ranks    the same numbers on 1, 2 and 4 ranks, across a periodic boundary, with another skin; the same run without
 """
 import numpy as np
 from contact_scene import block, particles
@@ -63,18 +63,21 @@ def meter(result):
 
 
 # nothing differs where everything is in use
-for name, arguments in (("2D", {}), ("3D", dict(dim=3, steps=40)), ("2D, periodic, 2 ranks", dict(periodic=True, ranks=2))):
+for name, arguments in (("2D", {}), ("3D", dict(dim=3, steps=40)),
+                        ("2D, periodic, 2 ranks", dict(periodic=True, ranks=2))):
     m = meter(scene(options=ALL_ON, lists="threshold 0 asph density every 1", **arguments))
     worst = [np.abs(m[cause]).max() for cause in NAMES]
     checks.below("zero, " + name, max(worst), 1e-15)    # sizes in records are made with other vector instructions
-    checks.true("exactly zero but for sizes, " + name, not any(worst[k] for k in range(1, 9) if NAMES[k] != "smoothing"))
+    checks.true("exactly zero but for sizes, " + name,
+                not any(worst[k] for k in range(1, 9) if NAMES[k] != "smoothing"))
     checks.above("audits take time, " + name, m["time"].min(), 1e-6)
 m = meter(scene())
 checks.true("lists of LAMMPS are not stale", not m["rows"].any(), str(m["rows"]))
 
 # the share of rows that are kept
 share = []
-for threshold in ("0", "1e-4", "3e-4", "1e-3", "1e-2"):    # up to 1e-4 all that yields is searched in each of these steps
+# up to 1e-4 all that yields is searched in each of these steps
+for threshold in ("0", "1e-4", "3e-4", "1e-3", "1e-2"):
     m = meter(scene(lists="threshold " + threshold, steps=200, fix="dt 4e-8"))
     share.append(np.sqrt(np.mean(m["rows"][5:]**2)))
     checks.note("stale rows, threshold " + threshold, "%.3e" % share[-1])
@@ -129,7 +132,8 @@ def last(r):
         return f.read().split("ITEM: ATOMS", 1)[1]
 
 
-for name, arguments in (("", {}), (", kept rows", dict(lists="threshold 1e-3")), (", energy book", dict(fix="energy yes"))):
+for name, arguments in (("", {}), (", kept rows", dict(lists="threshold 1e-3")),
+                        (", energy book", dict(fix="energy yes"))):
     a, b = (scene(audit=audit, **arguments) for audit in ("audit 7 30", ""))
     checks.true("audits leave the bits of the run" + name, last(a) == last(b))
 default = scene(audit="audit yes", steps=20)

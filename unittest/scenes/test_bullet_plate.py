@@ -1,6 +1,6 @@
 """The bullet through the plate (F14; examples/bullet_plate), with 3 particles over the plate: it goes through,
-LAMMPS's skin list and rows with a margin give the velocity of a list made anew in every step, kept rows give it within 1 %.
-Counter-case: at 150 m/s the plate stops it."""
+LAMMPS's skin list and rows with a margin give the velocity of a list made anew in every step, kept rows give it within
+1 %. Counter-case: at 150 m/s the plate stops it."""
 import os
 
 import numpy as np
@@ -29,7 +29,8 @@ checks.below("threshold 1e-5: searches per particle and step", t["f_lists[2]"][-
 checks.above("it goes through at, m/s", skin, 60.0)
 checks.below("and has lost speed", skin, 300.0)
 t = result.thermo[-1]
-checks.below("energy sum, drift over the energy of the bullet", np.abs(t["f_body[9]"] / t["f_body[9]"][0] - 1).max(), 0.01)
+checks.below("energy sum, drift over the energy of the bullet", np.abs(t["f_body[9]"] / t["f_body[9]"][0] - 1).max(),
+             0.01)
 slow, _ = residual(speed=150)
 checks.below("counter-case, a bullet at 150 m/s: velocity, m/s", slow, 30.0)
 checks.end()

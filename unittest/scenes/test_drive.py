@@ -34,7 +34,8 @@ fix hold left sph/tm/drive 0 0 0
 fix pull right sph/tm/drive v_v NULL NULL
 compute c right reduce ave vx x
 variable p equal mass(rest)*vcm(rest,x)
-thermo_style custom step time dt c_c[1] v_v c_c[2] f_hold[1] f_hold[2] f_hold[4] f_pull[1] f_pull[2] f_pull[4] f_body[8] f_body[9] v_p
+thermo_style custom step time dt c_c[1] v_v c_c[2] f_hold[1] f_hold[2] f_hold[4] &
+  f_pull[1] f_pull[2] f_pull[4] f_body[8] f_body[9] v_p
 thermo_modify format float %.16g
 thermo 1
 run 300
@@ -46,8 +47,8 @@ checks = Checks()
 def bar(more, dim=2, **units):
     flat = dim == 2
     return BAR.format(dim=dim, lattice="sq" if flat else "sc", origin=0 if flat else 0.5, bz="p" if flat else "f",
-                      z="$(-v_dx) ${dx}" if flat else "$(-4*v_dx) $(10*v_dx)", flat="INF INF" if flat else "0 $(6*v_dx)",
-                      more=more, **dict(SI, **units))
+                      z="$(-v_dx) ${dx}" if flat else "$(-4*v_dx) $(10*v_dx)",
+                      flat="INF INF" if flat else "0 $(6*v_dx)", more=more, **dict(SI, **units))
 
 
 for dim in (2, 3):
@@ -69,7 +70,8 @@ for dim in (2, 3):
         si = log
 
 # the same bar in micrometres, picograms and microseconds
-micro = run(bar(PULL.format(v=20.0, ramp=6.0), units="micro", dx=1e3, density=2.7, E="70e6", k=2e8 * 1e3, cp=9e2 * 1e3)).thermo[0]
+micro = run(bar(PULL.format(v=20.0, ramp=6.0), units="micro", dx=1e3, density=2.7, E="70e6", k=2e8 * 1e3,
+                cp=9e2 * 1e3)).thermo[0]
 last = -1
 checks.near("units micro: time", micro["Time"][last] * 1e-6, si["Time"][last], relative=1e-9)
 # per unit thickness: forces are pg um/us^2 = 1e-9 N per um, 1e-3 N per m; work is 1e-15 J per um
@@ -122,9 +124,10 @@ for words, expected in (
         ("fix body rest sph/tm\nfix d right sph/tm/drive 0 0 0", "are not in the group of fix sph/tm"),
         ("pair_style zero 1.0\npair_coeff * *\nmass * 1\nfix d right sph/tm/drive 0 0 0", "needs a fix sph/tm")):
     result = run(bar(words + "\nrun 0\n"), expect_error=True)
-    checks.true("message for '%s'" % words.splitlines()[-1], expected in result.errors() and bool(result.status) == bool(expected),
-                result.errors()[:120])
-late = run(bar("fix body all sph/tm\nfix d right sph/tm/drive 0 0 0\nfix g all addforce 1 0 0\nfix l left setforce 0 0 0\nrun 0\n"))
+    checks.true("message for '%s'" % words.splitlines()[-1],
+                expected in result.errors() and bool(result.status) == bool(expected), result.errors()[:120])
+late = run(bar("fix body all sph/tm\nfix d right sph/tm/drive 0 0 0\nfix g all addforce 1 0 0\n"
+               "fix l left setforce 0 0 0\nrun 0\n"))
 said = [w for w in late.warnings() if "after fix sph/tm/drive" in w]
 checks.true("warning of later forces", len(said) == 1 and "Fix g" in said[0], str(said)[:140])
 checks.end()

@@ -1,5 +1,5 @@
-"""Faults: values that are no numbers, damaged and cut restart files, a mesh that is gone, a full disk, a killed rank. Each
-ends the run with an error that says what happened; none goes on with a wrong state."""
+"""Faults: values that are no numbers, damaged and cut restart files, a mesh that is gone, a full disk, a killed rank.
+Each ends the run with an error that says what happened; none goes on with a wrong state."""
 import os
 import re
 import shlex
@@ -29,20 +29,22 @@ folder = new_folder()
 
 
 def make_mesh():
-    subprocess.run([sys.executable, os.path.join(SOURCE, "tools", "make_tool.py"), "block", "--size", "0.03", "0.002", "0.02",
-                    "-o", os.path.join(folder, "tool.stl")], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([sys.executable, os.path.join(SOURCE, "tools", "make_tool.py"), "block", "--size", "0.03", "0.002",
+                    "0.02", "-o", os.path.join(folder, "tool.stl")], check=True, stdout=subprocess.DEVNULL)
 
 
 def ends(name, result, *words):
     text = result.errors()
     checks.true(name, result.status != 0 and all(w in text for w in words) and "Segmentation" not in result.output,
-                text.splitlines()[0][:150] if text else "status %d, no error: %s" % (result.status, result.output[-100:]))
+                text.splitlines()[0][:150] if text else
+                "status %d, no error: %s" % (result.status, result.output[-100:]))
 
 
 def go_on(data, name, **more):
     with open(os.path.join(folder, name), "wb") as f:
         f.write(data)
-    return run("read_restart %s\n" % name + FIXES.format(tool="") + "run 40\n", folder=folder, expect_error=True, **more)
+    return run("read_restart %s\n" % name + FIXES.format(tool="") + "run 40\n", folder=folder, expect_error=True,
+               **more)
 
 
 # --- a restart file whose values are damaged: every column of the state, on 48 particles
@@ -50,7 +52,8 @@ make_mesh()
 COLUMNS = {"density": 1, "stress": 6, "history": 20, "plastic strain": 3, "temperature": 3, "energy": 1, "damage": 2,
            "balsara": 1, "xsph": 3, "thickness": 1}
 for plane, eos, missing in (("", "eos shock 4570 1.49 1.9", ("thickness",)), ("plane stress", "", ("energy",))):
-    run(HEAD.format(plane=plane, eos=eos) + FIXES.format(tool="") + "run 20\nwrite_restart good.restart\n", folder=folder)
+    run(HEAD.format(plane=plane, eos=eos) + FIXES.format(tool="") + "run 20\nwrite_restart good.restart\n",
+        folder=folder)
     with open(os.path.join(folder, "good.restart"), "rb") as f:
         good = f.read()
     fields = [(name, k) for name, n in COLUMNS.items() if name not in missing for k in range(n)]
@@ -96,22 +99,24 @@ if os.path.exists("/dev/full"):
                 path = os.path.join(folder, "full.%d.%s" % (step, end))
                 if not os.path.islink(path):
                     os.symlink("/dev/full", path)
-        r = run(HEAD.format(plane="", eos="") + FIXES.format(tool=tool) + more + "run 40\n", folder=folder, expect_error=True)
+        r = run(HEAD.format(plane="", eos="") + FIXES.format(tool=tool) + more + "run 40\n", folder=folder,
+                expect_error=True)
         ends("full disk, " + what, r)
 
 # --- a rank is killed: the others end, and the last restart file is whole
 script = HEAD.format(plane="", eos="") + FIXES.format(tool="") + "restart 100 rank.*.restart\nrun 10000000\n"
 with open(os.path.join(folder, "in.killed"), "w") as f:
     f.write(script)
-command = shlex.split(os.environ.get("SPHTM_MPIRUN", "mpirun")) + ["-np", "2", os.environ["SPHTM_LMP"], "-nocite", "-log",
-                                                                  "none", "-in", "in.killed"]
+command = shlex.split(os.environ.get("SPHTM_MPIRUN", "mpirun"))
+command += ["-np", "2", os.environ["SPHTM_LMP"], "-nocite", "-log", "none", "-in", "in.killed"]
 if shutil.which(command[0]):
-    going = subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
-                             text=True, start_new_session=True)
+    going = subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                             stdin=subprocess.DEVNULL, text=True, start_new_session=True)
     begin = time.time()
     while time.time() - begin < 60 and not os.path.exists(os.path.join(folder, "rank.200.restart")):
         time.sleep(0.1)
-    children = subprocess.run(["ps", "-o", "pid=,args=", "--ppid", str(going.pid)], stdout=subprocess.PIPE, text=True).stdout
+    children = subprocess.run(["ps", "-o", "pid=,args=", "--ppid", str(going.pid)], stdout=subprocess.PIPE,
+                              text=True).stdout
     ranks = [int(line.split()[0]) for line in children.splitlines() if "in.killed" in line]
     checks.true("two ranks run", len(ranks) == 2, str(ranks))
     if ranks:

@@ -90,14 +90,15 @@ def body_of(commands, block, T, **settings):
             k += 3
             while k < len(style) and style[k] in ("component", "balanced"):
                 settings[style[k]], k = True, k + 1
-    return Body(2 if block == "plate" else 3, x, v, kind, mats, [period, 0, 0], style[0], float(style[1]) * spacing, spacing,
-                temperature=T, heat=any(m.heat for m in mats.values()), **settings)
+    return Body(2 if block == "plate" else 3, x, v, kind, mats, [period, 0, 0], style[0], float(style[1]) * spacing,
+                spacing, temperature=T, heat=any(m.heat for m in mats.values()), **settings)
 
 
 checks = Checks()
 for path in sorted(glob.glob(os.path.join(YAML, "pair-*.yaml"))):
     y = read_yaml(path)
-    commands = ["pair_style " + y["pair_style"]] + ["pair_coeff " + c.strip() for c in y["pair_coeff"].strip().splitlines()]
+    commands = ["pair_style " + y["pair_style"]] + ["pair_coeff " + c.strip()
+                                                    for c in y["pair_coeff"].strip().splitlines()]
     T = re.search(r"temperature (\S+)", y["post_commands"])
     body = body_of(commands, "plate" if "plate" in y["pre_commands"] else "block", float(T.group(1)) if T else 293.15,
                    follow="still" if "smoothing on" in y["post_commands"] else None)

@@ -35,8 +35,8 @@ thermo_style custom step time dt f_q f_q[2] f_q[3] c_sum
     checks.near(name + "surface rise", at_end(x, T, 0.0) - T0, rise, relative=0.6 / n)
     checks.near(name + "area", log["f_q[3]"][-1], area, relative=1e-12)
     checks.near(name + "energy delivered", log["f_q[2]"][-1], q * area * t, relative=1e-9)
-    checks.near(name + "heat in the rod", RHO * CP * dx ** dim * (log["c_sum"][-1] - log["c_sum"][0]), log["f_q[2]"][-1],
-                relative=1e-10)
+    checks.near(name + "heat in the rod", RHO * CP * dx ** dim * (log["c_sum"][-1] - log["c_sum"][0]),
+                log["f_q[2]"][-1], relative=1e-10)
     return abs(T - exact).max() / rise
 
 

@@ -67,7 +67,8 @@ thermo_style custom step time dt f_q[2]
 """ + RUN.format(T_END))
 result = run(text)
 frame, t = result.dump("profile.dump")[-1], result.thermo[-1]["Time"][-1]
-checks.near("all into the aluminium: rise", at_end(frame["x"], frame["c_T"]) - T0, 62.7226 * np.sqrt(t / 1e-3), relative=0.01)
+checks.near("all into the aluminium: rise", at_end(frame["x"], frame["c_T"]) - T0, 62.7226 * np.sqrt(t / 1e-3),
+            relative=0.01)
 
 # the contact law of two bodies
 CONTACT = """
@@ -114,9 +115,11 @@ result = run(CONTACT)
 log = result.thermo[-1]
 friction = log["v_heat1"] + log["v_heat2"]
 checks.true("contact: friction turns heat on", "has friction" in result.output)
-checks.near("contact: heat in the bodies is the book's friction heat", friction[-1], log["f_body[4]"][-1], relative=1e-6)
+checks.near("contact: heat in the bodies is the book's friction heat", friction[-1], log["f_body[4]"][-1],
+            relative=1e-6)
 checks.near("contact: share of the aluminium", log["v_heat1"][-1] / friction[-1], 0.5507, relative=1e-4)
-checks.below("contact: drift of the energy sum over the work", abs(log["f_body[9]"]).max() / log["f_slide[4]"][-1], 0.003)
+checks.below("contact: drift of the energy sum over the work", abs(log["f_body[9]"]).max() / log["f_slide[4]"][-1],
+             0.003)
 checks.note("contact: work of the slide over mu N times the way", "%.3f" % (
     (log["f_slide[4]"][-1] - log["f_slide[4]"][1]) / (0.3 * 1e7 * 12e-5 * 5 * (log["Time"][-1] - log["Time"][1]))))
 checks.end()

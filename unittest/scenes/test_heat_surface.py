@@ -34,7 +34,8 @@ def body(dim, n, more, dx=1e-3, slab=False, style="hyperbolic 1.2", kind="heat",
     other = "0 ${L}" if slab else lo + " " + hi
     z, flat = ("$(-v_dx) ${dx}", "$(-v_dx) ${dx}") if dim == 2 else (other, "0 ${L}")
     p = "p" if slab else "f"
-    return BODY.format(units=units, dim=dim, dx=dx, n=n, lattice="sq" if dim == 2 else "sc", origin=0 if dim == 2 else 0.5,
+    return BODY.format(units=units, dim=dim, dx=dx, n=n, lattice="sq" if dim == 2 else "sc",
+                       origin=0 if dim == 2 else 0.5,
                        boundary="f %s %s" % (p, "p" if dim == 2 else p), box="%s %s %s %s" % (lo, hi, other, z),
                        region="0 ${L} 0 ${L} %s" % flat, style=style, density=density, body=kind, k=k, cp=cp,
                        T0=T0) + more + "thermo_modify format float %.15g\nrun 0\n"
@@ -53,7 +54,8 @@ for dim in (2, 3):
             n = 12
             result = run(body(dim, n, AREA.format(""), slab=True, kind=kind, style=style))
             exact = 2 * (n * 1e-3) ** (dim - 1)
-            checks.near("%dD, %s, %s: flat faces" % (dim, kind, style), result.thermo[0]["f_h[3]"][0], exact, relative=1e-9)
+            checks.near("%dD, %s, %s: flat faces" % (dim, kind, style), result.thermo[0]["f_h[3]"][0], exact,
+                        relative=1e-9)
             checks.near("%dD, %s, %s: power" % (dim, kind, style), result.thermo[0]["f_h"][0], -1000 * 300 * exact,
                         relative=1e-9)
     for n in (10, 20):
@@ -70,7 +72,8 @@ for dim in (2, 3):
         depth = np.min([np.minimum(frame[c], L - frame[c]) for c in "xyz"[:dim]], axis=0)
         checks.below("%dD, %d a side: area below the first layer" % (dim, n), frame["c_s"][depth > 1e-3].max(), 0)
         face = run(body(dim, n, AREA.format("facing -1 0 0"))).thermo[0]["f_h[3]"][0]
-        checks.near("%dD, %d a side: one face" % (dim, n), face, L ** (dim - 1), absolute=L ** (dim - 1) * 0.9 / n * (dim - 1))
+        checks.near("%dD, %d a side: one face" % (dim, n), face, L ** (dim - 1),
+                    absolute=L ** (dim - 1) * 0.9 / n * (dim - 1))
         known = run(body(dim, n, AREA.format("area %g" % exact))).thermo[0]["f_h[3]"][0]
         checks.near("%dD, %d a side: area given" % (dim, n), known, exact, relative=1e-12)
 
@@ -104,7 +107,8 @@ def cooled(name, text, A, law, mcp, unit=1.0, tolerance=2e-3):
         worst = max(worst, abs(T - log["c_T"][k]) / (log["c_T"][0] - T))
     checks.below(name + ": error over the fall, from %.4g to %.4g K" % (log["c_T"][0], T), worst, tolerance)
     checks.above(name + ": it cooled by", log["c_T"][0] - T, 100)
-    checks.near(name + ": energy delivered", log["f_h[2]"][-1] * unit, mcp * (log["c_T"][-1] - log["c_T"][0]), relative=1e-9)
+    checks.near(name + ": energy delivered", log["f_h[2]"][-1] * unit, mcp * (log["c_T"][-1] - log["c_T"][0]),
+                relative=1e-9)
 
 
 n, L = 6, 6e-3
@@ -120,21 +124,22 @@ cooled("3D, radiation, the material's emissivity", body(
         "run 0", "run 8000"), surface, lambda T: SIGMA * 0.5 * (T ** 4 - 300 ** 4), mcp / 10, tolerance=4e-3)
 # the same in the units micro: mass pg, length um, time us, so energy is pg um^2/us^2 = 1e-15 J
 micro = body(3, n, "fix h all sph/tm/heat radiation 300 area %r emissivity 0.25\n" % (surface * 1e12) + COOL, T0=1500.0,
-             units="micro", dx=1e3, density=2.7, k=20 * 1e15 / (1e6 * 1e6), cp=90e12 / 1e12).replace("run 0", "run 8000")
-cooled("3D, radiation, units micro", micro.replace("70e9", "70e6"), surface / 1e6, lambda T: SIGMA * 0.25 * (T ** 4 - 300 ** 4),
-       mcp / 10, unit=1e-15, tolerance=4e-3)
+             units="micro", dx=1e3, density=2.7, k=20 * 1e15 / (1e6 * 1e6), cp=90e12 / 1e12).replace(
+                 "run 0", "run 8000")
+cooled("3D, radiation, units micro", micro.replace("70e9", "70e6"), surface / 1e6,
+       lambda T: SIGMA * 0.25 * (T ** 4 - 300 ** 4), mcp / 10, unit=1e-15, tolerance=4e-3)
 
 # heat of a source, on one particle in two
 source = body(2, 4, """
+variable q equal 1e9*(1-10*time)
 fix h all sph/tm/heat source v_q
-variable q equal 1e9*(1-time)
 thermo_style custom step time dt f_h f_h[1] f_h[2] f_h[3] c_T
 thermo 50
 """).replace("run 0", "run 200")
-source = source.replace("fix h all", "variable q equal 1e9*(1-10*time)\nfix h all").replace("variable q equal 1e9*(1-time)\n", "")
 log = run(source).thermo[0]
 t = log["Time"]
-checks.near("source from a variable: rise", log["c_T"][-1] - 600, 1e9 * (t[-1] - 5 * t[-1] ** 2) / (2700 * 900), relative=0.02)
+checks.near("source from a variable: rise", log["c_T"][-1] - 600, 1e9 * (t[-1] - 5 * t[-1] ** 2) / (2700 * 900),
+            relative=0.02)
 checks.near("source: energy", log["f_h[2]"][-1], 16e-6 * 2700 * 900 * (log["c_T"][-1] - 600), relative=1e-11)
 checks.near("source: power now", log["f_h"][-1], 16e-6 * 1e9 * (1 - 10 * t[-1]), relative=1e-9)
 
@@ -146,7 +151,8 @@ for words, expected in (
         ("source 1 area 3", "known are none"), ("radiation 300 emissivity 2", "emissivity must be")):
     result = run(body(2, 4, "fix h all sph/tm/heat %s\n" % words), expect_error=True)
     checks.true("message for '%s'" % words, result.status != 0 and expected in result.errors(), result.errors()[:110])
-result = run(body(2, 4, "fix h all sph/tm/heat flux 1\n").replace("temperature 600.0", "temperature 600.0 effects surface off"),
+result = run(body(2, 4, "fix h all sph/tm/heat flux 1\n").replace(
+                 "temperature 600.0", "temperature 600.0 effects surface off"),
              expect_error=True)
 checks.true("message for surface forced off", "needs the effect" in result.errors(), result.errors()[:110])
 checks.end()

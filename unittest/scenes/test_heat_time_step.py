@@ -41,20 +41,24 @@ CHANGE = """ pre no every 20 "set group all type 2\""""
 checks = Checks()
 
 
-def scene(dim=2, style="hyperbolic 1.2", k="50", k2=None, density=7800, left=1, dt="auto", steps=0, change="", fails=False):
+def scene(dim=2, style="hyperbolic 1.2", k="50", k2=None, density=7800, left=1, dt="auto", steps=0, change="",
+          fails=False):
     n = 16 if dim == 2 else 8
     z = "$(-v_dx) ${dx}" if dim == 2 else "0 $(%d*v_dx)" % n
     return run(SCENE.format(dim=dim, n=n, z=z, lattice="sq" if dim == 2 else "sc", origin=0 if dim == 2 else 0.5,
-                            style=style, k=k, k2=k2 or k, density=density, left=left, dt=dt, steps=steps, change=change),
+                            style=style, k=k, k2=k2 or k, density=density, left=left, dt=dt, steps=steps,
+                            change=change),
                expect_error=fails)
 
 
-for dim, style in ((2, "hyperbolic 1.2"), (3, "hyperbolic 1.2"), (2, "wendland/c4 2.0"), (3, "quintic 1.2"), (2, "cubic 1.0")):
+for dim, style in ((2, "hyperbolic 1.2"), (3, "hyperbolic 1.2"), (2, "wendland/c4 2.0"), (3, "quintic 1.2"),
+                   (2, "cubic 1.0")):
     name = "%dD, %s: " % (dim, style)
     auto = scene(dim, style, steps=200)
     log = auto.thermo[0]
     dt = log["Dt"][0]
-    checks.note(name + "automatic step", "%.4g rho cp h^2/k" % (dt * 50 / (7800 * 500 * (float(style.split()[1]) * 1e-4) ** 2)))
+    checks.note(name + "automatic step",
+                "%.4g rho cp h^2/k" % (dt * 50 / (7800 * 500 * (float(style.split()[1]) * 1e-4) ** 2)))
     checks.below(name + "noise left, automatic step", log["v_spread"][-1], 0.3)
     checks.below(name + "noise grows, automatic step", np.diff(log["v_spread"]).max(), 0)
     limit = 4 / 3 * dt
@@ -67,8 +71,8 @@ for dim, style in ((2, "hyperbolic 1.2"), (3, "hyperbolic 1.2"), (2, "wendland/c
         if share < 1:
             checks.below(name + "0.97 of the limit: noise left", result.thermo[-1]["v_spread"][-1], 0.5)
         else:
-            checks.true(name + "%g of the limit stops, and says why" % share, "conduction has outgrown" in result.errors(),
-                        result.errors()[:160])
+            checks.true(name + "%g of the limit stops, and says why" % share,
+                        "conduction has outgrown" in result.errors(), result.errors()[:160])
     result = scene(dim, style, "5", "50", steps=400, change=CHANGE)
     checks.below(name + "automatic step, k grows tenfold: noise left", result.thermo[-1]["v_spread"][-1], 0.3)
     checks.near(name + "automatic step, k grows tenfold: step", result.thermo[-1]["Dt"][-1], dt, relative=1e-6)

@@ -108,7 +108,12 @@ def patch_script(dim, kernel, options=""):
     g = gradient(dim)
     line = ["+".join("(%r)*%s" % (float(g[r, c]), "xyz"[c]) for c in range(dim)) for r in range(3)]
     return (head(dim, kernel, "f15", "viscosity 0 0 " + options, 8, 8 if dim == 2 else 6) +
-            PATCH.format(dz="1e-4" if dim == 3 else "0", u=line[0], v=line[1], w=line[2], vz="v_w" if dim == 3 else "NULL"))
+            PATCH.format(dz="1e-4" if dim == 3 else "0", u=line[0], v=line[1], w=line[2],
+                         vz="v_w" if dim == 3 else "NULL"))
+
+
+def patched(dim, kernel, options=""):
+    return run(patch_script(dim, kernel, options)).dump("end.dump")[-1]
 
 
 def patch_errors(dim, frame):
@@ -142,11 +147,11 @@ def table():
                     corrected = wave_speed(dim, kernel, form, "correction yes")
                     # in 3D 12 of the 16 rows of particles of this bar are at faces, 4 of them at edges
                     checks.near(name + " corrected: speed of a bar", corrected, 1.0, relative=0.01 if dim == 2 else 0.1)
-                    inside, dropped = patch_errors(dim, run(patch_script(dim, kernel, "correction yes")).dump("end.dump")[-1])
+                    inside, dropped = patch_errors(dim, patched(dim, kernel, "correction yes"))
                     checks.below(name + " corrected: patch test", inside, 1e-6)
                     if dim == 3:
                         checks.note("   share of the edge particles without correction", "%.2f" % dropped)
-                    text += ", patch test by %.2g" % patch_errors(dim, run(patch_script(dim, kernel)).dump("end.dump")[-1])[0]
+                    text += ", patch test by %.2g" % patch_errors(dim, patched(dim, kernel))[0]
                 checks.note(name + " plain: speed of a bar off by", text)
 
 

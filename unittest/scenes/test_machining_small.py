@@ -1,6 +1,7 @@
 """High speed machining, a narrow, short slice of examples/high_speed_machining: the chip forms and holds together, the
-signs of the forces, the effect of heat, the energy book, and 1 and 2 ranks agree. The work piece is half as long and high
-as the example's, held in the same way, and cut over 1 mm; so the forces are those of a start, not of a steady cut."""
+signs of the forces, the effect of heat, the energy book, and 1 and 2 ranks agree. The work piece is half as long and
+high as the example's, held in the same way, and cut over 1 mm; so the forces are those of a start, not of a steady
+cut."""
 import os
 import sys
 

@@ -1,6 +1,7 @@
 """Material cards.
 
- - every card of materials/materials.sphtm, read here apart from the plugin, says what the literature says: the flow stress
+ - every card of materials/materials.sphtm, read here apart from the plugin, says what the literature says: the flow
+ stress
    at points of REFERENCE 2, or the constants themselves;
  - a run with a card is, bit for bit, the run with its constants in the script, and each constant arrives: with 'set' it
    gives the run with that constant in the script, and another one than before;
@@ -13,7 +14,8 @@ import numpy as np
 from sphtm_scene import SOURCE, Checks, lattice_block, run
 
 CARDS = os.path.join(SOURCE, "materials", "materials.sphtm")
-NAMES = {"density": ["density"], "elastic": ["young", "poisson"], "heat": ["conductivity", "capacity", "taylor_quinney"],
+NAMES = {"density": ["density"], "elastic": ["young", "poisson"],
+         "heat": ["conductivity", "capacity", "taylor_quinney"],
          "strength johnson/cook": ["jc_a", "jc_b", "jc_n", "jc_c", "jc_m", "t_ref", "t_melt", "jc_rate0"],
          "strength plastic": ["yield", "hardening"], "strength elastic": [], "eos linear": [],
          "emissivity": ["emissivity"]}
@@ -184,7 +186,8 @@ def malformed(checks):
     def attempt(case):
         old, new = case[1:3]
         assert old in CARD, old
-        return run(LOAD.format(material="cards.sphtm one"), files={"cards.sphtm": CARD.replace(old, new, 1)}, expect_error=True)
+        return run(LOAD.format(material="cards.sphtm one"), files={"cards.sphtm": CARD.replace(old, new, 1)},
+                   expect_error=True)
 
     with ThreadPoolExecutor(2) as pool:
         for case, result in zip(MALFORMED, pool.map(attempt, MALFORMED)):

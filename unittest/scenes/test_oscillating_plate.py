@@ -1,10 +1,10 @@
 """A clamped plate swings in its first mode (Gray, Monaghan, Swift 2001; REFERENCE: thin plate 0.2540 s, linear finite
 elements 0.2621 s with the faces of the base held and 0.2550 s with a rigid base; published SPH 0.283 to 0.285 s, total
-Lagrangian SPH 0.2745 s; to be met: below 0.2745 s, if possible 0.255 to 0.262 s). Ten particles over the thickness, half
-a period, which the first zero of the tip's height ends.
+Lagrangian SPH 0.2745 s; to be met: below 0.2745 s, if possible 0.255 to 0.262 s). Ten particles over the thickness,
+half a period, which the first zero of the tip's height ends.
 
-With ten particles the plate is as much too soft as its outermost layers, where a one-sided gradient of a bending field is
-of first order only: the period is held to finite elements within 4 %, the gap to the target is printed."""
+With ten particles the plate is as much too soft as its outermost layers, where a one-sided gradient of a bending field
+is of first order only: the period is held to finite elements within 4 %, the gap to the target is printed."""
 import os
 
 import numpy as np
@@ -34,8 +34,8 @@ def main():
     checks.note("target, s", "%.3f to %.3f: %s" % (TARGET + ("inside" if TARGET[0] <= found <= TARGET[1] else
                                                              "%+.4f beyond" % (found - TARGET[1]),)))
     force = np.max(np.abs(table["f_hold[2]"]))
-    checks.below("sum of all pair forces over that on the clamp", max(np.max(np.abs(table[c])) for c in ("v_fx", "v_fy")) / force,
-                 1e-11)
+    checks.below("sum of all pair forces over that on the clamp",
+                 max(np.max(np.abs(table[c])) for c in ("v_fx", "v_fy")) / force, 1e-11)
     checks.below("energy sum, drift over kinetic energy", np.ptp(table["f_body[9]"]) / table["f_body[1]"][0], 0.01)
     checks.note("work of the viscosity over kinetic energy", "%.4f" % (table["f_body[7]"][-1] / table["f_body[1]"][0]))
     plain, table = swing(end=0.16, kernel="hyperbolic 1.2", options="artstress 0.3 4")

@@ -82,8 +82,8 @@ _, away_double = scene("double", far=100)
 checks.below("1e5 spacings from the origin: velocities", differ(away, away_double, V), 2e-5)
 for fly in (0, 400):    # waves of 0.1 m/s in a body at rest, and at 400 m/s, where single resolves 3e-5 m/s
     (_, a), (_, b) = (scene(p, fly=fly, amplitude=0.1, steps=100) for p in ("mixed", "double"))
-    checks.below("waves of 0.1 m/s at %d m/s: error of the velocity, m/s" % fly, max(np.abs(a[c] - b[c]).max() for c in V),
-                 1e-6 if fly == 0 else 1e-4)
+    checks.below("waves of 0.1 m/s at %d m/s: error of the velocity, m/s" % fly,
+                 max(np.abs(a[c] - b[c]).max() for c in V), 1e-6 if fly == 0 else 1e-4)
 
 # --- a stressed body at rest: a column that stands on its foot, under 1e5 times its weight at g
 REST = lattice_block("-0.005 0.005 0 0.02", "-0.03 0.03 -0.01 0.05") + """

@@ -108,13 +108,14 @@ for dim in (2, 3):
     case("xsph", dim, "hyperbolic", ELASTIC, "xsph 0.5", xsph=0.5)
     case("balsara", dim, "hyperbolic", PLASTIC, "balsara yes", balsara=True)
     case("correction", dim, "hyperbolic", PLASTIC, "correction yes", correction=True)
-    case("artificial stress balanced", dim, "hyperbolic", PLASTIC, "artstress 0.5 4 balanced", artstress=(0.5, 4), balanced=True)
+    case("artificial stress balanced", dim, "hyperbolic", PLASTIC, "artstress 0.5 4 balanced", artstress=(0.5, 4),
+         balanced=True)
     case("balanced, shock", dim, "cubic", SHOCK, "artstress 0.4 3 component balanced correction yes", speed=300.0,
          artstress=(0.4, 3), component=True, balanced=True, correction=True)
-    case("smoothing lengths follow", dim, "hyperbolic", PLASTIC, "artstress 0.3 4 balanced", balanced=True, follow="psi",
-         more="fix lists all adapt/neigh asph psi every 1")
-    case("smoothing lengths follow, correction", dim, "cubic", HOT, "correction yes", correction=True, follow="psi", heat=True,
-         more="fix lists all adapt/neigh asph psi every 1")
+    case("smoothing lengths follow", dim, "hyperbolic", PLASTIC, "artstress 0.3 4 balanced", balanced=True,
+         follow="psi", more="fix lists all adapt/neigh asph psi every 1")
+    case("smoothing lengths follow, correction", dim, "cubic", HOT, "correction yes", correction=True, follow="psi",
+         heat=True, more="fix lists all adapt/neigh asph psi every 1")
     case("smoothing lengths follow the density", dim, "wendland/c2", ELASTIC, follow="density",
          more="fix lists all adapt/neigh asph density every 1")
     case("johnson/cook with heat", dim, "hyperbolic", HOT, heat=True)
@@ -162,7 +163,8 @@ def start(dim, dx, speed, seed):
     if dim == 2:
         x[:, 2] = 0
     v = speed * rng.uniform(-1, 1, x.shape) * mask
-    v += 3 * speed * np.stack([np.sin(2 * np.pi * x[:, 0] / (shape[0] * dx)), -x[:, 0] / (shape[0] * dx), 0 * x[:, 0]], -1)
+    v += 3 * speed * np.stack([np.sin(2 * np.pi * x[:, 0] / (shape[0] * dx)), -x[:, 0] / (shape[0] * dx), 0 * x[:, 0]],
+                              -1)
     kind = np.where(x[:, 1] < 0.5 * shape[1] * dx, 1, 2)
     return x, v, kind, shape
 
@@ -170,7 +172,8 @@ def start(dim, dx, speed, seed):
 def data_file(x, v, kind, lo, hi):
     lines = ["SPH-TM reference", "", "%d atoms" % len(x), "2 atom types", ""]
     lines += ["%r %r %slo %shi" % (float(lo[k]), float(hi[k]), "xyz"[k], "xyz"[k]) for k in range(3)]
-    lines += ["", "Atoms # atomic", ""] + ["%d %d %r %r %r" % ((i + 1, kind[i]) + tuple(map(float, x[i]))) for i in range(len(x))]
+    lines += ["", "Atoms # atomic", ""] + ["%d %d %r %r %r" % ((i + 1, kind[i]) + tuple(map(float, x[i])))
+                                           for i in range(len(x))]
     lines += ["", "Velocities", ""] + ["%d %r %r %r" % ((i + 1,) + tuple(map(float, v[i]))) for i in range(len(x))]
     return "\n".join(lines) + "\n"
 
@@ -192,11 +195,13 @@ class Case:
         assert self.period > 2 * REACH.get(c["kernel"], 2.0) * ratio * dx
         self.names = attributes(c)
         mass, length, time, energy, force, pressure, density = UNITS[c["units"]]
-        self.unit = {"x": length, "v": length / time, "f": force if dim == 3 else force / length,    # 2D: a plate one unit thick
+        # 2D: a plate one unit thick
+        self.unit = {"x": length, "v": length / time, "f": force if dim == 3 else force / length,
                      "density": density, "energy": energy / mass,
                      "pstrain/rate": 1 / time, "vonmises": pressure}
         self.unit.update(("stress/" + k, pressure) for k in ("xx", "yy", "zz", "xy", "xz", "yz"))
-        coeffs = "\n".join("pair_coeff %d %d %s" % (i + 1, i + 1, words(m, c["units"])) for i, m in enumerate(c["materials"]))
+        coeffs = "\n".join("pair_coeff %d %d %s" % (i + 1, i + 1, words(m, c["units"]))
+                           for i, m in enumerate(c["materials"]))
         self.script = SCRIPT.format(
             number=number, units=c["units"], dim=dim, bz="p" if dim == 2 else "f", newton=c["newton"],
             kernel=c["kernel"], ratio=ratio, dx=dx / length, style=c["style"], coeffs=coeffs + "\n" + c["coeffs"], T=T,
@@ -239,7 +244,8 @@ def compare(checks, wanted, where="", ranks=1, isa=None):
             cases.append(Case(number, c))
     if isa:
         os.environ["SPHTM_ISA"] = isa
-    result = run("clear\n".join(c.script for c in cases), files={"data.%d" % c.number: c.data for c in cases}, ranks=ranks)
+    result = run("clear\n".join(c.script for c in cases), files={"data.%d" % c.number: c.data for c in cases},
+                 ranks=ranks)
     if isa:
         checks.true("rate loops: " + isa, "rate loops: " + isa in result.output)
         del os.environ["SPHTM_ISA"]

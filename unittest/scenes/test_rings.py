@@ -52,7 +52,8 @@ def main():
     checks.note("artificial work over kinetic energy", "%.3f" % (table["f_body[7]"][-1] / table["f_body[1]"][0]))
     plain = run(SCRIPT, {"eps": 0}, folder=folder, expect_error=True)
     if plain.errors():    # fragments fly out of the box
-        checks.true("without artificial stress the rings break", "leaves the box" in plain.errors(), plain.errors()[:120])
+        checks.true("without artificial stress the rings break", "leaves the box" in plain.errors(),
+                    plain.errors()[:120])
     else:
         broken = pieces(plain.dump("end.dump")[-1])
         checks.true("without artificial stress the rings break", len(broken) > 2, "pieces %s" % broken)

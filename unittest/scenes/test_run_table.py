@@ -38,7 +38,8 @@ lines = table(full)
 on = {"viscosity", "artstress", "heat", "conduction", "plasticity", "surface", "energy"}
 ALL = ("viscosity artstress heat conduction plasticity damage correction balsara xsph surface internal-energy bodies "
        "energy").split()
-checks.true("a line for every effect that is on, none for others", {e for e in lines if e in ALL} == on, " ".join(lines))
+checks.true("a line for every effect that is on, none for others", {e for e in lines if e in ALL} == on,
+            " ".join(lines))
 checks.true("a line for the other fix", "fix warm sph/tm/heat" in lines)
 parts = [v for name, v in lines.items() if name != "all"]
 checks.near("the seconds sum to the whole", sum(p[0] for p in parts), lines["all"][0], relative=2e-3)

@@ -45,9 +45,11 @@ CASES = [
      ["particle 30", "velocity", "ten times the speed of sound"]),
     # torn apart twice: the second time there is less than what is taken away
     ("a density below zero", LARGE, "courant 0.8",
-     "label again\nvariable n loop 3\nvariable k equal 0.5/dt\nvariable vx atom v_k*(x-4e-3)\nvariable vy atom v_k*(y-4e-3)\n"
-     "velocity all set v_vx v_vy NULL units box\nrun 1\nvariable bx atom -(x-4e-3)*0.5\nvariable by atom -(y-4e-3)*0.5\n"
-     "displace_atoms all move v_bx v_by 0 units box\nnext n\njump SELF again", ["particle", "density", "not positive", "Likely cause"]),
+     "label again\nvariable n loop 3\nvariable k equal 0.5/dt\nvariable vx atom v_k*(x-4e-3)\n"
+     "variable vy atom v_k*(y-4e-3)\nvelocity all set v_vx v_vy NULL units box\nrun 1\n"
+     "variable bx atom -(x-4e-3)*0.5\nvariable by atom -(y-4e-3)*0.5\n"
+     "displace_atoms all move v_bx v_by 0 units box\nnext n\njump SELF again",
+     ["particle", "density", "not positive", "Likely cause"]),
     ("a particle that leaves the box", SMALL, "", "group last id 32\nvelocity last set 8000 0 0 units box",
      ["particle 32", "leaves the box", "x upper boundary", "velocity", "lost ignore"]),
     ("heat taken out without end", LARGE, "", "fix sink one sph/tm/heat source -1e20",
@@ -60,13 +62,16 @@ def stopped(checks, name, box, words, lines, fragments, ranks=1):
     errors = result.errors()
     missing = [f for f in fragments if f not in errors]
     checks.true(name + ": says what and where", result.status > 0 and not missing and "Loop time" in result.output,
-                "status %d, not said: %s <- %s" % (result.status, ", ".join(missing), errors[:300]) if missing or result.status < 1
-                else "")
+                "status %d, not said: %s <- %s" % (result.status, ", ".join(missing), errors[:300])
+                if missing or result.status < 1 else "")
     at = re.search(r"at (-?[\d.e+-]+) (-?[\d.e+-]+) (-?[\d.e+-]+)", errors)
-    checks.true(name + ": position", at and abs(float(at.group(1))) < 1 and abs(float(at.group(2))) < 1, errors[:300] if not at else "")
-    steps = [int(re.search(r"state\.(\d+)\.", f).group(1)) for f in glob.glob(os.path.join(result.folder, "state.*.restart"))]
+    checks.true(name + ": position", at and abs(float(at.group(1))) < 1 and abs(float(at.group(2))) < 1,
+                errors[:300] if not at else "")
+    steps = [int(re.search(r"state\.(\d+)\.", f).group(1))
+             for f in glob.glob(os.path.join(result.folder, "state.*.restart"))]
     again = run(AGAIN, folder=result.folder, expect_error=True)
-    good = again.status == 0 and again.thermo and again.thermo[-1]["Step"][-1] == 40 and again.thermo[-1]["Atoms"][-1] == 64
+    last = again.thermo[-1] if again.status == 0 and again.thermo else {}
+    good = last and last["Step"][-1] == 40 and last["Atoms"][-1] == 64
     checks.true(name + ": an earlier restart file goes on", 20 in steps and good, "" if good else again.output[-300:])
 
 
@@ -85,8 +90,10 @@ if not wanted:
 
     # a neighbour list that LAMMPS's defaults do not hold
     result = run(script(LARGE, work="0 3e-3 0 3e-3", dx="0.05e-3"), expect_error=True)
-    checks.true("a neighbour list that overflows", result.status > 0 and "neigh_modify one" in result.errors(), result.errors()[:200])
+    checks.true("a neighbour list that overflows", result.status > 0 and "neigh_modify one" in result.errors(),
+                result.errors()[:200])
     few = script(LARGE).replace("thermo 10", "thermo 10\nneigh_modify one 5 page 100", 1)
     result = run(few, expect_error=True)
-    checks.true("room for too few neighbours", result.status == 0 and "neigh_modify one" in result.output, result.errors()[:200])
+    checks.true("room for too few neighbours", result.status == 0 and "neigh_modify one" in result.output,
+                result.errors()[:200])
 checks.end()

@@ -1,6 +1,6 @@
-"""A spinning elastic block, ten turns: angular momentum stays. Rubber, 20 x 20 particles, corners at 0.05 times the bulk
-speed of sound. Plain SPH takes the rotation of a free surface for strain and stops the block within the ten turns; the
-corrected gradients see it as it is."""
+"""A spinning elastic block, ten turns: angular momentum stays. Rubber, 20 x 20 particles, corners at 0.05 times the
+bulk speed of sound. Plain SPH takes the rotation of a free surface for strain and stops the block within the ten turns;
+the corrected gradients see it as it is."""
 import numpy as np
 
 from sphtm_scene import Checks, run

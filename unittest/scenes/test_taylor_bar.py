@@ -20,7 +20,7 @@ SCRIPT = os.path.join(SOURCE, "examples", "taylor_bar", "in.taylor_bar")
 RINGS = int(os.environ.get("SPHTM_TAYLOR", 4))
 OFHC = ("density 8960 elastic 124e9 0.34 strength johnson/cook 90e6 292e6 0.31 0.025 1.09 298 1356 1.0 "
         "heat 386 383 0.9")
-#        name, radius, length (m), density, options, {quantity: (reference in mm, error allowed, or None: reported only)}
+# name, radius, length (m), density, options, {quantity: (reference in mm, error allowed, or None: reported only)}
 SHOTS = [("linear hardening", 3.2e-3, 32.4e-3, 8930, {}, {"length": (21.4, 0.03), "radius": (7.22, 0.04)}),
          ("OFHC 210 m/s", 3.81e-3, 23.47e-3, 8960, {"speed": 210, "end": 75e-6, "material": OFHC},
           {"length": (14.80, 0.06), "radius": (8.40, None)}),
@@ -32,8 +32,9 @@ def main():
     checks = Checks()
     for name, r, l, rho, options, references in SHOTS:
         folder = new_folder()
-        subprocess.run([sys.executable, os.path.join(SOURCE, "tools", "make_tool.py"), "plane", "--size", "1", "1", "--cells",
-                        "2", "2", "-o", os.path.join(folder, "plane.stl")], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([sys.executable, os.path.join(SOURCE, "tools", "make_tool.py"), "plane", "--size", "1", "1",
+                        "--cells", "2", "2", "-o", os.path.join(folder, "plane.stl")], check=True,
+                       stdout=subprocess.DEVNULL)
         dx = make_bar(RINGS, r, l, rho, os.path.join(folder, "bar.data"))
         result = run(SCRIPT, dict(options, dx=dx), folder=folder)
         table = result.thermo[-1]
@@ -44,7 +45,8 @@ def main():
             if allowed:
                 checks.near("%s: %s, mm" % (name, what), found, reference, relative=allowed)
             else:
-                checks.note("%s: %s, mm" % (name, what), "%.2f against %.2f: %+.1f %%" % (found, reference, 100 * (found / reference - 1)))
+                checks.note("%s: %s, mm" % (name, what),
+                            "%.2f against %.2f: %+.1f %%" % (found, reference, 100 * (found / reference - 1)))
         checks.below("unevenness of the rim over the radius", (largest - least) / radius, 0.05)
         checks.note("artificial work over kinetic energy", "%.3f" % (table["f_body[7]"][-1] / kinetic))
         checks.below("energy sum, drift over kinetic energy", np.ptp(table["f_body[9]"]) / kinetic, 0.01)

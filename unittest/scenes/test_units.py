@@ -1,11 +1,11 @@
 """One scene in every style of units: a block of a material card is pressed and rubbed by a hot tool, with plasticity,
 heat, friction, conductance, a lumped tool, convection and radiation. The same numbers in SI must come out, and the same
-automatic time step. test_reference_rates.py holds the rates themselves in all styles; here it is the card, the tools, the
-heat fixes, the output and what limits the step.
+automatic time step. test_reference_rates.py holds the rates themselves in all styles; here it is the card, the tools,
+the heat fixes, the output and what limits the step.
 
-The difference allowed is round-off, grown by 300 steps of plastic contact (1e-9), and where a unit is not a power of ten
-that of the constants in LAMMPS's tables, of eight digits, grown too (2e-6). Units lj are taken as made of 1 mg, 0.3 mm
-and 0.7 us, the constants given inline, and without radiation."""
+The difference allowed is round-off, grown by 300 steps of plastic contact (1e-9), and where a unit is not a power of
+ten that of the constants in LAMMPS's tables, of eight digits, grown too (2e-6). Units lj are taken as made of 1 mg, 0.3
+mm and 0.7 us, the constants given inline, and without radiation."""
 import numpy as np
 from contact_scene import HEADER, block, mesh, particles
 from sphtm_scene import Checks, new_folder, run
@@ -37,7 +37,8 @@ run 300
 DIMENSIONS = {
     "time": "Time Dt", "length": "x y z f_tool[7] f_tool[8] f_tool[9]", "speed": "vx vy vz", "density": "c_p[4]",
     "pressure": "c_p[3] c_p[5]", "force": "f_tool[1] f_tool[2] f_tool[3]", "area": "f_air[3]",
-    "energy": "PotEng KinEng f_tool[4] f_tool[5] f_tool[6] f_air[2] f_sun[2]", "power": "f_tool[10] f_tool[11] f_air[1]"}
+    "energy": "PotEng KinEng f_tool[4] f_tool[5] f_tool[6] f_air[2] f_sun[2]",
+    "power": "f_tool[10] f_tool[11] f_air[1]"}
 RADIATION = "fix sun all sph/tm/heat radiation 3000"
 
 
@@ -56,8 +57,10 @@ def scales(style, dim):
         energy, force, pressure, density = (mass * length ** 2 / time ** 2, mass * length / time ** 2,
                                             mass / length / time ** 2, mass / length ** 3)
     thick = length if dim == 2 else 1.0       # in 2D: a plate one unit thick
-    return {"mass": mass, "length": length, "time": time, "pressure": pressure, "density": density, "speed": length / time,
-            "energy": energy / thick, "force": force / thick, "power": energy / time / thick, "area": length ** 2 / thick,
+    return {"mass": mass, "length": length, "time": time, "pressure": pressure, "density": density,
+            "speed": length / time,
+            "energy": energy / thick, "force": force / thick, "power": energy / time / thick,
+            "area": length ** 2 / thick,
             "one": 1.0, "conductance": energy / (time * length ** 2), "conductivity": energy / (time * length),
             "capacity": energy / mass, "thick": thick}
 
@@ -82,7 +85,8 @@ def press(style, dim, radiation):
     material = CARD
     if style == "lj":
         material = INLINE.format(rho=2690 / u["density"], E=68.9e9 / u["pressure"], A=428e6 / u["pressure"],
-                                 B=327e6 / u["pressure"], rate0=u["time"], k=200 / u["conductivity"], cp=900 / u["capacity"])
+                                 B=327e6 / u["pressure"], rate0=u["time"], k=200 / u["conductivity"],
+                                 cp=900 / u["capacity"])
     script = HEADER.replace("units si", "units " + style).format(
         dim=dim, boundary="f f f" if dim == 3 else "f f p", data="data.scene", dx=float(DX / u["length"]),
         style="balsara yes") + SCRIPT.format(material=material, radiation=RADIATION if radiation else "",
@@ -118,5 +122,6 @@ if __name__ == "__main__":
                 hold(checks, "%dd lj" % dim, press(style, dim, False), press("si", dim, False), 1e-9)
             elif style != "si":
                 powers_of_ten = style in ("cgs", "micro", "nano")
-                hold(checks, "%dd %s" % (dim, style), press(style, dim, True), reference, 1e-9 if powers_of_ten else 2e-6)
+                hold(checks, "%dd %s" % (dim, style), press(style, dim, True), reference,
+                     1e-9 if powers_of_ten else 2e-6)
     checks.end()
