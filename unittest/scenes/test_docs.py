@@ -1,0 +1,95 @@
+"""The pages in doc/ against the plugin: every keyword, kernel, effect, constant and attribute that a style knows, as
+its error message lists them, stands in the Syntax of its page, and the page has no others. README.md names every
+example."""
+import glob
+import os
+import re
+
+from sphtm_scene import SOURCE, Checks, lattice_block, run
+
+STYLE = "pair_style sph/tm hyperbolic 1.2 spacing 1e-3\n"
+COEFF = "pair_coeff 1 1 density 2700 elastic 70e9 0.33 heat 200 900 0.9\n"
+READY = STYLE + COEFF + "fix body all sph/tm\n"
+REFINE = "fix ad all adapt/neigh refine square epsilon 0.4 alpha 0.6 when neighbors above 1 "
+checks = Checks()
+
+
+def known(lines, after="known are|choose|known is"):
+    """The words that an error message lists."""
+    head = lattice_block("0 4e-3 0 4e-3", "-5e-3 9e-3 -5e-3 9e-3")
+    error = (run(head + lines + "\nrun 0\n", expect_error=True).errors() or "none").splitlines()[0]
+    words = re.split("(?:%s):? ?" % after, error)[-1]
+    return set(re.sub(r", | or | and ", " ", re.sub(r"; got.*|, got.*| \(src.*", "", words)).split())
+
+
+def syntax(page):
+    """The Syntax section of a page, without the lines that show a whole command."""
+    with open(os.path.join(SOURCE, "doc", page + ".rst")) as f:
+        text = f.read()
+    return text[text.index("\nSyntax\n"):text.index("\nExamples\n")]
+
+
+def keywords(text):
+    """Words like *this* at the beginning of a line that are followed by values."""
+    return set(re.findall(r"^ +\*([\w/]+)\* +values?\b", text, re.M))
+
+
+def starred(text):
+    return set(re.findall(r"\*([\w/-]+)\*", text))
+
+
+def part(text, begin, end):
+    """Lines from the one that begins with begin up to one that begins with end; nothing where there is none."""
+    found = re.search(r"^ *(?:\* )?%s.*?(?=^ *(?:\* )?%s|\Z)" % (begin, end), text, re.M | re.S)
+    return found.group(0) if found else ""
+
+
+def same(name, code, doc):
+    missing, wrong = (" ".join(sorted(s)) or "nothing" for s in (code - doc, doc - code))
+    checks.true(name, code and code == doc, "%d words; not in doc: %s; only there: %s" % (len(code), missing, wrong))
+
+
+pair = syntax("pair_sph_tm")
+same("pair_style: kernels", known("pair_style sph/tm nonsense 1.2 spacing 1e-3"),
+     starred(part(pair, "kernel =", "ratio")))
+same("pair_style: keywords", known(STYLE.strip() + " nonsense 1"), keywords(pair) | {"spacing"})
+groups = part(pair, "groups of material constants", r"\Z")
+same("pair_coeff: groups", known(STYLE + COEFF.strip() + " nonsense") - {"set"},
+     set(re.findall(r"\*(\w+)[^*\n]*\*", groups)) - {"table"})
+for group in "eos", "strength", "damage", "body":
+    same("pair_coeff: " + group, known(STYLE + "pair_coeff 1 1 %s nonsense" % group, "one of"),
+         set(re.findall(r"\*%s ([\w/]+)\*" % group, groups)))
+same("pair_coeff: constants of set", known(STYLE + COEFF.strip() + " set nonsense 1"),
+     starred(part(pair, "constant =", "groups")))
+
+fix = syntax("fix_sph_tm")
+same("fix sph/tm: keywords", known(STYLE + COEFF + "fix body all sph/tm nonsense 1"), keywords(fix))
+same("fix sph/tm: effects", known(STYLE + COEFF + "fix body all sph/tm effects nonsense on"),
+     starred(part(fix, "effect =", r"\Z")))
+
+heat = syntax("fix_sph_tm_heat")
+modes = starred(re.sub(r"=.*", "", part(heat, "mode and values", "zero or more")))
+same("fix sph/tm/heat: modes",
+     known(READY + "fix h all sph/tm/heat nonsense", "a mode") - {"T", "q", "hc", "Tinf"}, modes)
+same("fix sph/tm/heat: keywords", known(READY + "fix h all sph/tm/heat radiation 300 nonsense 1"), keywords(heat))
+
+tool = syntax("fix_contact_tri")
+same("fix contact/tri: keywords", known(READY + "fix t all contact/tri nonsense 1"), keywords(tool) | {"file"})
+
+adapt, refine = syntax("fix_adapt_neigh"), syntax("fix_adapt_neigh_refine")
+inner = keywords(part(adapt, r"keyword = \*every", r"\Z"))
+same("fix adapt/neigh: keywords", known(READY + "fix ad all adapt/neigh nonsense 1"),
+     keywords(adapt) - inner | {"refine", "coarsen"})
+same("fix adapt/neigh refine: patterns", known(READY + REFINE.replace("square", "nonsense")),
+     starred(part(refine, "pattern =", "E =")))
+
+same("compute sph/tm/atom", known(READY + "compute p all sph/tm/atom nonsense"),
+     starred(re.sub(r"=.*", "", part(syntax("compute_sph_tm_atom"), "one or more attributes", r"\Z"))))
+same("compute cutting/force", known(READY + "compute f all cutting/force t nonsense"),
+     keywords(syntax("compute_cutting_force")))
+
+with open(os.path.join(SOURCE, "README.md")) as f:
+    told = set(re.findall(r"\]\(examples/(\w+)\)", f.read()))
+pages = glob.glob(os.path.join(SOURCE, "examples", "*", "README.md"))
+same("README: examples", {os.path.basename(os.path.dirname(p)) for p in pages}, told)
+checks.end()
