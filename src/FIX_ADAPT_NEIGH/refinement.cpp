@@ -99,14 +99,13 @@ int Refinement::read_refine(int narg, char **arg)
 
 void Refinement::make_pattern(int kernel)
 {
-  static const char *const kernels[] = {"hyperbolic", "cubic", "quintic", "wendland/c2", "wendland/c4"};
   const int status = tm_split_make(kind, kernel, epsilon, alpha, &pattern);
   if (status == TM_SPLIT_OK) return;
   std::string masses;
   for (int k = 0; k < pattern.n; k++) masses += fmt::format(" {:.4g}", pattern.mass[k]);
   const bool none = pattern.mass[0] > 0.5;    // all in the centre
   lmp()->error->all(FLERR, "Fix adapt/neigh refine {} epsilon {:.6g} alpha {:.6g} with the {} kernel {}; take {}",
-                    tm_split_name(kind), epsilon, alpha, kernels[kernel],
+                    tm_split_name(kind), epsilon, alpha, PairSPHTM::kernel_name(kernel),
                     status == TM_SPLIT_SINGULAR
                         ? "puts the children so close together that their masses are not determined"
                         : fmt::format("would give {} of the children {} mass, in parts of the whole:{}",

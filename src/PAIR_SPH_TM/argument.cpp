@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 
 using namespace LAMMPS_NS;
 
@@ -65,6 +66,51 @@ bool yes_no(LAMMPS *lmp, const std::string &what, const char *text)
     if (word == no) return false;
   lmp->error->all(FLERR, "{} must be yes or no, got {}", what, text);
   return false;
+}
+
+// --- keywords
+
+const char *Keywords::value()
+{
+  need(1);
+  left--;
+  return *arg++;
+}
+
+bool Keywords::next()
+{
+  if (left < 1) return false;
+  key = value();
+  return true;
+}
+
+void Keywords::need(int values) const
+{
+  if (left < values)
+    lmp->error->all(FLERR, "{} keyword {} needs {} value{}", style, key, values, values == 1 ? "" : "s");
+}
+
+bool Keywords::take(const char *word)
+{
+  if (left < 1 || strcmp(*arg, word) != 0) return false;
+  value();
+  return true;
+}
+
+double Keywords::share(const char *part)
+{
+  const char *text = value();
+  const double x = SPHTM_NS::not_negative(lmp, what(part), text);
+  if (x > 1.0) lmp->error->all(FLERR, "{} must be 0 to 1, got {}", what(part), text);
+  return x;
+}
+
+bool Keywords::second(const char *one, const char *two)
+{
+  const char *text = value();
+  if (strcmp(text, one) != 0 && strcmp(text, two) != 0)
+    lmp->error->all(FLERR, "{} must be {} or {}, got {}", what(), one, two, text);
+  return strcmp(text, two) == 0;
 }
 
 }    // namespace SPHTM_NS

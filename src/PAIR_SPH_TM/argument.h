@@ -20,6 +20,33 @@ double number_within(LAMMPS_NS::LAMMPS *lmp, const std::string &what, const char
 int integer_within(LAMMPS_NS::LAMMPS *lmp, const std::string &what, const char *text, int lo, int hi);
 bool yes_no(LAMMPS_NS::LAMMPS *lmp, const std::string &what, const char *text);
 
+// The keywords of a style and their values, read from left to right. part names one of several values.
+class Keywords {
+ public:
+  Keywords(LAMMPS_NS::LAMMPS *l, const std::string &s, int n, char **a) : lmp(l), style(s), left(n), arg(a) {}
+  bool next();                               // to the next keyword; false: there is none
+  const std::string &name() const { return key; }
+  bool is(const char *name) const { return key == name; }
+  void need(int values) const;               // an error where fewer are left
+  const char *ahead(int k) const { return k < left ? arg[k] : nullptr; }    // word k of those to come
+  bool take(const char *word);               // this one, where it comes next
+  const char *value();
+  double positive(const char *part = "") { return SPHTM_NS::positive(lmp, what(part), value()); }
+  double not_negative(const char *part = "") { return SPHTM_NS::not_negative(lmp, what(part), value()); }
+  double share(const char *part = "");       // 0 to 1
+  double within(double lo, double hi) { return number_within(lmp, what(), value(), lo, hi); }
+  int integer(int lo, int hi, const char *part = "") { return integer_within(lmp, what(part), value(), lo, hi); }
+  bool yes(const char *part = "") { return yes_no(lmp, what(part), value()); }
+  bool second(const char *one, const char *two);    // of these words: one false, two true
+  std::string what(const std::string &part = "") const { return style + " " + key + (part.empty() ? "" : " " + part); }
+
+ private:
+  LAMMPS_NS::LAMMPS *lmp;
+  std::string style, key;
+  int left;
+  char **arg;    // of those to come
+};
+
 }    // namespace SPHTM_NS
 
 #endif

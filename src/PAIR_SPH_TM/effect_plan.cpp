@@ -65,15 +65,27 @@ const std::vector<unsigned> &effects_in_loops()
   return bits;
 }
 
-void EffectPlan::derive(const PairSPHTM &pair, int ntypes)
-{
-  const PairSPHTM::Settings &set = pair.settings_in_use();
-  std::map<unsigned, std::string> why;
-  auto on = [&](unsigned bit, const std::string &reason) { why.emplace(bit, reason); };
-  auto of_type = [&](int t) { return "type " + std::to_string(t) + " (" + pair.material_name(t) + ")"; };
+// --- what calls for effects -------------------------------------------------------------------
 
-  bool mechanics = false, solid = false, softens_without_heat = false;
-  std::string conducts;
+namespace {
+// why effects are on; the first reason counts
+struct Reasons {
+  const PairSPHTM &pair;
+  const int ntypes;
+  std::map<unsigned, std::string> why = {};
+  bool mechanics = false, solid = false, softens = false;
+  std::string conducts = {};    // the first material that does
+
+  void on(unsigned bit, const std::string &reason) { why.emplace(bit, reason); }
+  bool has(unsigned bit) const { return why.count(bit) > 0; }
+  std::string of_type(int t) const { return "type " + std::to_string(t) + " (" + pair.material_name(t) + ")"; }
+  void materials();
+  void contacts();
+  void settings();
+};
+
+void Reasons::materials()
+{
   for (int t = 1; t <= ntypes; t++) {
     const tm_material &m = pair.materials()[t];
     if (m.body == TM_BODY_HEAT) on(TM_FX_HEAT, of_type(t) + " is a heat body");
@@ -89,62 +101,92 @@ void EffectPlan::derive(const PairSPHTM &pair, int ntypes)
       on(TM_FX_HEAT, of_type(t) + " heats by plastic work and softens with temperature");
     else if (m.heat && m.taylor_quinney > 0.0 && m.strength == TM_STRENGTH_PLASTIC)
       on(TM_FX_HEAT, of_type(t) + " heats by plastic work");
-    if (jc && m.jc_m > 0.0) softens_without_heat = true;
+    if (jc && m.jc_m > 0.0) softens = true;
     if (m.damage != TM_DAMAGE_NONE) on(TM_FX_DAMAGE, of_type(t) + " has a damage law");
     if (m.eos == TM_EOS_SHOCK) on(TM_FX_ENERGY, of_type(t) + " has a shock equation of state");
   }
-  bool all_heat = true;
-  for (int t = 1; t <= ntypes; t++) all_heat = all_heat && pair.materials()[t].heat;
-  for (int i = 1; i <= ntypes && all_heat; i++)
+}
+
+// friction and conduction between bodies, where all materials have heat constants
+void Reasons::contacts()
+{
+  for (int t = 1; t <= ntypes; t++)
+    if (!pair.materials()[t].heat) return;
+  for (int i = 1; i <= ntypes; i++)
     for (int j = i + 1; j <= ntypes; j++) {
       const PairSPHTM::PairLaw &l = pair.law(i, j);
       if (l.meeting != PairSPHTM::CONTACT || !(l.contact.friction > 0.0 || l.conductance >= 0.0)) continue;
       on(TM_FX_HEAT, "contact of " + of_type(i) + " and " + of_type(j) +
              (l.contact.friction > 0.0 ? " has friction" : " conducts heat"));
     }
-  for (const auto &a : asked) on(a.first, a.second);
+}
 
+void Reasons::settings()
+{
+  const PairSPHTM::Settings &set = pair.settings_in_use();
   if ((set.visc_alpha > 0.0 || set.visc_beta > 0.0) && mechanics) on(TM_FX_VISCOSITY, "pair_style viscosity is not 0");
   if (set.art_eps > 0.0 && solid) on(TM_FX_ARTSTRESS, "pair_style artstress is not 0");
   if (set.correction) on(TM_FX_CORRECTION, "pair_style correction yes");
   if (set.balsara) on(TM_FX_BALSARA, "pair_style balsara yes");
   if (set.xsph > 0.0) on(TM_FX_XSPH, "pair_style xsph is not 0");
   if (pair.has_contact_pairs()) on(TM_FX_BODIES, "pair_coeff contact");
-  for (const auto &n : NAMES)
-    if (forced_on & n.bit) on(n.bit, "asked for in fix sph/tm");
+}
+}    // namespace
 
-  // forced off, but a material or a fix has a use for it
-  const unsigned needed = unsigned(TM_FX_HEAT) | TM_FX_PLASTICITY | TM_FX_DAMAGE | TM_FX_ENERGY | TM_FX_BODIES;
-  warnings.clear();
+// --- the plan ---------------------------------------------------------------------------------
+
+void EffectPlan::derive(const PairSPHTM &pair, int ntypes)
+{
+  const PairSPHTM::Settings &set = pair.settings_in_use();
+  Reasons r{pair, ntypes};
+  r.materials();
+  r.contacts();
+  for (const auto &a : asked) r.on(a.first, a.second);
+  r.settings();
   for (const auto &n : NAMES)
-    if ((forced_off & needed & n.bit) && why.count(n.bit))
-      warnings.push_back(std::string("Fix sph/tm: ") + n.name + " is forced off, but " + why[n.bit]);
-  if (softens_without_heat && !why.count(TM_FX_HEAT))
-    warnings.push_back("Fix sph/tm: Johnson-Cook softening needs heat constants (pair_coeff heat); the "
-                       "temperature stays uniform");
+    if (forced_on & n.bit) r.on(n.bit, "asked for in fix sph/tm");
+  warn(r.why, r.softens);
+
   for (const auto &n : NAMES)
-    if (forced_off & n.bit) why.erase(n.bit);
-  if (why.count(TM_FX_HEAT) && !conducts.empty() && !(forced_off & TM_FX_CONDUCTION))
-    on(TM_FX_CONDUCTION, conducts);
+    if (forced_off & n.bit) r.why.erase(n.bit);
+  if (r.has(TM_FX_HEAT) && !r.conducts.empty() && !(forced_off & TM_FX_CONDUCTION))
+    r.on(TM_FX_CONDUCTION, r.conducts);
 
   // forced on, but what it acts on is off
   contradiction.clear();
-  if ((forced_on & TM_FX_CONDUCTION) && !why.count(TM_FX_HEAT))
+  if ((forced_on & TM_FX_CONDUCTION) && !r.has(TM_FX_HEAT))
     contradiction = "conduction is forced on, but heat is off; add 'effects heat on' and heat constants";
-  if ((forced_on & TM_FX_BALSARA) && !why.count(TM_FX_VISCOSITY))
+  if ((forced_on & TM_FX_BALSARA) && !r.has(TM_FX_VISCOSITY))
     contradiction = "balsara is forced on, but there is no viscosity for it to switch";
-  if (why.count(TM_FX_CORRECTION) && set.form_f14)
+  if (r.has(TM_FX_CORRECTION) && set.form_f14)
     contradiction = "correction needs pair_style form f15";
-  if (!why.count(TM_FX_HEAT)) why.erase(TM_FX_CONDUCTION);
-  if (!why.count(TM_FX_VISCOSITY)) why.erase(TM_FX_BALSARA);
-  heat_reason = why.count(TM_FX_HEAT) ? why[TM_FX_HEAT] : "";
+  if (!r.has(TM_FX_HEAT)) r.why.erase(TM_FX_CONDUCTION);
+  if (!r.has(TM_FX_VISCOSITY)) r.why.erase(TM_FX_BALSARA);
+  heat_reason = r.has(TM_FX_HEAT) ? r.why[TM_FX_HEAT] : "";
 
   effects = (dimension == 3 ? unsigned(TM_FX_3D) : 0u) | ((unsigned) set.kernel << TM_FX_KERNEL_SHIFT);
   if (set.form_f14) effects |= TM_FX_FORM_F14;
   if (set.plane_stress) effects |= TM_FX_PLANE_STRESS;
   if (set.mixed) effects |= TM_FX_MIXED;
-  for (const auto &w : why) effects |= w.first;
+  for (const auto &w : r.why) effects |= w.first;
+  write_report(r.why);
+}
 
+// forced off, but a material or a fix has a use for it
+void EffectPlan::warn(const std::map<unsigned, std::string> &why, bool softens)
+{
+  const unsigned needed = unsigned(TM_FX_HEAT) | TM_FX_PLASTICITY | TM_FX_DAMAGE | TM_FX_ENERGY | TM_FX_BODIES;
+  warnings.clear();
+  for (const auto &n : NAMES)
+    if ((forced_off & needed & n.bit) && why.count(n.bit))
+      warnings.push_back(std::string("Fix sph/tm: ") + n.name + " is forced off, but " + why.at(n.bit));
+  if (softens && !why.count(TM_FX_HEAT))
+    warnings.push_back("Fix sph/tm: Johnson-Cook softening needs heat constants (pair_coeff heat); the "
+                       "temperature stays uniform");
+}
+
+void EffectPlan::write_report(const std::map<unsigned, std::string> &why)
+{
   report.clear();
   for (const auto &n : NAMES) {
     const auto it = why.find(n.bit);

@@ -4,6 +4,7 @@
 
 #include "tm_effects.h"
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,6 +34,10 @@ struct EffectPlan {
   std::string contradiction;          // what makes the set impossible, or empty
 
   void derive(const LAMMPS_NS::PairSPHTM &pair, int ntypes);
+
+ private:
+  void warn(const std::map<unsigned, std::string> &why, bool softens);
+  void write_report(const std::map<unsigned, std::string> &why);
 };
 
 }    // namespace SPHTM_NS

@@ -2,7 +2,6 @@
 #include "fix_sph_tm.h"
 
 #include "accuracy_meter.h"
-#include "argument.h"
 #include "effect_plan.h"
 #include "pair_sph_tm.h"
 
@@ -11,16 +10,12 @@
 #include "domain.h"
 #include "error.h"
 #include "force.h"
-#include "group.h"
-#include "lammps.h"
 #include "modify.h"
-#include "output.h"
 #include "update.h"
 #include "utils.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
@@ -45,84 +40,7 @@ FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg, Backend &loops) :
   extvector = 0;
   dynamic_group_allow = 1;
 
-  for (int iarg = 3; iarg < narg;) {
-    const std::string key = arg[iarg];
-    auto value = [&](int n) {
-      if (iarg + n >= narg)
-        error->all(FLERR, "Fix sph/tm keyword {} needs {} value{}", key, n, n == 1 ? "" : "s");
-    };
-    const std::string what = "Fix sph/tm " + key;
-    if (key == "temperature") {
-      value(1);
-      temperature0 = positive(lmp, what, arg[iarg + 1]);
-      temperature_given = true;
-      iarg += 2;
-    } else if (key == "courant") {
-      value(1);
-      courant = number_within(lmp, what, arg[iarg + 1], 0.0, 1.0);
-      iarg += 2;
-    } else if (key == "dt") {
-      value(1);
-      fixed_dt = strcmp(arg[iarg + 1], "auto") == 0 ? 0.0 : positive(lmp, what, arg[iarg + 1]);
-      iarg += 2;
-    } else if (key == "dt/max") {
-      value(1);
-      dt_max = positive(lmp, what, arg[iarg + 1]);
-      iarg += 2;
-    } else if (key == "lost") {
-      value(1);
-      const std::string choice = arg[iarg + 1];
-      if (choice != "error" && choice != "ignore")
-        error->all(FLERR, "Fix sph/tm lost must be error or ignore, got {}", choice);
-      stop_on_lost = choice == "error";
-      iarg += 2;
-    } else if (key == "energy") {
-      value(1);
-      if (yes_no(lmp, what, arg[iarg + 1])) forced_on |= TM_FX_LEDGER;
-      iarg += 2;
-    } else if (key == "table") {
-      value(1);
-      const bool wait = strcmp(arg[iarg + 1], "wait") == 0;
-      want_table = wait || yes_no(lmp, what, arg[iarg + 1]);
-      run_clock.waits = wait ? &backend : nullptr;
-      iarg += 2;
-    } else if (key == "audit") {
-      value(1);
-      if (utils::is_integer(arg[iarg + 1]) || (iarg + 2 < narg && utils::is_integer(arg[iarg + 2]))) {
-        value(2);
-        const int every = integer_within(lmp, what + " N", arg[iarg + 1], 1, 1000000000);
-        const int sample = integer_within(lmp, what + " M", arg[iarg + 2], 1, 1000000);
-        meter.reset(new AccuracyMeter(*this, every, sample));
-        iarg += 3;
-      } else {
-        const bool wanted = yes_no(lmp, what, arg[iarg + 1]);
-        meter.reset(wanted ? new AccuracyMeter(*this, AccuracyMeter::EVERY, AccuracyMeter::SAMPLE) : nullptr);
-        iarg += 2;
-      }
-      size_vector = VECTOR_SIZE + (meter ? AccuracyMeter::CAUSES + 1 : 0);
-    } else if (key == "effects") {
-      value(1);
-      if (strcmp(arg[iarg + 1], "auto") == 0) {
-        iarg += 2;
-        continue;
-      }
-      value(2);
-      const unsigned bit = effect_by_name(arg[iarg + 1]);
-      if (!bit)
-        error->all(FLERR, "Unknown fix sph/tm effect {}: known are {}", arg[iarg + 1],
-                   effect_names());
-      if (yes_no(lmp, what + " " + arg[iarg + 1], arg[iarg + 2])) forced_on |= bit;
-      else forced_off |= bit;
-      iarg += 3;
-    } else
-      error->all(FLERR, "Unknown fix sph/tm keyword {}: known are temperature, courant, dt, dt/max, "
-                        "energy, lost, table, audit, effects", key);
-  }
-
-  if (forced_on & forced_off)
-    error->all(FLERR, "Fix sph/tm: effect {} is forced both on and off",
-               effect_name(forced_on & forced_off));
-
+  read_keywords(narg - 3, arg + 3);
   std::fill(dt_limits, dt_limits + TM_DT_CAUSES, 1e300);
   std::fill(energy_now, energy_now + VECTOR_SIZE, 0.0);
   fields.enable(0, atom->nmax);
@@ -143,21 +61,6 @@ FixSPHTM::~FixSPHTM()
 int FixSPHTM::setmask()
 {
   return INITIAL_INTEGRATE | PRE_EXCHANGE | FINAL_INTEGRATE | POST_NEIGHBOR;
-}
-
-int FixSPHTM::modify_param(int narg, char **arg)
-{
-  if (strcmp(arg[0], "temperature") == 0) {
-    if (narg < 3)
-      error->all(FLERR, "Fix_modify temperature of fix sph/tm needs a group and a temperature");
-    const int igroup2 = group->find(arg[1]);
-    if (igroup2 < 0) error->all(FLERR, "Fix_modify temperature of fix sph/tm: no group {}", arg[1]);
-    const double T = positive(lmp, "Fix_modify temperature of fix sph/tm", arg[2]);
-    preset.push_back({group->bitmask[igroup2], T});
-    need(TM_FX_HEAT, fmt::format("temperature of group {} is set", arg[1]));
-    return 3;
-  }
-  return 0;
 }
 
 /* ---------------------------------------------------------------------- effects */

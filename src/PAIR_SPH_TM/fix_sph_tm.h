@@ -19,6 +19,7 @@ namespace SPHTM_NS {
 class AccuracyMeter;
 class AuditSearch;
 class EffectProbe;
+class Keywords;
 }
 
 namespace LAMMPS_NS {
@@ -167,6 +168,9 @@ class FixSPHTM : public Fix {
   friend class SPHTM_NS::AccuracyMeter;
   friend class SPHTM_NS::AuditSearch;
   friend class SPHTM_NS::EffectProbe;
+  void read_keywords(int, char **);
+  void read_audit(SPHTM_NS::Keywords &);
+  void read_effect(SPHTM_NS::Keywords &);
   std::map<unsigned, double> bytes_by_effect();
   std::map<unsigned, double> probe_effects(double, bigint);
   tm_initial_args initial_args(const tm_state &, unsigned) const;

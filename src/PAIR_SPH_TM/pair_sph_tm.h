@@ -68,6 +68,7 @@ class PairSPHTM : public Pair {
   const tm_material *materials() const { return material.data(); }
   const PairLaw &law(int i, int j) const { return laws[i * (atom_types + 1) + j]; }
   const char *material_name(int type) const { return names[type].c_str(); }
+  static const char *kernel_name(int kernel);
   // where the loops run; valid from one force computation to the next reneighbouring
   const tm_material *loop_materials() { return tables.material.loop_read(); }
   const tm_rates_args &rate_args() const { return args; }

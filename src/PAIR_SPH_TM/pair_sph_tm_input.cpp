@@ -17,8 +17,11 @@
 using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
 
-static const char *const KERNEL_NAMES[TM_KERNEL_COUNT] = {"hyperbolic", "cubic", "quintic",
-                                                          "wendland/c2", "wendland/c4"};
+const char *PairSPHTM::kernel_name(int kernel)
+{
+  static const char *const names[TM_KERNEL_COUNT] = {"hyperbolic", "cubic", "quintic", "wendland/c2", "wendland/c4"};
+  return names[kernel];
+}
 
 void PairSPHTM::allocate()
 {
@@ -40,86 +43,41 @@ void PairSPHTM::settings(int narg, char **arg)
     error->all(FLERR, "Illegal pair_style sph/tm: expected 'sph/tm <kernel> <h/spacing> spacing "
                       "<dp> ...', got {} arguments", narg);
   set = Settings();
-  const std::string style = "Pair style sph/tm ";
   int kernel = -1;
   for (int k = 0; k < TM_KERNEL_COUNT; k++)
-    if (strcmp(arg[0], KERNEL_NAMES[k]) == 0) kernel = k;
+    if (strcmp(arg[0], kernel_name(k)) == 0) kernel = k;
   if (kernel < 0)
     error->all(FLERR, "Unknown pair style sph/tm kernel {}: choose hyperbolic, cubic, quintic, "
                       "wendland/c2 or wendland/c4", arg[0]);
   set.kernel = kernel;
-  set.ratio = positive(lmp, style + "ratio of smoothing length to spacing", arg[1]);
+  set.ratio = positive(lmp, "Pair style sph/tm ratio of smoothing length to spacing", arg[1]);
   if (set.ratio < 0.8 || set.ratio > 4.0)
     error->all(FLERR, "Pair style sph/tm ratio of smoothing length to spacing must be between 0.8 "
                       "and 4, got {}", arg[1]);
 
-  for (int iarg = 2; iarg < narg;) {
-    const std::string key = arg[iarg];
-    auto args = [&](int n) {
-      if (iarg + n >= narg)
-        error->all(FLERR, "Pair style sph/tm keyword {} needs {} value{}", key, n,
-                   n == 1 ? "" : "s");
-    };
-    if (key == "spacing") {
-      args(1);
-      set.spacing = positive(lmp, style + "spacing", arg[iarg + 1]);
-      iarg += 2;
-    } else if (key == "viscosity") {
-      args(2);
-      set.visc_alpha = not_negative(lmp, style + "viscosity alpha", arg[iarg + 1]);
-      set.visc_beta = not_negative(lmp, style + "viscosity beta", arg[iarg + 2]);
-      iarg += 3;
-    } else if (key == "balsara") {
-      args(1);
-      set.balsara = yes_no(lmp, style + key, arg[iarg + 1]);
-      iarg += 2;
-    } else if (key == "artstress") {
-      args(2);
-      set.art_eps = not_negative(lmp, style + "artstress epsilon", arg[iarg + 1]);
-      set.art_n = integer_within(lmp, style + "artstress exponent", arg[iarg + 2], 1, 8);
-      if (set.art_eps > 1.0)
-        error->all(FLERR, "Pair style sph/tm artstress epsilon must be 0 to 1, got {}",
-                   arg[iarg + 1]);
-      iarg += 3;
-      if (iarg < narg && (strcmp(arg[iarg], "component") == 0 || strcmp(arg[iarg], "principal") == 0)) {
-        set.art_component = arg[iarg][0] == 'c';
-        iarg++;
-      }
-      if (iarg < narg && strcmp(arg[iarg], "balanced") == 0) {
-        set.art_balanced = true;
-        iarg++;
-      }
-    } else if (key == "xsph") {
-      args(1);
-      set.xsph = not_negative(lmp, style + "xsph epsilon", arg[iarg + 1]);
-      if (set.xsph > 1.0)
-        error->all(FLERR, "Pair style sph/tm xsph epsilon must be 0 to 1, got {}", arg[iarg + 1]);
-      iarg += 2;
-    } else if (key == "form") {
-      args(1);
-      if (strcmp(arg[iarg + 1], "f15") == 0) set.form_f14 = false;
-      else if (strcmp(arg[iarg + 1], "f14") == 0) set.form_f14 = true;
-      else error->all(FLERR, "Pair style sph/tm form must be f15 or f14, got {}", arg[iarg + 1]);
-      iarg += 2;
-    } else if (key == "correction") {
-      args(1);
-      set.correction = yes_no(lmp, style + key, arg[iarg + 1]);
-      iarg += 2;
-    } else if (key == "plane") {
-      args(1);
-      if (strcmp(arg[iarg + 1], "stress") == 0) set.plane_stress = true;
-      else if (strcmp(arg[iarg + 1], "strain") == 0) set.plane_stress = false;
-      else error->all(FLERR, "Pair style sph/tm plane must be strain or stress, got {}", arg[iarg + 1]);
-      iarg += 2;
-    } else if (key == "precision") {
-      args(1);
-      if (strcmp(arg[iarg + 1], "mixed") == 0) set.mixed = true;
-      else if (strcmp(arg[iarg + 1], "double") == 0) set.mixed = false;
-      else error->all(FLERR, "Pair style sph/tm precision must be double or mixed, got {}", arg[iarg + 1]);
-      iarg += 2;
-    } else
+  Keywords k(lmp, "Pair style sph/tm", narg - 2, arg + 2);
+  while (k.next()) {
+    if (k.is("spacing")) set.spacing = k.positive();
+    else if (k.is("viscosity")) {
+      k.need(2);
+      set.visc_alpha = k.not_negative("alpha");
+      set.visc_beta = k.not_negative("beta");
+    } else if (k.is("balsara")) set.balsara = k.yes();
+    else if (k.is("artstress")) {
+      k.need(2);
+      set.art_eps = k.share("epsilon");
+      set.art_n = k.integer(1, 8, "exponent");
+      if (k.take("component")) set.art_component = true;
+      else if (k.take("principal")) set.art_component = false;
+      if (k.take("balanced")) set.art_balanced = true;
+    } else if (k.is("xsph")) set.xsph = k.share("epsilon");
+    else if (k.is("form")) set.form_f14 = k.second("f15", "f14");
+    else if (k.is("correction")) set.correction = k.yes();
+    else if (k.is("plane")) set.plane_stress = k.second("strain", "stress");
+    else if (k.is("precision")) set.mixed = k.second("double", "mixed");
+    else
       error->all(FLERR, "Unknown pair style sph/tm keyword {}: known are spacing, viscosity, "
-                        "balsara, artstress, xsph, form, correction, plane, precision", key);
+                        "balsara, artstress, xsph, form, correction, plane, precision", k.name());
   }
   if (set.spacing <= 0.0)
     error->all(FLERR, "Pair style sph/tm needs the keyword spacing with the particle spacing");
