@@ -39,7 +39,7 @@ def command(case, mesh, steps, n):
     ranks = shlex.split(os.environ.get("SPHTM_MPIRUN", "mpirun")) + ["-np", "2"] if "2 ranks" in case else []
     if case in PEERS:
         environment.pop("LAMMPS_PLUGIN_PATH", None)
-        lmp, script, more = os.environ["SPHTM_LMP_MACHDYN"], "in." + case, []
+        lmp, script, more = os.environ["SPHTM_LMP_MACHDYN"], "in.machdyn", ["-var", "case", case]
     else:
         words = case.split()
         lmp, script, more = os.environ["SPHTM_LMP"], "in.block", ["-var", "case", words[0], "-var", "mesh", mesh]

@@ -38,6 +38,24 @@ mpirun_command() {
   esac
 }
 
+# LAMMPS, the plugin for it and the packages they need, built where they are not, in the environment. With "or-given" as
+# the second word a host that is there already, one with Kokkos for example, is taken: prepare PACKAGES [or-given]
+prepare() {
+  "$root/tools/packages.sh" "$1"
+  [ "${2:-}" != or-given ] || [ -z "${SPHTM_LMP:-}" ] || return 0
+  host=$("$root/tools/host-plain.sh")
+  plugin=$("$root/tools/build-plugin.sh" "$host")
+  use_host "$host" "$plugin"
+}
+
+# Results go to out/NAME, and the script goes on in the top folder: results_in NAME
+results_in() {
+  SPHTM_OUT=$root/out/$1
+  export SPHTM_OUT
+  mkdir -p "$SPHTM_OUT"
+  cd "$root"
+}
+
 # What demo.py, the tests and the bench find in their environment: use_host HOST PLUGIN
 use_host() {
   SPHTM_LMP=$1/lmp LAMMPS_PLUGIN_PATH=$2 SPHTM_SOURCE=$root SPHTM_BUILD=$2 SPHTM_MPIRUN=$(mpirun_command)

@@ -3,14 +3,9 @@
 set -eu
 . "$(dirname -- "$0")/common.sh"
 
-[ -f "$root/bench/run.py" ] || die "there is no bench/run.py"
-"$root/tools/packages.sh" bench
-host=$("$root/tools/host-plain.sh")
+prepare bench
 peer=$("$root/tools/host-plain.sh" machdyn)
-plugin=$("$root/tools/build-plugin.sh" "$host")
-use_host "$host" "$plugin"
-SPHTM_LMP_MACHDYN=$peer/lmp SPHTM_OUT=$root/out/bench
-export SPHTM_LMP_MACHDYN SPHTM_OUT
-mkdir -p "$SPHTM_OUT"
-cd "$root"
+SPHTM_LMP_MACHDYN=$peer/lmp
+export SPHTM_LMP_MACHDYN
+results_in bench
 exec /usr/bin/python3 bench/run.py "$@"

@@ -3,12 +3,6 @@
 set -eu
 . "$(dirname -- "$0")/common.sh"
 
-"$root/tools/packages.sh" demo
-host=$("$root/tools/host-plain.sh")
-plugin=$("$root/tools/build-plugin.sh" "$host")
-use_host "$host" "$plugin"
-SPHTM_OUT=$root/out/demo
-export SPHTM_OUT
-mkdir -p "$SPHTM_OUT"
-cd "$root"
+prepare demo
+results_in demo
 exec /usr/bin/python3 examples/high_speed_machining/demo.py "$@"

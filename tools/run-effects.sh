@@ -3,11 +3,7 @@
 set -eu
 . "$(dirname -- "$0")/common.sh"
 
-"$root/tools/packages.sh" effects
-host=$("$root/tools/host-plain.sh")
-plugin=$("$root/tools/build-plugin.sh" "$host")
-use_host "$host" "$plugin"
-SPHTM_OUT=$root/out/effects
+prepare effects
 SPHTM_MINIMAL_PLUGINS=
 for effects in 'none' 'viscosity;plasticity;heat'; do
   build=$root/build/minimal-$(echo "$effects" | tr ';' '-')
@@ -18,7 +14,6 @@ for effects in 'none' 'viscosity;plasticity;heat'; do
   thin_ninja "$build/build.log" -C "$build" || die "the build failed"
   SPHTM_MINIMAL_PLUGINS=$SPHTM_MINIMAL_PLUGINS:$effects=$build
 done
-export SPHTM_OUT SPHTM_MINIMAL_PLUGINS
-mkdir -p "$SPHTM_OUT"
-cd "$root"
+export SPHTM_MINIMAL_PLUGINS
+results_in effects
 exec /usr/bin/python3 bench/effects.py "$@"

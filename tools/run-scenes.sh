@@ -14,12 +14,7 @@ while [ $# -gt 0 ]; do
 done
 [ -n "$names" ] || names=$(cd "$root/examples" && printf ' %s' */scene.py | sed 's,/scene.py,,g')
 
-"$root/tools/packages.sh" demo
-if [ -z "${SPHTM_LMP:-}" ]; then    # a host of one's own, one with Kokkos for example, can be in the environment
-  host=$("$root/tools/host-plain.sh")
-  plugin=$("$root/tools/build-plugin.sh" "$host")
-  use_host "$host" "$plugin"
-fi
+prepare demo or-given
 SPHTM_OUT=${SPHTM_OUT:-$root/out/scenes}
 export SPHTM_OUT
 failed=
