@@ -10,7 +10,6 @@
 #include "atom.h"
 #include "domain.h"
 #include "error.h"
-#include "modify.h"
 #include "update.h"
 
 #include <cstring>
@@ -51,9 +50,7 @@ int AdaptSmoothing::keyword(int narg, char **arg)
       break;
   }
   // before init, so that no check takes particles of different mass for a mistake
-  const auto bodies = lmp->modify->get_fix_by_style("^sph/tm$");
-  if (bodies.size() == 1)
-    dynamic_cast<FixSPHTM *>(bodies[0])->need(TM_FX_SMOOTHING, "fix adapt/neigh has asph");
+  if (FixSPHTM *body = FixSPHTM::of(lmp)) body->need(TM_FX_SMOOTHING, "fix adapt/neigh has asph");
   return n;
 }
 

@@ -83,10 +83,9 @@ int FixAdaptNeigh::setmask() { return PRE_EXCHANGE | POST_NEIGHBOR | PRE_FORCE |
 
 void FixAdaptNeigh::init()
 {
-  const auto bodies = modify->get_fix_by_style("^sph/tm$");
-  sph = bodies.size() == 1 ? dynamic_cast<FixSPHTM *>(bodies[0]) : nullptr;
+  sph = FixSPHTM::of(lmp, "Fix adapt/neigh");
   pair_sph = dynamic_cast<PairSPHTM *>(force->pair_match("^sph/tm", 0));
-  if (!sph || !pair_sph) error->all(FLERR, "Fix adapt/neigh needs pair style sph/tm and one fix sph/tm before it");
+  if (!pair_sph) error->all(FLERR, "Fix adapt/neigh needs pair style sph/tm");
   if (modify->get_fix_by_style("^adapt/neigh").size() > 1)
     error->all(FLERR, "More than one fix adapt/neigh: write all its keywords in one");
   for (AdaptPart *p : used) p->init();

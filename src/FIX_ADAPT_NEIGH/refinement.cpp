@@ -120,10 +120,7 @@ void Refinement::ready()
   if (fix.uses("threshold"))
     lmp()->error->all(FLERR, "Fix adapt/neigh refine does not work with threshold yet: kept rows do not know of children; "
                              "remove one of them");
-  const auto bodies = lmp()->modify->get_fix_by_style("^sph/tm$");
-  auto *body = bodies.empty() ? nullptr : dynamic_cast<FixSPHTM *>(bodies[0]);
-  if (!body) lmp()->error->all(FLERR, "Fix adapt/neigh refine needs a fix sph/tm before it; write 'fix body all sph/tm'");
-  body->need(TM_FX_SMOOTHING, "particles are refined");
+  FixSPHTM::of(lmp(), "Fix adapt/neigh refine")->need(TM_FX_SMOOTHING, "particles are refined");
   if (lmp()->atom->rmass_flag) return;
   lmp()->modify->add_fix(fmt::format("{}_mass all property/atom rmass ghost yes", fix.id));
   if (auto *pair = dynamic_cast<PairSPHTM *>(lmp()->force->pair_match("^sph/tm", 0))) pair->give_masses();

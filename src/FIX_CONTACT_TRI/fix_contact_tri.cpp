@@ -85,16 +85,9 @@ int FixContactTri::modify_param(int narg, char **arg)
 
 void FixContactTri::init()
 {
-  auto fixes = modify->get_fix_by_style("^sph/tm$");
-  if (fixes.empty())
-    error->all(FLERR,
-               "Fix contact/tri {} needs the fix sph/tm that owns the particles' state; "
-               "write 'fix body all sph/tm' before it",
-               id);
-  state = dynamic_cast<FixSPHTM *>(fixes[0]);
-  if (modify->find_fix(id) < modify->find_fix(fixes[0]->id))
-    error->all(FLERR, "Fix contact/tri {} must come after fix {} sph/tm in the input", id,
-               fixes[0]->id);
+  state = FixSPHTM::of(lmp, fmt::format("Fix contact/tri {}", id));
+  if (modify->find_fix(id) < modify->find_fix(state->id))
+    error->all(FLERR, "Fix contact/tri {} must come after fix {} sph/tm in the input", id, state->id);
   pair = state->pair();
   loop_laws.live_in(state->loops());
   tool_heat.live_in(state->loops());

@@ -55,9 +55,7 @@ int FixSPHTMDrive::setmask() { return POST_FORCE; }
 
 void FixSPHTMDrive::init()
 {
-  const auto fixes = modify->get_fix_by_style("^sph/tm$");
-  if (fixes.empty()) error->all(FLERR, "Fix sph/tm/drive needs a fix sph/tm; write 'fix body all sph/tm' before it");
-  body = dynamic_cast<FixSPHTM *>(fixes[0]);
+  body = FixSPHTM::of(lmp, "Fix sph/tm/drive");
   for (auto &v : velocity) v.init();
 }
 

@@ -67,7 +67,8 @@ FixSPHTMHeat::FixSPHTMHeat(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, a
   if (MODES[m].strength) read(strength, strengths[m]);
   if (MODES[m].surroundings) read(T_inf, "Tinf");
   read_keywords(iarg, narg, arg);
-  if (find_body()) ask();
+  body = FixSPHTM::of(lmp);
+  if (body) ask();
 }
 
 void FixSPHTMHeat::read_keywords(int iarg, int narg, char **arg)
@@ -115,13 +116,6 @@ int FixSPHTMHeat::setmask() { return mode == TEMPERATURE ? END_OF_STEP : POST_FO
 
 /* ---------------------------------------------------------------------- */
 
-FixSPHTM *FixSPHTMHeat::find_body()
-{
-  const auto fixes = modify->get_fix_by_style("^sph/tm$");
-  body = fixes.empty() ? nullptr : dynamic_cast<FixSPHTM *>(fixes[0]);
-  return body;
-}
-
 void FixSPHTMHeat::ask()
 {
   const std::string reason = fmt::format("fix {} ({})", id, style);
@@ -131,7 +125,7 @@ void FixSPHTMHeat::ask()
 
 void FixSPHTMHeat::init()
 {
-  if (!find_body()) error->all(FLERR, "Fix sph/tm/heat needs a fix sph/tm; write 'fix body all sph/tm' before it");
+  body = FixSPHTM::of(lmp, "Fix sph/tm/heat");
   for (const auto &f : modify->get_fix_list()) {
     if (f == body) break;
     if (f == this) error->all(FLERR, "Fix sph/tm/heat must stand after fix sph/tm {} in the script", body->id);

@@ -43,7 +43,6 @@ class FixSPHTMHeat : public Fix {
 
   bool on_surface() const { return mode == FLUX || mode == CONVECTION || mode == RADIATION; }
   void read_keywords(int, int, char **);
-  FixSPHTM *find_body();
   void ask();
   void check_group();
   double temperature_now();

@@ -59,9 +59,7 @@ void ComputeSPHTMAtom::init()
 
 void ComputeSPHTMAtom::find_fix()
 {
-  auto fixes = modify->get_fix_by_style("^sph/tm$");
-  if (fixes.empty()) error->all(FLERR, "Compute sph/tm/atom needs a fix sph/tm; write 'fix body all sph/tm'");
-  fix = dynamic_cast<FixSPHTM *>(fixes[0]);
+  fix = FixSPHTM::of(lmp, "Compute sph/tm/atom");
 }
 
 bool ComputeSPHTMAtom::wants(int attribute) const

@@ -10,6 +10,7 @@
 #include "domain.h"
 #include "error.h"
 #include "force.h"
+#include "lammps.h"
 #include "modify.h"
 #include "update.h"
 #include "utils.h"
@@ -56,6 +57,16 @@ FixSPHTM::~FixSPHTM()
   backend.release_result(lost);
   atom->delete_callback(id, Atom::GROW);
   atom->delete_callback(id, Atom::RESTART);
+}
+
+FixSPHTM *FixSPHTM::of(LAMMPS *lmp, const std::string &who)
+{
+  const auto fixes = lmp->modify->get_fix_by_style("^sph/tm$");
+  if (!fixes.empty()) return dynamic_cast<FixSPHTM *>(fixes[0]);
+  if (!who.empty())
+    lmp->error->all(FLERR, "{} needs a fix sph/tm, which owns the state of the particles; write 'fix body all sph/tm' "
+                           "before it", who);
+  return nullptr;
 }
 
 int FixSPHTM::setmask()

@@ -59,6 +59,8 @@ class FixSPHTM : public Fix {
 
   // --- for pair sph/tm, fix contact/tri, the heat fixes and the computes ---
 
+  // the one of this run; where there is none an error in the name of who needs it, or nullptr
+  static FixSPHTM *of(class LAMMPS *, const std::string &who = "");
   unsigned effects() const { return fx; }
   bool has(unsigned effect) const { return (fx & effect) != 0; }
   // asked for by now, by the user or another fix

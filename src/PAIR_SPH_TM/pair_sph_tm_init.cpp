@@ -45,14 +45,10 @@ void PairSPHTM::init_style()
   surface_scale = tm_surface_make(set.kernel, domain->dimension, set.spacing, set.h, TM_SURFACE_THRESHOLD);
   complete_laws();
 
-  auto fixes = modify->get_fix_by_style("^sph/tm$");
-  if (fixes.empty())
-    error->all(FLERR, "Pair style sph/tm needs a fix sph/tm that owns the particle state; write "
-                      "'fix body all sph/tm'");
-  if (fixes.size() > 1)
+  fix = FixSPHTM::of(lmp, "Pair style sph/tm");
+  if (modify->get_fix_by_style("^sph/tm$").size() > 1)
     error->all(FLERR, "More than one fix sph/tm: one owns the state of all particles of pair style sph/tm; remove "
                       "the others");
-  fix = dynamic_cast<FixSPHTM *>(fixes[0]);
   if (!restart_fix.empty() && restart_fix != fix->id && !fix->restored())
     error->all(FLERR, "Fix {} sph/tm: the restart file holds the state of the particles under the fix ID {}; "
                       "write 'fix {} ... sph/tm ...'", fix->id, restart_fix, restart_fix);
