@@ -27,8 +27,8 @@ pair_coeff      1 1 density 7830 elastic 200e9 0.29 strength {strength} heat 38 
 """,
     model="""
 fix             body all sph/tm temperature 300 energy yes
-variable        hot equal (time<3e-5)*(time-1e-5)/2e-5+(time>=3e-5)*(time<5e-5)+(time>=5e-5)*(time<7e-5)*(7e-5-time)/2e-5
-variable        T equal 300+1600*(time>1e-5)*v_hot
+variable        T equal "300+1600*(time>1e-5)*((time<3e-5)*(time-1e-5)/2e-5 + (time>=3e-5)*(time<5e-5) + &
+                (time>=5e-5)*(time<7e-5)*(7e-5-time)/2e-5)"
 fix             warm all sph/tm/heat temperature v_T
 variable        v equal 20*((time<5e-6)*time/5e-6+(time>=5e-6))
 fix             hold base sph/tm/drive 0 0 0
