@@ -193,6 +193,7 @@ tm_search_args AdaptLists::search_args(int segments, double within)
   a.type = fix.body().state().type;
   a.tag = fix.pair().loop_tags();
   a.ntypes = fix.host()->atom->ntypes;
+  a.images = all() > own();
   return a;
 }
 

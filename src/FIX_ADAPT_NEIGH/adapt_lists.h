@@ -28,6 +28,7 @@ class AdaptLists : public AdaptPart, public RowSource {
   void end_of_step() override;
   void post_run() override { to_tags(); }
 
+  bool has_values() const override { return keeps(); }
   void grow(int) override;
   void copy(int, int) override;
   void set_new(int) override;

@@ -44,7 +44,8 @@ class AdaptPart {
   virtual void remade(int /*i*/, double /*factor*/) {}
   virtual void neighborhood_changed(int /*i*/) {}
 
-  // values of particles
+  // values of particles, that LAMMPS moves with them
+  virtual bool has_values() const { return false; }
   virtual void grow(int /*nmax*/) {}
   virtual void copy(int /*from*/, int /*to*/) {}
   virtual void set_new(int /*i*/) {}

@@ -25,9 +25,7 @@ using namespace FixConst;
 
 FixAdaptNeigh::FixAdaptNeigh(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
-  create_attribute = 1;
   restart_global = 1;
-  restart_peratom = 1;
   size_vector = 0;
   global_freq = 1;
   extvector = 0;
@@ -47,6 +45,9 @@ FixAdaptNeigh::FixAdaptNeigh(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
   if (!on_host) datamask_read = datamask_modify = EMPTY_MASK;    // with Kokkos: the loops ask for what they need
   vector_flag = size_vector > 0;
   update_packed_size();
+  for (const AdaptPart *p : used) has_values = has_values || p->has_values();
+  create_attribute = restart_peratom = has_values;
+  if (!has_values) return;
   for (AdaptPart *p : used) p->grow(atom->nmax);
   atom->add_callback(Atom::GROW);
   atom->add_callback(Atom::RESTART);
@@ -59,7 +60,7 @@ void FixAdaptNeigh::post_constructor()
 
 FixAdaptNeigh::~FixAdaptNeigh()
 {
-  if (copymode) return;
+  if (copymode || !has_values) return;
   atom->delete_callback(id, Atom::GROW);
   atom->delete_callback(id, Atom::RESTART);
 }

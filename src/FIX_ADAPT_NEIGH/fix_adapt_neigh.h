@@ -70,6 +70,7 @@ class FixAdaptNeigh : public Fix {
   PairSPHTM *pair_sph = nullptr;
   double *forwarded = nullptr;
   int forwarded_columns = 0;
+  bool has_values = false;    // that move with the particles
 
   void read_keywords(int, int, char **);
 };

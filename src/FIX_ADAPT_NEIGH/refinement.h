@@ -33,6 +33,7 @@ class Refinement : public AdaptPart {
   void pre_exchange() override;
   void end_of_step() override;
 
+  bool has_values() const override { return true; }
   void grow(int nmax) override;
   void copy(int from, int to) override;
   void set_new(int i) override;

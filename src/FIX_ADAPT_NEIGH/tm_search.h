@@ -19,6 +19,7 @@ typedef struct {
   int segments;                  /* those wanted, bits of TM_MEETS_... */
   const int *type, *tag;
   int ntypes;
+  int images;                    /* there are ghosts: several particles can have the same tag */
   const int *which;              /* the particles to search for, or NULL: all */
   int capacity;
   ptrdiff_t stride;
@@ -109,9 +110,8 @@ TM_FN void tm_search_order(const int *found, int n, const int *tag, int *place)
   for (int k = 0; k < n; k++)    /* images of one particle */
     for (int l = 0; l < n; l++) place[k] += key[l] == key[k] && found[l] < found[k];
 }
-#endif
 
-/* Row i; returns the entries it has then, which may be more than its room: then nothing was stored beyond. */
+/* Row i by one thread; returns the entries it has then, which may be more than its room: then nothing was stored beyond. */
 TM_FN int tm_search(int i, const tm_search_args *a)
 {
   const double *x = a->cells.x + 3 * (ptrdiff_t) i;
@@ -119,29 +119,6 @@ TM_FN int tm_search(int i, const tm_search_args *a)
   const int room = a->capacity;
   int *row = a->index + a->first[i];
   int begin, end, total = 0;
-#if defined(__CUDACC__)
-  /* sorted in one by one; a segment after the other */
-  for (int s = 0; s < TM_SEGMENTS; s++) {
-    if (!(a->segments >> s & 1)) continue;
-    int n = 0;
-    for (int r = 0; r < 9; r++) {
-      tm_search_cells(&a->cells, x, r, &begin, &end);
-      for (int k = begin; k < end; k++) {
-        int j;
-        if (!tm_search_run(a, k, k + 1, x, reach, 0, 1, &j)) continue;
-        if (!(tm_search_meets(i, j, a) >> s & 1)) continue;
-        int at = n++;
-        if (total + n > room) continue;
-        for (; at > 0 && tm_row_before(j, row[(at - 1) * a->stride], a->tag); at--)
-          row[at * a->stride] = row[(at - 1) * a->stride];
-        row[at * a->stride] = j;
-      }
-    }
-    a->count[s][i] = n;
-    total += n;
-    row += n * a->stride;
-  }
-#else
   int found[TM_SEARCH_MOST + TM_COLUMN], place[TM_SEARCH_MOST + TM_COLUMN], n = 0, kept = 0;
   for (int r = 0; r < 9 && n <= TM_SEARCH_MOST; r++) {
     tm_search_cells(&a->cells, x, r, &begin, &end);
@@ -174,8 +151,41 @@ TM_FN int tm_search(int i, const tm_search_args *a)
     total += m;
     row += m * a->stride;
   }
-#endif
   return total;
+}
+#endif
+
+/* ---- the same by many threads for one row: they find the entries of a segment in any order, and their places in it.
+   The threads of a GPU do this; a thread of the host takes whole rows. */
+
+/* Does entry k of the order stand in segment s of row i? */
+TM_FN int tm_search_takes(int i, int k, int s, const double *x, tm_real reach, const tm_search_args *a)
+{
+  int found[1 + TM_COLUMN];
+  return tm_search_run(a, k, k + 1, x, reach, 0, 1, found) && (tm_search_meets(i, a->cells.index[k], a) >> s & 1);
+}
+
+/* Those of n entries that belong to one of the threads, into the segment at `row`; tag: of each; images as above. */
+TM_FN void tm_search_place(int thread, int threads, int n, const int *found, const int *tag, int images, int *row,
+                           ptrdiff_t stride)
+{
+  enum { TOGETHER = 4 };
+  for (int k = thread; k < n; k += TOGETHER * threads) {
+    int mine[TOGETHER], before[TOGETHER];
+    for (int q = 0; q < TOGETHER; q++) {
+      const int entry = k + q * threads;
+      mine[q] = tag[entry < n ? entry : k];
+      before[q] = 0;
+    }
+    for (int l = 0; l < n; l++)    /* tags are positive: the sign of the difference */
+      for (int q = 0; q < TOGETHER; q++) before[q] += (int) ((unsigned) (tag[l] - mine[q]) >> 31);
+    for (int q = 0; q < TOGETHER; q++) {
+      const int entry = k + q * threads;
+      if (entry >= n) continue;
+      for (int l = 0; images && l < n; l++) before[q] += tag[l] == mine[q] && found[l] < found[entry];
+      row[before[q] * stride] = found[entry];
+    }
+  }
 }
 
 #endif

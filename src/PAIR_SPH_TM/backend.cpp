@@ -33,6 +33,8 @@ void Backend::fill(unsigned char *p, unsigned char value, size_t n)
   if (n) memset(p, value, n);
 }
 
+bool Backend::equal(int n, const int *a, const int *b) { return std::equal(a, a + n, b); }
+
 void Backend::add(double *to, const double *from, size_t n)
 {
   for (size_t k = 0; k < n; k++) to[k] += from[k];

@@ -49,6 +49,7 @@ class Backend {
   virtual void zero(void *, size_t bytes);
   virtual void fill(unsigned char *, unsigned char value, size_t n);
   virtual void add(double *to, const double *from, size_t n);
+  virtual bool equal(int n, const int *a, const int *b);
   virtual void wait() {}    // until all loops are done
 
   // for results of loops that are not waited for: memory that host and loops see

@@ -1,7 +1,7 @@
 #ifdef LMP_KOKKOS
 #include "backend_kokkos.h"
 
-#include "list_loops.h"
+#include "lists_kokkos.h"
 #include "rate_loops.h"
 #include "rates_kokkos.h"
 #include "tm_thermal.h"
@@ -101,131 +101,9 @@ struct Add {
   KOKKOS_FUNCTION void operator()(int k) const { to[k] += from[k]; }
 };
 
-struct Bounds {
-  const double *x;
-  KOKKOS_FUNCTION tm_bounds operator()(int i) const { return tm_bounds_of(x + 3 * (ptrdiff_t) i); }
-};
-struct SumBounds {
-  KOKKOS_FUNCTION void operator()(tm_bounds *sum, const tm_bounds *b) const { tm_bounds_sum(sum, b); }
-};
-// begin[k + 1] walks from the start of cell k to its end
-struct CountCell {
-  tm_cells c;
-  int last;
-  KOKKOS_FUNCTION void operator()(int i) const
-  {
-    const int cell = tm_cells_of(&c, c.x + 3 * (ptrdiff_t) i);
-    c.cell[i] = cell;
-    if (cell + 2 <= last) Kokkos::atomic_inc(c.begin + cell + 2);
-  }
-};
-struct PlaceCells {
-  tm_cells c;
-  KOKKOS_FUNCTION void operator()(int k, int &sum, bool last) const
-  {
-    sum += c.begin[k];
-    if (last) c.begin[k] = sum;
-  }
-};
-struct PutInCell {
-  tm_cells c;
-  KOKKOS_FUNCTION void operator()(int i) const
-  {
-    tm_cells_put(&c, i, Kokkos::atomic_fetch_add(c.begin + c.cell[i] + 1, 1));
-  }
-};
-struct Search {
-  tm_search_args a;
-  KOKKOS_FUNCTION int operator()(int k) const { return tm_search(a.which ? a.which[k] : k, &a); }
-};
-struct Mark {
-  tm_cells c;
-  const unsigned char *marks;
-  KOKKOS_FUNCTION void operator()(int k, int &sum, bool last) const
-  {
-    if (last) c.marked[k] = sum;
-    if (k < c.n) sum += marks[c.index[k]];
-  }
-};
-struct SumInt {
-  KOKKOS_FUNCTION void operator()(int *sum, const int *k) const { *sum += *k; }
-};
-struct Moved {
-  tm_moved_args a;
-  KOKKOS_FUNCTION int operator()(int i) const { return tm_moved(i, &a); }
-};
-struct Select {
-  tm_select_args a;
-  int *which;
-  KOKKOS_FUNCTION void operator()(int i, int &m, bool last) const
-  {
-    if (!tm_selected(i, &a)) return;
-    if (last) which[m] = i;
-    m++;
-  }
-};
-struct BorderChange {
-  tm_border_args a;
-  KOKKOS_FUNCTION int operator()(int i) const { return tm_border_change(i, &a); }
-};
-struct BorderTouch {
-  tm_border_args a;
-  KOKKOS_FUNCTION void operator()(int i) const { tm_border_touch(i, &a); }
-};
-struct Border {
-  tm_border_args a;
-  KOKKOS_FUNCTION void operator()(int i) const { tm_border(i, &a); }
-};
 struct FillBytes {
   unsigned char *p, value;
   KOKKOS_FUNCTION void operator()(int i) const { p[i] = value; }
-};
-struct KeptShow {
-  tm_kept_args a;
-  tm_real *shown;
-  KOKKOS_FUNCTION void operator()(int i) const { tm_kept_show(i, &a, shown); }
-};
-template <unsigned EFFECTS> struct KeptRates {
-  tm_kept_args a;
-  KOKKOS_FUNCTION void operator()(int i) const
-  {
-    if (a.rows.kept[i]) tm_kept_rates(i, &a, EFFECTS);
-  }
-};
-typedef void (*device_kept_loop_t)(int, const tm_kept_args &);
-template <unsigned EFFECTS> void run_kept(int n, const tm_kept_args &a)
-{
-  kokkos_each("sph/tm kept rates", n, KeptRates<EFFECTS>{a});
-}
-template <int... INDEX>
-device_kept_loop_t find_kept(int index, std::integer_sequence<int, INDEX...>)
-{
-  static const device_kept_loop_t table[] = {run_kept<kept_loop_effects(INDEX)>...};
-  return table[index];
-}
-struct SettleTell {
-  tm_settle_args a;
-  unsigned fx;
-  KOKKOS_FUNCTION void operator()(int i) const { tm_settle_tell(i, &a, fx); }
-};
-struct Settle {
-  tm_settle_args a;
-  unsigned fx;
-  KOKKOS_FUNCTION void operator()(int i) const { tm_settle(i, &a, fx); }
-};
-struct Watch {
-  tm_watch_args a;
-  KOKKOS_FUNCTION void operator()(int i) const { tm_watch(i, &a); }
-};
-struct Speed {
-  tm_state s;
-  KOKKOS_FUNCTION double operator()(int i) const { return tm_speed(i, &s); }
-};
-struct MostReal {
-  KOKKOS_FUNCTION void operator()(double *most, const double *v) const { *most = *v > *most ? *v : *most; }
-};
-struct Most {
-  KOKKOS_FUNCTION void operator()(int *most, const int *n) const { *most = *n > *most ? *n : *most; }
 };
 struct Drift {
   tm_drift_args a;
@@ -348,7 +226,7 @@ struct SumNearest {
   KOKKOS_FUNCTION void operator()(tm_nearest *sum, const tm_nearest *r) const { tm_nearest_sum(sum, r); }
 };
 
-class DeviceBackend : public Backend {
+class DeviceBackend : public KokkosLists {
  public:
   std::string name() const override { return std::string("kernels of Kokkos ") + LMPDeviceType::name(); }
 
@@ -375,73 +253,13 @@ class DeviceBackend : public Backend {
   {
     if (n) Kokkos::deep_copy(LMPDeviceType(), bytes_at<Memory>(p, n), 0);
   }
-  void add(double *to, const double *from, size_t n) override
-  {
-    kokkos_each("sph/tm add", (int) n, Add{to, from});
-  }
-
-  tm_bounds bounds(int n, const double *x) override
-  {
-    return kokkos_sum("sph/tm bounds", n, tm_bounds_nothing(), Bounds{x}, SumBounds());
-  }
-  void bin(const tm_cells &c) override
-  {
-    const int cells = tm_cells_number(&c);
-    zero(c.begin, (cells + 1) * sizeof(int));
-    kokkos_each("sph/tm count in cells", c.n, CountCell{c, cells});
-    Kokkos::parallel_scan("sph/tm place cells", Kokkos::RangePolicy<LMPDeviceType>(0, cells + 1), PlaceCells{c});
-    kokkos_each("sph/tm put in cells", c.n, PutInCell{c});
-  }
-  int search(int n, const tm_search_args &a) override
-  {
-    return kokkos_sum("sph/tm search", n, 0, Search{a}, Most());
-  }
-  int mark(const tm_cells &c, const unsigned char *marks) override
-  {
-    int sum = 0;
-    Kokkos::parallel_scan("sph/tm mark", Kokkos::RangePolicy<LMPDeviceType>(0, c.n + 1), Mark{c, marks}, sum);
-    return sum;
-  }
-  int moved(int n, const tm_moved_args &a) override
-  {
-    return kokkos_sum("sph/tm moved", n, 0, Moved{a}, SumInt());
-  }
-  int select(int n, const tm_select_args &a, int *which) override
-  {
-    int m = 0;
-    Kokkos::parallel_scan("sph/tm select", Kokkos::RangePolicy<LMPDeviceType>(0, n), Select{a, which}, m);
-    return m;
-  }
-  int border_change(int n, const tm_border_args &a) override
-  {
-    return kokkos_sum("sph/tm border change", n, 0, BorderChange{a}, SumInt());
-  }
-  void border_touch(int n, const tm_border_args &a) override { kokkos_each("sph/tm border touch", n, BorderTouch{a}); }
-  void border(int n, const tm_border_args &a) override { kokkos_each("sph/tm border", n, Border{a}); }
   void fill(unsigned char *p, unsigned char value, size_t n) override
   {
     kokkos_each("sph/tm fill", (int) n, FillBytes{p, value});
   }
-  void kept_show(int n, const tm_kept_args &a, tm_real *shown) override
+  void add(double *to, const double *from, size_t n) override
   {
-    kokkos_each("sph/tm kept show", n, KeptShow{a, shown});
-  }
-  void kept_rates(int n, const tm_kept_args &a, unsigned fx) override
-  {
-    find_kept(kept_loop_index(fx), std::make_integer_sequence<int, KEPT_LOOPS>())(n, a);
-  }
-  void settle_tell(int n, const tm_settle_args &a, unsigned fx) override
-  {
-    kokkos_each("sph/tm settle tell", n, SettleTell{a, fx});
-  }
-  void settle(int n, const tm_settle_args &a, unsigned fx) override
-  {
-    kokkos_each("sph/tm settle", n, Settle{a, fx});
-  }
-  void watch(int n, const tm_watch_args &a) override { kokkos_each("sph/tm watch", n, Watch{a}); }
-  double fastest(int n, const tm_state &s) override
-  {
-    return kokkos_sum("sph/tm fastest", n, 0.0, Speed{s}, MostReal());
+    kokkos_each("sph/tm add", (int) n, Add{to, from});
   }
 
   void *allocate_result(size_t n) override { return Kokkos::kokkos_malloc<Kokkos::SharedHostPinnedSpace>("sph/tm", n); }

@@ -10,7 +10,7 @@
 #include "error.h"
 #include "neigh_list_kokkos.h"
 #include "neigh_request.h"
-#include "neighbor.h"
+#include "neighbor_kokkos.h"
 
 #include <algorithm>
 
@@ -31,7 +31,10 @@ void PairSPHTMKokkos::init_style()
 {
   PairSPHTM::init_style();
   auto *request = neighbor->find_request(this);
-  if (!request) return;    // rows come from fix adapt/neigh
+  if (!request) {    // rows come from fix adapt/neigh; LAMMPS looks for those that have moved where the particles are
+    static_cast<NeighborKokkos *>(neighbor)->device_flag = 1;
+    return;
+  }
   request->set_kokkos_device(true);
   request->set_kokkos_host(false);
 }

@@ -61,10 +61,33 @@ static int expected(int i, int s, int k, const tm_search_args *a)
   }
 }
 
-static void check(const tm_search_args *a)
+/* as the threads of a GPU: candidates in any order, then the place of each */
+static int search_by_many(int i, const tm_search_args *a)
+{
+  enum { THREADS = 32 };
+  int found[N], tags[N], total = 0, begin, end;
+  const tm_real r = a->cells.reach ? reach[i] : a->reach;
+  for (int s = 0; s < TM_SEGMENTS; s++) {
+    if (!(a->segments >> s & 1)) continue;
+    int n = 0;
+    for (int q = 8; q >= 0; q--) {
+      tm_search_cells(&a->cells, x[i], q, &begin, &end);
+      for (int k = end - 1; k >= begin; k--)
+        if (tm_search_takes(i, k, s, x[i], r, a)) found[n++] = a->cells.index[k];
+    }
+    for (int k = 0; k < n; k++) tags[k] = tag[found[k]];
+    for (int thread = 0; thread < THREADS; thread++)
+      tm_search_place(thread, THREADS, n, found, tags, a->images, a->index + a->first[i] + total * a->stride, a->stride);
+    a->count[s][i] = n;
+    total += n;
+  }
+  return total;
+}
+
+static void check(const tm_search_args *a, int by_many)
 {
   for (int i = 0; i < OWN; i++) {
-    const int n = tm_search(i, a);
+    const int n = by_many ? search_by_many(i, a) : tm_search(i, a);
     int total = 0;
     for (int s = 0; s < TM_SEGMENTS; s++) {
       if (!(a->segments >> s & 1)) continue;
@@ -112,7 +135,10 @@ static void run(int dim3, int own_reach, int types, ptrdiff_t stride)
   a.index = row;
   a.first = first;
   for (int s = 0; s < TM_SEGMENTS; s++) a.count[s] = count[s];
-  check(&a);
+  a.images = 1;
+  check(&a, 0);
+  memset(row, 0, sizeof row);
+  check(&a, 1);
 
   tm_moved_args m = {x[0], was_at[0], 0.04, marks};
   tm_select_args near;

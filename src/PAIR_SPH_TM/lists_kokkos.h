@@ -1,0 +1,31 @@
+/* SPH-TM: the loops of neighbor lists as kernels of Kokkos: cells, search, and rows that are kept. */
+#ifndef SPHTM_LISTS_KOKKOS_H
+#define SPHTM_LISTS_KOKKOS_H
+
+#include "backend.h"
+
+namespace SPHTM_NS {
+
+class KokkosLists : public Backend {
+ public:
+  bool equal(int n, const int *a, const int *b) override;
+  tm_bounds bounds(int n, const double *x) override;
+  void bin(const tm_cells &c) override;
+  int search(int n, const tm_search_args &a) override;
+  int mark(const tm_cells &c, const unsigned char *marks) override;
+  int moved(int n, const tm_moved_args &a) override;
+  int select(int n, const tm_select_args &a, int *which) override;
+  int border_change(int n, const tm_border_args &a) override;
+  void border_touch(int n, const tm_border_args &a) override;
+  void border(int n, const tm_border_args &a) override;
+  void kept_show(int n, const tm_kept_args &a, tm_real *shown) override;
+  void kept_rates(int n, const tm_kept_args &a, unsigned fx) override;
+  void settle_tell(int n, const tm_settle_args &a, unsigned fx) override;
+  void settle(int n, const tm_settle_args &a, unsigned fx) override;
+  void watch(int n, const tm_watch_args &a) override;
+  double fastest(int n, const tm_state &s) override;
+};
+
+}    // namespace SPHTM_NS
+
+#endif
