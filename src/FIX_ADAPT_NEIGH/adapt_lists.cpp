@@ -54,7 +54,8 @@ void AdaptLists::init()
   const int dim = lmp->domain->dimension;
   backend = &fix.body().loops();
   for (auto *t : {&table, &quiet, &other}) t->move_to(*backend);
-  for (auto *a : {&cells.cell, &cells.begin, &cells.index, &cells.marked, &kept, &which, &which_border, &which_near})
+  for (auto *a : {&cells.cell, &cells.begin, &cells.index, &cells.marked, &kept, &which, &which_border, &which_near,
+                  &names, &holder, &other_holder})
     a->move_to(*backend);
   for (auto &a : cells.column) a.move_to(*backend);
   for (auto *a : {&memory, &shown, &told, &next}) a->move_to(*backend);
@@ -222,7 +223,8 @@ void AdaptLists::stop_on_long_row(const RowTable &t, int longest)
 double AdaptLists::bytes() const
 {
   double sum = table.bytes() + quiet.bytes() + other.bytes() + fresh_first.bytes() + weight.bytes() + place.bytes();
-  for (const auto *a : {&cells.cell, &cells.begin, &cells.index, &cells.marked, &kept, &which, &which_border, &which_near})
+  for (const auto *a : {&cells.cell, &cells.begin, &cells.index, &cells.marked, &kept, &which, &which_border, &which_near,
+                        &names, &holder, &other_holder})
     sum += a->bytes();
   for (const auto &c : cells.column) sum += c.bytes();
   for (const auto *a : {&memory, &shown, &told, &next}) sum += a->bytes();

@@ -35,6 +35,9 @@ class AdaptLists : public AdaptPart, public RowSource {
   int most_packed() const override;
   int pack(int, double *) override;
   int unpack(int, const double *) override;
+  void reorder(int, const int *) override;
+  void send(int, const int *, const int *, double *) override;
+  void receive(int, const int *, double *) override;
   std::vector<double> state() override;
   void restore(const double *, size_t) override;
 
@@ -86,7 +89,9 @@ class AdaptLists : public AdaptPart, public RowSource {
   LoopArray<tm_real> memory, shown, told, next;
   LoopArray<double> place;
   LoopArray<unsigned char> marks, was, now, dirty;
-  std::vector<int> names;     // tags of what indices of kept entries mean, while particles get new places
+  LoopArray<int> holder, other_holder;    // see tm_places.h
+  LoopArray<int> names;       // tags of what entries of kept rows mean, while particles get new places
+  int n_names = 0;
   bool any_dirty = false, rows_good = false;
   int active = 0, at_border = 0;
 
@@ -96,13 +101,14 @@ class AdaptLists : public AdaptPart, public RowSource {
   void cover_reach();
   void make_room(int);
   tm_kept_rows kept_rows(bool on_host = false);
+  tm_kept_store kept_store(bool on_host = false);
   tm_kept_args kept_args(const tm_records &);
   tm_border_args border_args();
   bool blind() const;
   void to_tags();
-  void to_indices();
+  void to_indices(bool same);
   bool same_places();
-  void drop(int i, int k);
+  int room_for_names(int);
   void tell_searched();
   void make_grid(double width, const double *x);
   void sort_into_cells(const double *x);

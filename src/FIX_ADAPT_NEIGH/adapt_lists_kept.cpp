@@ -56,6 +56,11 @@ bool AdaptLists::blind() const { return std::isinf(threshold) && std::isinf(appr
 
 /* ---------------------------------------------------------------------- one step */
 
+tm_kept_store AdaptLists::kept_store(bool on_host)
+{
+  return {kept_rows(on_host), on_host ? memory.host_write() : memory.loop_write()};
+}
+
 tm_kept_args AdaptLists::kept_args(const tm_records &rec)
 {
   const tm_rates_args &rates = fix.pair().rate_args();
@@ -110,7 +115,7 @@ void AdaptLists::search_again(bool renumbered)
   if (renumbered) {
     make_room(fix.host()->atom->nmax);
     const bool same = same_places();
-    to_indices();
+    to_indices(same);
     if (!same || (int) now.size() < all()) {
       rows_good = false;
       dirty.make_room(true, all() + 1);

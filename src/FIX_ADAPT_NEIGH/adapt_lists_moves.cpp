@@ -4,6 +4,7 @@
 
 #include "fix_adapt_neigh.h"
 #include "fix_sph_tm.h"
+#include "pair_sph_tm.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -20,85 +21,53 @@ namespace SPHTM_NS {
 
 /* ---------------------------------------------------------------------- places in memory */
 
-// particles are about to get new places: until then entries of kept rows are places in a list of tags
+// room for so many more; where they begin
+int AdaptLists::room_for_names(int n)
+{
+  const int first = by_tag ? n_names : 0;
+  if (first + n > (int) names.size()) names.resize(2 * (first + n));
+  n_names = first + n;
+  by_tag = true;
+  return first;
+}
+
+// particles are about to get new places
 void AdaptLists::to_tags()
 {
   if (margin == 0.0 || by_tag || table.capacity == 0) return;
-  fix.body().host_particles();
-  const tagint *tag = fix.host()->atom->tag;
-  names.assign(tag, tag + all());
-  by_tag = true;
+  room_for_names(all());
+  backend->copy(names.loop_write(), fix.pair().loop_tags(), all() * sizeof(int));
 }
 
 // the places are those they were before, of particles without images
 bool AdaptLists::same_places()
 {
-  if (!by_tag) return false;
-  fix.body().host_particles();
-  const tagint *tag = fix.host()->atom->tag;
-  return all() == own() && (int) names.size() == own() && std::equal(names.begin(), names.end(), tag);
+  return by_tag && all() == own() && n_names == own() && backend->equal(own(), names.loop_read(), fix.pair().loop_tags());
 }
 
-// entry k of row i; tags: those of its entries
-void AdaptLists::drop(int i, int k)
+void AdaptLists::to_indices(bool same)
 {
-  const int last = --kept.host_write()[i];
-  const tm_kept_rows r = kept_rows(true);
-  const ptrdiff_t stride = r.stride;
-  float *w = tm_weight(&r, i);
-  int *index = r.index + r.first[i];
-  index[k * stride] = index[last * stride];
-  for (int c = 0; c < TM_WEIGHTS; c++) {
-    w[tm_weight_place(&r, c, k)] = w[tm_weight_place(&r, c, last)];
-    w[tm_weight_place(&r, c, last)] = 0.0f;
-  }
-}
-
-// of the images of a particle the closest is meant
-void AdaptLists::to_indices()
-{
-  if (!by_tag) return;
+  const bool was_by_tag = by_tag;
   by_tag = false;
-  if (!keeps()) return;
+  if (!keeps() || !was_by_tag || same) return;
+  tm_places_args a = {};
+  a.store = kept_store();
+  a.name = names.loop_read();
+  a.tag = fix.pair().loop_tags();
+  a.x = fix.body().state().x;
+  a.most = backend->largest(all(), a.tag);
+  holder.make_room(true, (size_t) a.most + 1);
+  other_holder.make_room(true, (size_t) all() + 1);
+  a.holder = holder.loop_write();
+  a.other = other_holder.loop_write();
+  backend->zero(a.holder, ((size_t) a.most + 1) * sizeof(int));
+  backend->hold_tags(all(), a);
+  a.forgets = std::isfinite(approach);
+  const int lost = backend->places(own(), a);
+  if (lost == own() || a.forgets) return;    // deleted, or far away: not a neighbor any more
   fix.body().host_particles();
-  const tagint *tag = fix.host()->atom->tag;
-  if (all() == own() && (int) names.size() == own() && std::equal(names.begin(), names.end(), tag)) return;
-  double **x = fix.host()->atom->x;
-  const int n_all = all();
-  std::vector<std::pair<int, int>> places(n_all);
-  for (int j = 0; j < n_all; j++) places[j] = {(int) tag[j], j};
-  std::sort(places.begin(), places.end());
-  // where each name is first in that order
-  std::vector<int> found(names.size());
-  for (size_t p = 0; p < names.size(); p++)
-    found[p] = (int) (std::lower_bound(places.begin(), places.end(), std::make_pair(names[p], -1)) - places.begin());
-  int *index = quiet.index.host_write(), *n = kept.host_write();
-  tm_real *remembered = memory.host_write();
-  const ptrdiff_t *first = quiet.first.host_read();
-  for (int i = 0; i < own(); i++) {
-    for (int k = 0; k < n[i]; k++) {
-      int &entry = index[first[i] + k * quiet.stride];
-      const int name = names[entry];
-      double least = 1e300;
-      for (size_t p = found[entry]; p < places.size() && places[p].first == name; p++) {
-        const double *y = x[places[p].second];
-        double r2 = 0.0;
-        for (int d = 0; d < 3; d++) r2 += (x[i][d] - y[d]) * (x[i][d] - y[d]);
-        if (r2 >= least || places[p].second == i) continue;
-        least = r2;
-        entry = places[p].second;
-      }
-      if (least < 1e300) continue;
-      if (std::isinf(approach))
-        fix.host()->error->one(FLERR, "Fix adapt/neigh threshold {}: the neighbor {} that particle {} keeps is gone or "
-                                      "beyond the ghosts; a larger neighbor skin, or 'approach 0.01'", threshold, name,
-                               tag[i]);
-      // deleted, or far away: not a neighbor any more
-      drop(i, k--);
-      remembered[(size_t) i * TM_K + TM_K_NEAR] = TM_NEAR_HOLD;
-    }
-    for (int k = n[i]; k < tm_kept_places(n[i]); k++) index[first[i] + k * quiet.stride] = i;
-  }
+  fix.host()->error->one(FLERR, "Fix adapt/neigh threshold {}: a neighbor that particle {} keeps is gone or beyond the "
+                                "ghosts; a larger neighbor skin, or 'approach 0.01'", threshold, fix.host()->atom->tag[lost]);
 }
 
 void AdaptLists::grow(int nmax)
@@ -109,16 +78,8 @@ void AdaptLists::grow(int nmax)
 void AdaptLists::copy(int from, int to)
 {
   if (!keeps() || quiet.capacity == 0) return;
-  const tm_kept_rows r = kept_rows(true);
-  tm_real *k = memory.host_write();
-  r.kept[to] = r.kept[from];
-  std::copy_n(k + (size_t) from * TM_K, (int) TM_K, k + (size_t) to * TM_K);
-  const float *source = tm_weight(&r, from);
-  float *target = tm_weight(&r, to);
-  for (int e = 0; e < tm_kept_places(r.kept[to]); e++) {
-    r.index[r.first[to] + e * r.stride] = r.index[r.first[from] + e * r.stride];
-    for (int c = 0; c < TM_WEIGHTS; c++) target[tm_weight_place(&r, c, e)] = source[tm_weight_place(&r, c, e)];
-  }
+  const tm_kept_store s = kept_store(true);
+  tm_kept_copy(&s, from, &s, to);
 }
 
 void AdaptLists::set_new(int i)
@@ -128,48 +89,55 @@ void AdaptLists::set_new(int i)
   std::fill_n(memory.host_write() + (size_t) i * TM_K, (int) TM_K, 0.0);
 }
 
-int AdaptLists::most_packed() const
-{
-  return keeps() ? 1 + TM_K + (room ? room : quiet.capacity) * (1 + TM_WEIGHTS) : 0;
-}
+int AdaptLists::most_packed() const { return keeps() ? tm_kept_packed(room ? room : quiet.capacity) : 0; }
 
 int AdaptLists::pack(int i, double *buf)
 {
   if (!keeps() || quiet.capacity == 0) return 0;
-  const tm_kept_rows r = kept_rows(true);
-  const int n = r.kept[i], *index = r.index + r.first[i];
-  const ptrdiff_t stride = r.stride;
-  const float *w = tm_weight(&r, i);
-  double *start = buf;
-  *buf++ = n;
-  buf = std::copy_n(memory.host_read() + (size_t) i * TM_K, (int) TM_K, buf);
-  for (int k = 0; k < n; k++) {
-    *buf++ = by_tag ? names[index[k * stride]] : (int) fix.host()->atom->tag[index[k * stride]];
-    for (int c = 0; c < TM_WEIGHTS; c++) *buf++ = w[tm_weight_place(&r, c, k)];
-  }
-  return (int) (buf - start);
+  const tm_kept_store s = kept_store(true);
+  return tm_kept_pack(i, &s, by_tag ? names.host_read() : fix.host()->atom->tag, buf);
 }
 
 int AdaptLists::unpack(int i, const double *buf)
 {
   if (!keeps() || quiet.capacity == 0) return 0;
-  const double *start = buf;
-  const int n = (int) *buf++;
-  const tm_kept_rows r = kept_rows(true);
-  int *index = r.index + r.first[i];
-  const ptrdiff_t stride = r.stride;
-  float *w = tm_weight(&r, i);
-  if (!by_tag) names.clear();
-  by_tag = true;
-  r.kept[i] = n;
-  std::copy_n(buf, (int) TM_K, memory.host_write() + (size_t) i * TM_K);
-  buf += TM_K;
-  for (int k = 0; k < tm_kept_places(n); k++) {
-    index[k * stride] = k < n ? (int) names.size() : 0;
-    if (k < n) names.push_back((int) *buf++);
-    for (int c = 0; c < TM_WEIGHTS; c++) w[tm_weight_place(&r, c, k)] = k < n ? (float) *buf++ : 0.0f;
-  }
-  return (int) (buf - start);
+  const tm_kept_store s = kept_store(true);
+  const int first = room_for_names((int) buf[0]);
+  return tm_kept_unpack(i, &s, buf, first, names.host_write());
+}
+
+void AdaptLists::reorder(int n, const int *order)
+{
+  if (!keeps() || quiet.capacity == 0) return;
+  const tm_kept_store to = kept_store();
+  LoopArray<int> index(*backend), lengths(*backend);
+  LoopArray<float> weights(*backend);
+  LoopArray<tm_real> memories(*backend);
+  const auto copied = [this](auto &copy, auto &of) {
+    copy.resize(of.size());
+    backend->copy(copy.loop_write(), of.loop_read(), of.bytes());
+    return copy.loop_write();
+  };
+  tm_kept_store from = to;
+  from.rows.index = copied(index, quiet.index);
+  from.rows.kept = copied(lengths, kept);
+  from.rows.weight = copied(weights, weight);
+  from.memory = copied(memories, memory);
+  backend->reorder(n, from, order, to);
+  backend->wait();
+}
+
+void AdaptLists::send(int n, const int *sent, const int *filled_by, double *buf)
+{
+  if (!keeps() || quiet.capacity == 0) return;
+  backend->kept_send(n, {kept_store(), names.loop_write(), sent, filled_by, buf, most_packed(), 0});
+}
+
+void AdaptLists::receive(int n, const int *place_of, double *buf)
+{
+  if (!keeps() || quiet.capacity == 0) return;
+  const int first = room_for_names(n * quiet.capacity);
+  backend->kept_receive(n, {kept_store(), names.loop_write(), place_of, nullptr, buf, most_packed(), first});
 }
 
 // of all ranks

@@ -40,9 +40,7 @@ FixAdaptNeigh::FixAdaptNeigh(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
   for (const auto &p : parts)
     if (p->in_use()) used.push_back(p.get());
   for (const AdaptPart *p : used) size_vector += (int) p->outputs().size();
-  bool on_host = false;
-  for (const AdaptPart *p : used) on_host = on_host || p->on_host();
-  if (!on_host) datamask_read = datamask_modify = EMPTY_MASK;    // with Kokkos: the loops ask for what they need
+  if (!on_host()) datamask_read = datamask_modify = EMPTY_MASK;    // with Kokkos: the loops ask for what they need
   vector_flag = size_vector > 0;
   update_packed_size();
   for (const AdaptPart *p : used) has_values = has_values || p->has_values();
@@ -123,6 +121,13 @@ void FixAdaptNeigh::end_of_step()
 {
   const auto timed = sph->run_clock.timed(this);
   for (AdaptPart *p : used) p->end_of_step();
+}
+
+bool FixAdaptNeigh::on_host() const
+{
+  for (const AdaptPart *p : used)
+    if (p->on_host()) return true;
+  return false;
 }
 
 void FixAdaptNeigh::renew_lists() { next_reneighbor = update->ntimestep + 1; }
@@ -225,6 +230,18 @@ int FixAdaptNeigh::unpack_exchange(int i, double *buf)
   int m = 0;
   for (AdaptPart *p : used) m += p->unpack(i, buf + m);
   return m;
+}
+void FixAdaptNeigh::reorder_arrays(int n, const int *order)
+{
+  for (AdaptPart *p : used) p->reorder(n, order);
+}
+void FixAdaptNeigh::send_arrays(int n, const int *sent, const int *filled_by, double *buf)
+{
+  for (AdaptPart *p : used) p->send(n, sent, filled_by, buf);
+}
+void FixAdaptNeigh::receive_arrays(int n, const int *place, double *buf)
+{
+  for (AdaptPart *p : used) p->receive(n, place, buf);
 }
 int FixAdaptNeigh::pack_restart(int i, double *buf)
 {

@@ -41,6 +41,9 @@ class FixAdaptNeigh : public Fix {
   void set_arrays(int) override;
   int pack_exchange(int, double *) override;
   int unpack_exchange(int, double *) override;
+  void reorder_arrays(int n, const int *order);
+  void send_arrays(int n, const int *sent, const int *filled_by, double *buf);
+  void receive_arrays(int n, const int *place, double *buf);
   int pack_restart(int, double *) override;
   void unpack_restart(int, int) override;
   int size_restart(int) override;
@@ -62,6 +65,7 @@ class FixAdaptNeigh : public Fix {
   bool uses(const std::string &keyword) const;    // the part that has it is in use
   void remade(int i, double factor);
   void neighborhood_changed(int i);
+  bool on_host() const;         // a part works on LAMMPS's particles of the host in any step
 
  private:
   std::vector<std::unique_ptr<SPHTM_NS::AdaptPart>> parts;    // all that there are

@@ -13,6 +13,7 @@
 #ifdef LMP_KOKKOS
 #include "fix_ave_time_kokkos.h"
 #include "compute_sph_tm_atom_kokkos.h"
+#include "fix_adapt_neigh_kokkos.h"
 #include "fix_contact_tri_kokkos.h"
 #include "fix_sph_tm_kokkos.h"
 #include "on_loops_kokkos.h"
@@ -31,7 +32,7 @@ using namespace LAMMPS_NS;
 using PairKokkos = PairSPHTMKokkos;
 using FixKokkos = FixSPHTMKokkos;
 using ContactKokkos = FixContactTriKokkos;
-using AdaptKokkos = SPHTM_NS::OnLoopsKokkos<FixAdaptNeigh>;
+using AdaptKokkos = FixAdaptNeighKokkos;
 using HeatKokkos = SPHTM_NS::OnLoopsKokkos<FixSPHTMHeat>;
 using DriveKokkos = SPHTM_NS::OnLoopsKokkos<FixSPHTMDrive>;
 using AtomComputeKokkos = ComputeSPHTMAtomKokkos;

@@ -40,6 +40,44 @@ void Backend::add(double *to, const double *from, size_t n)
   for (size_t k = 0; k < n; k++) to[k] += from[k];
 }
 
+int Backend::largest(int n, const int *v)
+{
+  int most = 0;
+  for (int i = 0; i < n; i++) most = std::max(most, v[i]);
+  return most;
+}
+
+void Backend::hold_tags(int n, const tm_places_args &a)
+{
+  for (int j = 0; j < n; j++) {
+    a.other[j] = a.holder[a.tag[j]];
+    a.holder[a.tag[j]] = j + 1;
+  }
+}
+
+int Backend::places(int n, const tm_places_args &a)
+{
+  int first = n;
+  for (int i = n - 1; i >= 0; i--)
+    if (tm_places(i, &a)) first = i;
+  return first;
+}
+
+void Backend::reorder(int n, const tm_kept_store &from, const int *order, const tm_kept_store &to)
+{
+  for (int i = 0; i < n; i++) tm_kept_copy(&from, order[i], &to, i);
+}
+
+void Backend::kept_send(int n, const tm_kept_send_args &a)
+{
+  for (int k = 0; k < n; k++) tm_kept_send(k, &a);
+}
+
+void Backend::kept_receive(int n, const tm_kept_send_args &a)
+{
+  for (int k = 0; k < n; k++) tm_kept_receive(k, &a);
+}
+
 void Backend::blocks(int n, const std::function<void(int, int)> &f)
 {
   for (int begin = 0; begin < n; begin += LOOP_BLOCK) f(begin, std::min(n, begin + LOOP_BLOCK));

@@ -16,6 +16,7 @@
 #include "tm_initial.h"
 #include "tm_moment.h"
 #include "tm_neighbors.h"
+#include "tm_places.h"
 #include "tm_predict.h"
 #include "tm_rates.h"
 #include "tm_single.h"
@@ -73,6 +74,13 @@ class Backend {
   virtual void settle(int n, const tm_settle_args &, unsigned effects);
   virtual void watch(int n, const tm_watch_args &);
   virtual double fastest(int n, const tm_state &);    // the largest speed
+  // and when particles get new places: tm_places.h
+  virtual int largest(int n, const int *);    // at least 0
+  virtual void hold_tags(int n, const tm_places_args &);
+  virtual int places(int n, const tm_places_args &);    // the first particle with entries that are nowhere, or n
+  virtual void reorder(int n, const tm_kept_store &from, const int *order, const tm_kept_store &to);
+  virtual void kept_send(int n, const tm_kept_send_args &);
+  virtual void kept_receive(int n, const tm_kept_send_args &);
 
   // one step of particles 0..n-1
   virtual void drift(int n, const tm_drift_args &, unsigned effects, int *lost);    // the first one lost, or n

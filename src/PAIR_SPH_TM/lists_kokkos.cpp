@@ -188,6 +188,38 @@ struct Watch {
   tm_watch_args a;
   KOKKOS_FUNCTION void operator()(int i) const { tm_watch(i, &a); }
 };
+struct Int {
+  const int *v;
+  KOKKOS_FUNCTION int operator()(int i) const { return v[i]; }
+};
+struct Larger {
+  KOKKOS_FUNCTION void operator()(int *most, const int *v) const { *most = *v > *most ? *v : *most; }
+};
+struct Smaller {
+  KOKKOS_FUNCTION void operator()(int *least, const int *v) const { *least = *v < *least ? *v : *least; }
+};
+struct HoldTags {
+  tm_places_args a;
+  KOKKOS_FUNCTION void operator()(int j) const { a.other[j] = Kokkos::atomic_exchange(a.holder + a.tag[j], j + 1); }
+};
+struct Places {
+  tm_places_args a;
+  int n;
+  KOKKOS_FUNCTION int operator()(int i) const { return tm_places(i, &a) ? i : n; }
+};
+struct Reorder {
+  tm_kept_store from, to;
+  const int *order;
+  KOKKOS_FUNCTION void operator()(int i) const { tm_kept_copy(&from, order[i], &to, i); }
+};
+struct KeptSend {
+  tm_kept_send_args a;
+  KOKKOS_FUNCTION void operator()(int k) const { tm_kept_send(k, &a); }
+};
+struct KeptReceive {
+  tm_kept_send_args a;
+  KOKKOS_FUNCTION void operator()(int k) const { tm_kept_receive(k, &a); }
+};
 struct Speed {
   tm_state s;
   KOKKOS_FUNCTION double operator()(int i) const { return tm_speed(i, &s); }
@@ -277,6 +309,33 @@ void KokkosLists::watch(int n, const tm_watch_args &a)
 double KokkosLists::fastest(int n, const tm_state &s)
 {
   return kokkos_sum("sph/tm fastest", n, 0.0, Speed{s}, MostReal());
+}
+
+/* ---------------------------------------------------------------------- kept rows of particles with new places */
+
+int KokkosLists::largest(int n, const int *v)
+{
+  return kokkos_sum("sph/tm largest", n, 0, Int{v}, Larger());
+}
+void KokkosLists::hold_tags(int n, const tm_places_args &a)
+{
+  kokkos_each("sph/tm hold tags", n, HoldTags{a});
+}
+int KokkosLists::places(int n, const tm_places_args &a)
+{
+  return kokkos_sum("sph/tm places", n, n, Places{a, n}, Smaller());
+}
+void KokkosLists::reorder(int n, const tm_kept_store &from, const int *order, const tm_kept_store &to)
+{
+  kokkos_each("sph/tm reorder", n, Reorder{from, to, order});
+}
+void KokkosLists::kept_send(int n, const tm_kept_send_args &a)
+{
+  kokkos_each("sph/tm send rows", n, KeptSend{a});
+}
+void KokkosLists::kept_receive(int n, const tm_kept_send_args &a)
+{
+  kokkos_each("sph/tm receive rows", n, KeptReceive{a});
 }
 
 }    // namespace SPHTM_NS

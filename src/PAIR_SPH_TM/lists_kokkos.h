@@ -24,6 +24,12 @@ class KokkosLists : public Backend {
   void settle(int n, const tm_settle_args &a, unsigned fx) override;
   void watch(int n, const tm_watch_args &a) override;
   double fastest(int n, const tm_state &s) override;
+  int largest(int n, const int *) override;
+  void hold_tags(int n, const tm_places_args &a) override;
+  int places(int n, const tm_places_args &a) override;
+  void reorder(int n, const tm_kept_store &from, const int *order, const tm_kept_store &to) override;
+  void kept_send(int n, const tm_kept_send_args &a) override;
+  void kept_receive(int n, const tm_kept_send_args &a) override;
 };
 
 }    // namespace SPHTM_NS
