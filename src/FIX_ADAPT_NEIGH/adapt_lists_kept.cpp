@@ -104,9 +104,7 @@ void AdaptLists::show(const tm_records &rec)
 void AdaptLists::tell_searched()
 {
   next.make_room(true, all() + 1);
-  tm_real *n = next.host_write();
-  const tm_real *k = memory.host_read();
-  for (int i = 0; i < own(); i++) n[i] = tm_is_searched(k + (size_t) i * TM_K);
+  backend->searched(own(), memory.loop_read(), next.loop_write());
   fix.pair().forward(next, 1);
 }
 
@@ -116,7 +114,10 @@ void AdaptLists::search_again(bool renumbered)
     make_room(fix.host()->atom->nmax);
     const bool same = same_places();
     to_indices(same);
-    if (!same || (int) now.size() < all()) {
+    const int mine = !same || (int) now.size() < all();
+    int tell;    // all ranks tell, or none
+    MPI_Allreduce(&mine, &tell, 1, MPI_INT, MPI_MAX, fix.host()->world);
+    if (tell) {
       rows_good = false;
       dirty.make_room(true, all() + 1);
       for (auto *a : {&which, &which_border}) a->make_room(true, own() + 1);

@@ -55,6 +55,11 @@ void Backend::hold_tags(int n, const tm_places_args &a)
   }
 }
 
+void Backend::searched(int n, const tm_real *memory, tm_real *next)
+{
+  for (int i = 0; i < n; i++) next[i] = tm_is_searched(memory + (ptrdiff_t) i * TM_K);
+}
+
 int Backend::places(int n, const tm_places_args &a)
 {
   int first = n;

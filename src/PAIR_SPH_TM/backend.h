@@ -77,6 +77,7 @@ class Backend {
   // and when particles get new places: tm_places.h
   virtual int largest(int n, const int *);    // at least 0
   virtual void hold_tags(int n, const tm_places_args &);
+  virtual void searched(int n, const tm_real *memory, tm_real *next);
   virtual int places(int n, const tm_places_args &);    // the first particle with entries that are nowhere, or n
   virtual void reorder(int n, const tm_kept_store &from, const int *order, const tm_kept_store &to);
   virtual void kept_send(int n, const tm_kept_send_args &);

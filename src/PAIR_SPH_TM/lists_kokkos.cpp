@@ -202,6 +202,11 @@ struct HoldTags {
   tm_places_args a;
   KOKKOS_FUNCTION void operator()(int j) const { a.other[j] = Kokkos::atomic_exchange(a.holder + a.tag[j], j + 1); }
 };
+struct Searched {
+  const tm_real *memory;
+  tm_real *next;
+  KOKKOS_FUNCTION void operator()(int i) const { next[i] = tm_is_searched(memory + (ptrdiff_t) i * TM_K); }
+};
 struct Places {
   tm_places_args a;
   int n;
@@ -320,6 +325,10 @@ int KokkosLists::largest(int n, const int *v)
 void KokkosLists::hold_tags(int n, const tm_places_args &a)
 {
   kokkos_each("sph/tm hold tags", n, HoldTags{a});
+}
+void KokkosLists::searched(int n, const tm_real *memory, tm_real *next)
+{
+  kokkos_each("sph/tm searched", n, Searched{memory, next});
 }
 int KokkosLists::places(int n, const tm_places_args &a)
 {

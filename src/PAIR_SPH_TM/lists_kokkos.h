@@ -26,6 +26,7 @@ class KokkosLists : public Backend {
   double fastest(int n, const tm_state &s) override;
   int largest(int n, const int *) override;
   void hold_tags(int n, const tm_places_args &a) override;
+  void searched(int n, const tm_real *memory, tm_real *next) override;
   int places(int n, const tm_places_args &a) override;
   void reorder(int n, const tm_kept_store &from, const int *order, const tm_kept_store &to) override;
   void kept_send(int n, const tm_kept_send_args &a) override;

@@ -1,6 +1,7 @@
 """Particles that cross from rank to rank keep every value: two blocks fly diagonally through a periodic box, past each
 other and across all borders, turn and are deformed on the way. One, two and four ranks give the same bits, whether
-particles are exchanged and sorted by LAMMPS's host code or where the loops run, in their own memory or the host's."""
+particles are exchanged and sorted by LAMMPS's host code or where the loops run, in their own memory or the host's. The
+same with rows of neighbors that are kept."""
 import numpy as np
 from kokkos_scene import Checks, run_way, same_bits
 
@@ -20,7 +21,7 @@ create_atoms    1 region a
 create_atoms    1 region b
 group           a region a
 group           b region b
-pair_style      sph/tm hyperbolic 1.2 spacing 1e-3 balsara yes xsph 0.05 correction yes
+pair_style      sph/tm hyperbolic 1.2 spacing 1e-3 {style}
 pair_coeff      1 1 materials.sphtm c45e damage johnson/cook 0.5 1.0 -3.0 0.01 1.0
 velocity        a set 300 270 240 units box
 velocity        b set -280 210 -260 units box
@@ -28,6 +29,7 @@ variable        wx atom -6e4*(x-5e-3)-3e4*(y-5e-3)
 variable        wy atom 3e4*(x-5e-3)
 velocity        a set v_wx v_wy NULL sum yes units box
 fix             body all sph/tm temperature 300 energy yes
+{fix}
 compute         p all sph/tm/atom density temperature pstrain pstrain/rate flowstress vonmises pressure &
                 stress/xy damage failed soundspeed
 thermo          200
@@ -35,20 +37,27 @@ run             600
 write_dump      all custom end.dump id x y z vx vy vz fx fy fz ix iy iz c_p[*] modify format float %.17g
 """
 
-checks = Checks()
-plain = run_way("plain", SCENE)
-frame = plain.dump("end.dump")[-1]
-checks.above("particles that went through a face of the box",
-             np.count_nonzero(abs(frame["ix"]) + abs(frame["iy"]) + abs(frame["iz"])), 100)
-checks.above("largest plastic strain", frame["c_p[3]"].max(), 1e-3)
-default = run_way("plain default", SCENE)
 ON_DEVICE = "-pk kokkos comm device sort device"
-for ranks in 1, 2, 4:
-    same_bits(checks, "%d ranks" % ranks, run_way("serial", SCENE, ranks=ranks), plain)
-    result = run_way("serial", SCENE, ranks=ranks, options=ON_DEVICE)
-    same_bits(checks, "%d ranks, exchanged where the loops run" % ranks, result, plain)
-    checks.true("%d ranks: without LAMMPS's host code" % ranks, not any("classic" in w for w in result.warnings()),
-                " ".join(result.warnings()))
-    same_bits(checks, "%d ranks, device loops" % ranks, run_way("device", SCENE, ranks=ranks, options=ON_DEVICE),
-              default)
+checks = Checks()
+
+
+def fly(name, scene):
+    plain = run_way("plain", scene)
+    frame = plain.dump("end.dump")[-1]
+    through = np.count_nonzero(abs(frame["ix"]) + abs(frame["iy"]) + abs(frame["iz"]))
+    checks.above(name + ": particles that went through a face of the box", through, 100)
+    checks.above(name + ": largest plastic strain", frame["c_p[3]"].max(), 1e-3)
+    default = run_way("plain default", scene)
+    for ranks in 1, 2, 4:
+        what = "%s, %d ranks" % (name, ranks)
+        same_bits(checks, what, run_way("serial", scene, ranks=ranks), plain)
+        result = run_way("serial", scene, ranks=ranks, options=ON_DEVICE)
+        same_bits(checks, what + ", exchanged where the loops run", result, plain)
+        checks.true(what + ": without LAMMPS's host code", not any("classic" in w for w in result.warnings()),
+                    " ".join(result.warnings()))
+        same_bits(checks, what + ", device loops", run_way("device", scene, ranks=ranks, options=ON_DEVICE), default)
+
+
+fly("lists of LAMMPS", SCENE.format(style="balsara yes xsph 0.05 correction yes", fix=""))
+fly("kept rows", SCENE.format(style="", fix="fix lists all adapt/neigh threshold 1e-3"))
 checks.end()
