@@ -5,7 +5,7 @@
     study.end({"row": {...}})                            # summary.json, and the same on the screen
 
 Options of every scene: --size NAME; --repeats N, timed runs of each row; --rows ROW ..., some of them only; --ranks N;
---lmp "ARGUMENTS", more of lmp's, for example "-k on g 1 -sf kk"; --look, only measure and draw what an earlier call
+--lmp "ARGUMENTS", more of lmp's, for example "-k on g 1 -sf kk"; --look, only measure and draw what earlier calls
 left."""
 import argparse
 import json
@@ -46,9 +46,9 @@ class Study:
     def path(self, name):
         return os.path.join(self.out, name)
 
-    def run(self, row, variables, repeats=1, may_stop=False):
+    def run(self, row, variables, repeats=1, may_stop=False, folder=None):
         """Runs the example's script; times are medians over the repeats. may_stop: an error of lmp is a result too."""
-        folder, variables = self.path(row), {k: v for k, v in variables.items() if v is not None}
+        folder, variables = self.path(folder or row), {k: v for k, v in variables.items() if v is not None}
         if not self.options.look:
             print("%s: %s" % (self.name, row), flush=True)
             shutil.rmtree(folder, ignore_errors=True)
