@@ -11,6 +11,8 @@ COLUMNS = ("x", "y", "z", "vx", "vy", "vz", "density", "pressure", "temperature"
 SCALES = ("x y z", "vx vy vz", "density", "pressure vonmises", "temperature", "pstrain")
 
 MIXED = "_mixed"    # at the end of a name: pair arithmetic in single
+AUDIT = "_audit"    # fix sph/tm audits, and the last audit is compared too
+AUDITED = "audit.dat"
 
 BULLET = "examples/bullet_plate/in.bullet_plate"
 SMALL_BULLET = {"n": 3, "thick": 9e-3, "width": 72e-3}
@@ -36,6 +38,7 @@ SCENES = {
                                    {"dp": 0.25e-3, "width": 1e-3}, 300),
     "bullet_every_step": (BULLET, {**SMALL_BULLET, "adapt": "threshold 0"}, 200),
     "bullet_kept_rows": (BULLET, {**SMALL_BULLET, "adapt": "threshold 1e-5"}, 200),
+    "bullet_kept_rows_audit": (BULLET, {**SMALL_BULLET, "adapt": "threshold 1e-3"}, 200),
     "flat_tensile_asph": ("examples/flat_tensile_c45e/in.flat_tensile_c45e", {"rows": 16, "adapt": "asph psi every 5"},
                           200),
     "two_layer_heat": ("examples/two_layer_heat/in.two_layer_heat", {"n": 100}, 500),
@@ -52,6 +55,19 @@ def in_mixed(text):
     if not count:
         raise SystemExit("no pair_style sph/tm ... spacing in the script")
     return text
+
+
+def audited(text):
+    """The script with audits of its fix sph/tm; the last one goes into a file: error of all and of the rows."""
+    text, count = re.subn(r"^(fix\s+body all sph/tm\b.*)$", r"\1 audit 50 200", text, flags=re.M)
+    if not count:
+        raise SystemExit("no fix body all sph/tm in the script")
+    return text + '\nprint "$(f_body[13]:%%.17g) $(f_body[14]:%%.17g)" file %s\n' % AUDITED
+
+
+def audit(folder):
+    with open(os.path.join(folder, AUDITED)) as f:
+        return [float(word) for word in f.read().split()]
 
 
 def small_script(text, steps, more=""):

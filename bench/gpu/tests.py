@@ -19,6 +19,8 @@ from host import TOP, fresh, lammps, write
 BOUND = 1e-9
 # The same in single: the two instruction sets come out at most 2.9e-7 apart (contact_mixed).
 MIXED_BOUND = 1.2e-5
+# errors over the largest rate of the sample
+AUDIT_BOUND = 1e-8
 # numbers in a message are printed with six digits, of a state that is running away
 MESSAGE_BOUND = 1e-4
 HEADERS, STOPS = "headers", "stops"    # what 'run test' has besides scenes
@@ -44,7 +46,11 @@ def run_scene(name, folder, gpus, steps=None, more="", before=()):
     for entry in os.listdir(source):
         shutil.copy(os.path.join(source, entry), folder)
     with open(os.path.join(folder, os.path.basename(script))) as f:
-        text = scenes.in_mixed(f.read()) if scenes.precision(name) == "mixed" else f.read()
+        text = f.read()
+    if scenes.precision(name) == "mixed":
+        text = scenes.in_mixed(text)
+    if name.endswith(scenes.AUDIT):
+        text = scenes.audited(text)
     write(os.path.join(folder, "in.small"), scenes.small_script(text, steps or usual, more))
     start = time.time()
     output, status = lammps(folder, ["-in", "in.small"] + scenes.variables(name, folder), gpus, before=before)
@@ -72,10 +78,20 @@ def reference(out, names):
             if error:
                 raise SystemExit("%s: %s" % (name, error))
             scenes.write_state(os.path.join(EXPECTED, name + ".gz"), scenes.state(os.path.join(out, name)))
+            if name.endswith(scenes.AUDIT):
+                shutil.copy(os.path.join(out, name, scenes.AUDITED), os.path.join(EXPECTED, name + ".audit"))
             print("%-22s %6.1f s" % (name, seconds), flush=True)
         if name == STOPS:
             said = {stop: run_stop(stop, stop_folder(out, stop))[0] for stop in stops.CASES}
             write(os.path.join(EXPECTED, "stops.json"), json.dumps(said, indent=1))
+
+
+def audit_error(found, expected):
+    """'' where an audit found what is expected, and something at all."""
+    with open(expected) as f:
+        wanted = [float(word) for word in f.read().split()]
+    apart = max(abs(a - b) for a, b in zip(found, wanted))
+    return "" if apart <= AUDIT_BOUND and min(wanted) > 0 else "audits %s, expected %s" % (found, wanted)
 
 
 def test_scene(name, out, gpus):
@@ -91,6 +107,9 @@ def test_scene(name, out, gpus):
         elif not all(d <= bound(name) for d in worst.values()):    # NaN is no <= either
             error = "differs by %.1e, allowed %.0e" % (max(worst.values(), key=lambda d: math.inf if d != d else d),
                                                        bound(name))
+        if name.endswith(scenes.AUDIT):
+            result["audit"] = scenes.audit(folder)
+            error = error or audit_error(result["audit"], os.path.join(EXPECTED, name + ".audit"))
         _, trouble = run_scene(name, folder + ".again", gpus)
         result["same_again"] = not trouble and scenes.state(folder + ".again") == rows
         if not result["same_again"]:
