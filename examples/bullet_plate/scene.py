@@ -38,7 +38,8 @@ def main():
         for row, variables in ROWS.items():
             name = row.replace(" ", "_").replace(",", "")
             folder = os.path.join(os.environ.get("SPHTM_ROUND", str(repeat)), name)
-            if study.wants(row) and (not study.options.look or os.path.exists(study.path(folder))):
+            done = os.path.exists(study.path(os.path.join(folder, "times.json")))
+            if study.wants(row) and (done or not study.options.look):
                 result = study.run(name, dict(study.size, **variables), may_stop=True, folder=folder)
                 results.setdefault(row, []).append(result)
     for row, all_of_it in results.items():
