@@ -86,7 +86,7 @@ tool plane --size 1 1 --cells 2 2 -o "$top/scenes/taylor_bar/plane.stl"
 
 say "sweeps of ./run accuracy"
 # the same folders as in the repository: sweeps find scripts and references there
-for file in bench/study.py bench/accuracy tools/make_tool.py unittest/scenes/sphtm_scene.py unittest/scenes/sph_reference.py \
+for file in bench/study.py bench/accuracy tools/make_tool.py unittest/scenes/sphtm_scene.py unittest/scenes/sph_kernels.py \
   $(sed -n 's/.*"\(unittest\)", "\(scenes\)", "\(test_[a-z_]*\.py\)".*/\1\/\2\/\3/p' "$root"/bench/accuracy/*.py | sort -u) \
   $(sed -n 's/.*example("\([a-z0-9_]*\)".*/examples\/\1/p' "$root"/bench/accuracy/*.py | sort -u); do
   mkdir -p "$top/${file%/*}"

@@ -1,6 +1,4 @@
 """Smoothing length that follows the particles, in tension: how far a specimen stretches before it breaks by itself."""
-import numpy as np
-
 from frame import CLOSED, Sweep, example, module
 
 TITLE = "adaptive smoothing length in tension"

@@ -1,5 +1,4 @@
 """Heat on and off in a cut: a narrow slice of examples/high_speed_machining."""
-import os
 import shutil
 
 from frame import SAME, Sweep, changed, example, module

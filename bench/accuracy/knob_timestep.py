@@ -3,7 +3,7 @@ import numpy as np
 
 from cases import taylor
 from frame import CLOSED, Sweep
-from sph_reference import kernel
+from sph_kernels import kernel
 
 TITLE = "time-step factor"
 SPACING, N, SPEED = 1e-2, 32, 1e-5    # m; particles to a wave; amplitude, m/s

@@ -1,7 +1,5 @@
 """A free elastic body turns about its middle axis, and so tumbles, for a hundred turns. Without artificial stress,
 whose pair forces are not central and so have a torque."""
-import numpy as np
-
 from frame import SPACE, Case
 
 

@@ -1,4 +1,4 @@
-/* ASPH: the lattice table of REFERENCE, its inverse, stretching and shearing lattices, the update's fixed point. */
+/* ASPH: a published lattice table, its inverse, stretching and shearing lattices, the update's fixed point. */
 #include "tm_asph.h"
 #include "ut.h"
 

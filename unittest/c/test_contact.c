@@ -29,7 +29,7 @@ static void laws(void)
   w.friction.t[1] = 900; w.friction.y[1] = 0.1;
   UT_NEAR(tm_contact_friction_limit(&w, 1.0, 600.0, 0.0), 0.25, 1e-15);
 
-  /* aluminium 500 C on steel, REFERENCE.md 3: fraction 0.5507 of friction heat */
+  /* aluminium on steel, the half-spaces' closed form: fraction 0.5507 of friction heat */
   w.share = -1.0;
   w.tool_effusivity = sqrt(50.7 * 7870 * 486);
   UT_NEAR(tm_contact_share(&w, sqrt(120.0 * 2700 * 899)), 0.5507, 1e-4);

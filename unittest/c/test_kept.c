@@ -178,27 +178,25 @@ static void start(void)
       }
 }
 
-static void run(int corrected, unsigned fx)
+static tm_mat3 velocity_gradient(void)
 {
-  in_3d = (fx & TM_FX_3D) != 0;
-  start();
-  tm_mat3 zero = tm_mat_scale(0.0, tm_mat_identity()), L = zero;
+  tm_mat3 L = tm_mat_scale(0.0, tm_mat_identity());
   L.xx = 300; L.xy = -200; L.yx = 500; L.yy = -100;
   if (in_3d) { L.xz = 40; L.zx = -60; L.yz = 20; L.zy = 70; L.zz = 250; }
-  place(tm_mat_identity(), L);
-  for (int i = 0; i < N; i++) search(i);
-  memset(gradient, 0, sizeof gradient);
-  tm_settle_args a = settle_args(corrected);
-  settle(&a, fx);
-  /* as it lies: reference */
-  rates(fx);
-  check_conservation(fx, 0.0);
+  return L;
+}
+
+/* the gradient of particle i is that of the field */
+static void check_gradient(int i, tm_mat3 want, double within)
+{
+  for (int k = 0; k < 9; k++) UT_WITHIN(gradient[i * 9 + k] / 500.0, (&want.xx)[k] / 500.0, within);
+}
+
+/* turned and stretched; B follows from the positions, by way of one step */
+static void turned(tm_settle_args *a, int corrected, unsigned fx)
+{
   static tm_real before[MOST * 9];
   memcpy(before, gradient, sizeof before);
-  for (int i = 0; i < N && corrected; i++)
-    for (int k = 0; k < 9; k++) UT_WITHIN(gradient[i * 9 + k] / 500.0, (&L.xx)[k] / 500.0, 1e-11);
-
-  /* turned and stretched; B follows from the positions, by way of one step */
   tm_mat3 A = turn(1.1);
   if (corrected) {
     tm_mat3 U = tm_mat_identity();
@@ -206,26 +204,27 @@ static void run(int corrected, unsigned fx)
     if (in_3d) { U.xz = -0.1; U.zz = 1.2; }
     A = tm_mat_mul(A, U);
   }
-  const tm_mat3 R = turn(1.1), now = corrected ? L : tm_mat_mul(tm_mat_mul(R, L), tm_mat_transposed(R));
+  const tm_mat3 L = velocity_gradient(), R = turn(1.1);
+  const tm_mat3 now = corrected ? L : tm_mat_mul(tm_mat_mul(R, L), tm_mat_transposed(R));
   place(A, now);
   rates(fx);
-  a.dt = 0.0;
-  settle(&a, fx);
+  a->dt = 0.0;
+  settle(a, fx);
   rates(fx);
   check_conservation(fx, 0.0);
   for (int i = 0; i < N; i++) {
     const tm_mat3 old = tm_mat_load(before + i * 9);
     const tm_mat3 want = corrected ? L : tm_mat_mul(tm_mat_mul(R, old), tm_mat_transposed(R));
-    for (int k = 0; k < 9; k++) UT_WITHIN(gradient[i * 9 + k] / 500.0, (&want.xx)[k] / 500.0, 1e-7 * !corrected + 1e-10);
+    check_gradient(i, want, 1e-7 * !corrected + 1e-10);
   }
+}
 
-  /* one is searched: its pairs are as new, all others stay; both ends agree */
-  static int which[MOST];
-  memset(which, 0, sizeof which);
-  which[N / 2] = 1;
+/* one is searched: its pairs are as new, all others stay */
+static void one_searched(tm_settle_args *a, unsigned fx)
+{
   for (int i = 0; i < N; i++) search(i);
   memory[(N / 2) * TM_K + TM_K_NEAR] = 1.0;
-  settle(&a, fx);
+  settle(a, fx);
   UT_TRUE(kept[N / 2] == 0);
   memory[(N / 2) * TM_K + TM_K_NEAR] = 0.0;
   int border = 0;
@@ -237,31 +236,53 @@ static void run(int corrected, unsigned fx)
   UT_TRUE(border == near_count[N / 2]);
   memset(gradient, 0, sizeof gradient);
   rates(fx);
-  settle(&a, fx);
+  settle(a, fx);
   rates(fx);
   check_conservation(fx, 0.0);
   for (int i = 0; i < N; i++) {
     UT_TRUE(fresh[i] == 0);
-    UT_TRUE(memory[i * TM_K + TM_K_SEARCHES] == 1.0 + which[i]);
-    for (int e = 0; e < kept[i]; e++) {
-      const int j = row[first[i] + e];
-      int back = 0;
-      while (back < kept[j] && row[first[j] + back] != i) back++;
-      UT_TRUE(back < kept[j]);
-      const tm_kept_rows r = rows();
-      const float *w = tm_weight(&r, i), *v = tm_weight(&r, j);
-      for (int c = 0; c < 3; c++) {
-        UT_TRUE(w[tm_weight_place(&r, TM_W_OWN + c, e)] == -v[tm_weight_place(&r, TM_W_OTHER + c, back)]);
-        UT_TRUE(v[tm_weight_place(&r, TM_W_OWN + c, back)] == -w[tm_weight_place(&r, TM_W_OTHER + c, e)]);
-      }
-      for (int c = 0; c < TM_WEIGHTS; c++)
-        if (c >= TM_W_TENSILE || c == TM_W_BULK || c == TM_W_SHOCK)
-          UT_TRUE(w[tm_weight_place(&r, c, e)] == v[tm_weight_place(&r, c, back)]);
-    }
+    UT_TRUE(memory[i * TM_K + TM_K_SEARCHES] == 1.0 + (i == N / 2));
   }
-  if (corrected)
-    for (int i = 0; i < N; i++)
-      for (int k = 0; k < 9; k++) UT_WITHIN(gradient[i * 9 + k] / 500.0, (&L.xx)[k] / 500.0, 1e-10);
+}
+
+/* of every kept pair of particle i */
+static void both_ends_agree(int i)
+{
+  for (int e = 0; e < kept[i]; e++) {
+    const int j = row[first[i] + e];
+    int back = 0;
+    while (back < kept[j] && row[first[j] + back] != i) back++;
+    UT_TRUE(back < kept[j]);
+    const tm_kept_rows r = rows();
+    const float *w = tm_weight(&r, i), *v = tm_weight(&r, j);
+    for (int c = 0; c < 3; c++) {
+      UT_TRUE(w[tm_weight_place(&r, TM_W_OWN + c, e)] == -v[tm_weight_place(&r, TM_W_OTHER + c, back)]);
+      UT_TRUE(v[tm_weight_place(&r, TM_W_OWN + c, back)] == -w[tm_weight_place(&r, TM_W_OTHER + c, e)]);
+    }
+    for (int c = 0; c < TM_WEIGHTS; c++)
+      if (c >= TM_W_TENSILE || c == TM_W_BULK || c == TM_W_SHOCK)
+        UT_TRUE(w[tm_weight_place(&r, c, e)] == v[tm_weight_place(&r, c, back)]);
+  }
+}
+
+static void run(int corrected, unsigned fx)
+{
+  in_3d = (fx & TM_FX_3D) != 0;
+  start();
+  const tm_mat3 L = velocity_gradient();
+  place(tm_mat_identity(), L);
+  for (int i = 0; i < N; i++) search(i);
+  memset(gradient, 0, sizeof gradient);
+  tm_settle_args a = settle_args(corrected);
+  settle(&a, fx);
+  /* as it lies: reference */
+  rates(fx);
+  check_conservation(fx, 0.0);
+  for (int i = 0; i < N && corrected; i++) check_gradient(i, L, 1e-11);
+  turned(&a, corrected, fx);
+  one_searched(&a, fx);
+  for (int i = 0; i < N; i++) both_ends_agree(i);
+  for (int i = 0; i < N && corrected; i++) check_gradient(i, L, 1e-10);
 }
 
 int main(void)

@@ -1,4 +1,4 @@
-/* Smoothing kernels: REFERENCE forms, integral 1, slope against differences, lattice sums. */
+/* Smoothing kernels: the published forms, integral 1, slope against differences, lattice sums. */
 #include "tm_kernel.h"
 #include "ut.h"
 

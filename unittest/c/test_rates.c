@@ -364,6 +364,15 @@ static void star(int count, int beyond, double reach, unsigned fx)
   }
 }
 
+/* from the row of particle 0 */
+static void drop_beyond_reach(void)
+{
+  int n = 0;
+  for (int e = 0; e < c.length[0]; e++)
+    if (distance2(0, c.row[0][e]) < args.reach2) c.row[0][n++] = c.row[0][e];
+  c.length[0] = n;
+}
+
 static void row_lengths(void)
 {
   static const int counts[] = {0,  1,  2,  3,  7,   8,   9,   15,  16,  17,  31,  55,  56, 57,
@@ -381,15 +390,19 @@ static void row_lengths(void)
       run(TM_KERNEL_CUBIC, h, fx, 3);
       UT_TRUE(!memcmp(&all, &got, sizeof(all)));
       /* neighbours out of reach leave no trace, not even in the last bit */
-      int n = 0;
-      for (int e = 0; e < c.length[0]; e++)
-        if (distance2(0, c.row[0][e]) < args.reach2) c.row[0][n++] = c.row[0][e];
-      c.length[0] = n;
-      UT_TRUE(n == counts[k]);
+      drop_beyond_reach();
+      UT_TRUE(c.length[0] == counts[k]);
       run(TM_KERNEL_CUBIC, h, fx, 1);
       UT_TRUE(!memcmp(&all, &got, sizeof(all)));
     }
 }
+
+#define ARTIFICIAL (TM_FX_VISCOSITY | TM_FX_ARTSTRESS)
+static const unsigned SETS[] = {
+    0, ARTIFICIAL, TM_FX_FORM_F14, TM_FX_CORRECTION, TM_FX_FORM_F14 | ARTIFICIAL | TM_FX_BALSARA,
+    TM_FX_CORRECTION | ARTIFICIAL | TM_FX_BALSARA | TM_FX_CONDUCTION | TM_FX_XSPH | TM_FX_SURFACE,
+    TM_FX_FORM_F14 | ARTIFICIAL | TM_FX_CONDUCTION | TM_FX_XSPH | TM_FX_SURFACE};
+enum { N_SETS = sizeof(SETS) / sizeof(SETS[0]) };
 
 /* the literal instantiations agree with the extended one */
 static void literal_effects(void)
@@ -432,21 +445,16 @@ int UT_MAIN(void)
   printf("%d lanes\n", TM_LANES);
   rows = (int *) calloc((size_t) MOST * ROOM * 3 + 8, sizeof(int));
   if (!rows) return 1;
-  const unsigned artificial = TM_FX_VISCOSITY | TM_FX_ARTSTRESS;
-  const unsigned sets[] = {
-      0, artificial, TM_FX_FORM_F14, TM_FX_CORRECTION, TM_FX_FORM_F14 | artificial | TM_FX_BALSARA,
-      TM_FX_CORRECTION | artificial | TM_FX_BALSARA | TM_FX_CONDUCTION | TM_FX_XSPH | TM_FX_SURFACE,
-      TM_FX_FORM_F14 | artificial | TM_FX_CONDUCTION | TM_FX_XSPH | TM_FX_SURFACE};
   for (int dim = 2; dim <= 3; dim++)
     for (int kernel = 0; kernel < TM_KERNEL_COUNT; kernel++) {
       const double h = kernel == TM_KERNEL_QUINTIC ? 1.0 : 1.3, reach = tm_kernel_support(kernel) * h;
-      for (size_t k = 0; k < sizeof(sets) / sizeof(sets[0]); k++) {
-        lattice(dim, dim == 3 ? 7 : 20, 0.25, sets[k]);
+      for (int k = 0; k < N_SETS; k++) {
+        lattice(dim, dim == 3 ? 7 : 20, 0.25, SETS[k]);
         fill_rows(reach, 0.3);
-        run(kernel, h, sets[k], 1);
-        reference(kernel, h, sets[k]);
-        compare(sets[k]);
-        balances(sets[k]);
+        run(kernel, h, SETS[k], 1);
+        reference(kernel, h, SETS[k]);
+        compare(SETS[k]);
+        balances(SETS[k]);
       }
       linear_field(kernel, h);
     }

@@ -1,4 +1,4 @@
-/* Flow stress against REFERENCE.md section 2, Jaumann rate against the closed simple shear and
+/* Johnson-Cook flow stress against values worked out apart, Jaumann rate against the closed simple shear and
    against the matrix product, radial return against the flow stress. */
 #include "tm_strength.h"
 #include "ut.h"

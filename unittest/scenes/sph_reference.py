@@ -1,210 +1,18 @@
 """The equations of SPH-TM once more, in numpy, by brute force: what the plugin's numbers are held against.
 
-Written from the papers (F15 = Fraser 2015, F14 = Fraser 2014), DESIGN.md and the doc pages, with none of the
-plugin's code: all pairs as N x N arrays, kernels with their cases, eigenvalues and matrix inverses from numpy,
-radial return and plane stress by bisection. Mass-length-time units; stress positive in tension; x_ij = x_i - x_j.
+Written from the papers (F15 = Fraser 2015, F14 = Fraser 2014) and the doc pages, with none of the plugin's code: all
+pairs as N x N arrays, kernels with their cases (sph_kernels.py), eigenvalues and matrix inverses from numpy, radial
+return and plane stress by bisection (sph_material.py). Mass-length-time units; stress positive in tension;
+x_ij = x_i - x_j.
 
     body = Body(dim, x, v, kind, materials, box, kernel="cubic", h=1.2 * dx, spacing=dx, ...)
     body.rates(); body.step(dt)
 """
 import numpy as np
+from sph_kernels import CONSTANT, REACH, factors, kernel, lattice_psi, lattice_sums, tensile_share
+from sph_material import jaumann, warmed
 
 ROOT = 0.25    # weight of the older rate in the prediction of the half step, doc/fix_sph_tm.rst
-
-
-# --- kernels: W(q) without its constant, and dW/dq ----------------------------------------------------------
-
-def kernel(name, q):
-    """Shape and slope as piecewise polynomials, straight from REFERENCE.md section 1."""
-    w, s = np.zeros_like(q), np.zeros_like(q)
-    if name == "hyperbolic":
-        a, b = q < 1, (q >= 1) & (q < 2)
-        w[a] = q[a] ** 3 - 6 * q[a] + 6
-        s[a] = 3 * q[a] ** 2 - 6
-        w[b] = (2 - q[b]) ** 3
-        s[b] = -3 * (2 - q[b]) ** 2
-    elif name == "cubic":
-        a, b = q < 1, (q >= 1) & (q < 2)
-        w[a] = 1 - 1.5 * q[a] ** 2 + 0.75 * q[a] ** 3
-        s[a] = -3 * q[a] + 2.25 * q[a] ** 2
-        w[b] = 0.25 * (2 - q[b]) ** 3
-        s[b] = -0.75 * (2 - q[b]) ** 2
-    elif name == "quintic":
-        for edge, factor in ((3, 1), (2, -6), (1, 15)):
-            a = q < edge
-            w[a] += factor * (edge - q[a]) ** 5
-            s[a] -= 5 * factor * (edge - q[a]) ** 4
-    elif name == "wendland/c2":
-        a = q < 2
-        w[a] = (1 - q[a] / 2) ** 4 * (2 * q[a] + 1)
-        s[a] = -2 * (1 - q[a] / 2) ** 3 * (2 * q[a] + 1) + 2 * (1 - q[a] / 2) ** 4
-    elif name == "wendland/c4":
-        a = q < 2
-        p = 35 / 12 * q[a] ** 2 + 3 * q[a] + 1
-        w[a] = (1 - q[a] / 2) ** 6 * p
-        s[a] = -3 * (1 - q[a] / 2) ** 5 * p + (1 - q[a] / 2) ** 6 * (35 / 6 * q[a] + 3)
-    return w, s
-
-
-CONSTANT = {"hyperbolic": (1 / (3 * np.pi), 15 / (62 * np.pi)), "cubic": (10 / (7 * np.pi), 1 / np.pi),
-            "quintic": (7 / (478 * np.pi), 1 / (120 * np.pi)), "wendland/c2": (7 / (4 * np.pi), 21 / (16 * np.pi)),
-            "wendland/c4": (9 / (4 * np.pi), 495 / (256 * np.pi))}
-REACH = {"quintic": 3.0}
-
-
-# --- one material point -------------------------------------------------------------------------------------
-
-class Material:
-    """Constants by their names in the doc page of pair sph/tm; what is not given is off."""
-
-    def __init__(self, density, young, poisson, eos=("linear",), strength=("elastic",), damage=None, heat=None):
-        self.rho0, self.E, self.nu = density, young, poisson
-        self.G, self.K = young / (2 * (1 + poisson)), young / (3 * (1 - 2 * poisson))
-        self.eos, self.strength, self.damage, self.heat = eos, strength, damage, heat
-
-    def pressure(self, rho, e=0.0):
-        x = rho / self.rho0
-        if self.eos[0] == "tait":
-            return self.K / self.eos[1] * (x ** self.eos[1] - 1)
-        if self.eos[0] == "shock":
-            c0, s, gamma = self.eos[1:]
-            if np.real(x) <= 1:
-                return self.rho0 * c0 ** 2 * (x - 1) + gamma * self.rho0 * e
-            eta = 1 - 1 / x
-            hugoniot = self.rho0 * c0 ** 2 * eta / (1 - s * eta) ** 2
-            return hugoniot * (1 - gamma * eta / 2) + gamma * self.rho0 * e
-        return self.K * (x - 1)
-
-    def sound_speed(self, rho, e=0.0):
-        """Longitudinal waves; dp/drho at constant entropy by a complex step (de = p/rho^2 drho)."""
-        tiny = 1e-30 * rho
-        work = max(self.pressure(rho, e), 0.0) / rho ** 2 if self.eos[0] == "shock" else 0.0
-        slope = self.pressure(rho + 1j * tiny, e + 1j * work * tiny).imag / tiny
-        G = 0.0 if self.strength[0] == "none" else self.G
-        return np.sqrt(max(slope, 0.01 * self.K / self.rho0) + 4 / 3 * G / rho)
-
-    def flow_stress(self, eps, rate, T):
-        if self.strength[0] == "plastic":
-            return self.strength[1] + self.strength[2] * eps
-        A, B, n, C, m, Tref, Tmelt, rate0 = self.strength[1:]
-        t = np.clip((T - Tref) / (Tmelt - Tref), 0, 1)
-        return max((A + B * eps ** n) * (1 + C * np.log(max(rate / rate0, 1.0))) * (1 - t ** m), 0.0)
-
-    def yields(self):
-        return self.strength[0] in ("plastic", "johnson/cook")
-
-    def radial_return(self, s, eps, T, dt):
-        """Deviator, plastic increment and flow stress at the end of a step; s is the trial deviator."""
-        if not self.yields():
-            return s, 0.0, 0.0
-        trial = np.sqrt(1.5 * np.sum(s * s))
-        before = self.flow_stress(eps, 0.0, T)
-        if trial <= before:
-            return s, 0.0, before
-        lo, hi = 0.0, trial / (3 * self.G)
-        d = None
-        while d != 0.5 * (lo + hi):
-            d = 0.5 * (lo + hi)
-            if trial - 3 * self.G * d > self.flow_stress(eps + d, d / dt, T):
-                lo = d
-            else:
-                hi = d
-        y = trial - 3 * self.G * d
-        return s * (y / trial), d, y
-
-    def fracture_increment(self, sigma, d_eps, dt, T):
-        if not self.damage or d_eps <= 0:
-            return 0.0
-        if self.damage[0] == "strain":
-            return d_eps / self.damage[1]
-        d1, d2, d3, d4, d5 = self.damage[1:]
-        mean = np.trace(sigma) / 3
-        dev = sigma - mean * np.eye(3)
-        mises = np.sqrt(1.5 * np.sum(dev * dev))
-        _, _, _, _, _, Tref, Tmelt, rate0 = self.strength[1:]
-        t = np.clip((T - Tref) / (Tmelt - Tref), 0, 1)
-        ratio = np.clip(mean / mises, -3, 1.5)
-        rate = np.log(max(d_eps / dt / rate0, 1.0))
-        return d_eps / ((d1 + d2 * np.exp(d3 * ratio)) * (1 + d4 * rate) * (1 + d5 * t))
-
-    def conductivity(self, T):
-        return at(self.heat[0], T) if self.heat else 0.0
-
-    def capacity(self, T):
-        return at(self.heat[1], T)
-
-
-def at(table, T):
-    """A number, or a list of (temperature, value)."""
-    if np.isscalar(table):
-        return table
-    t, y = np.transpose(table)
-    return np.interp(T, t, y)
-
-
-def deviator(a):
-    return a - np.trace(a) / 3 * np.eye(3)
-
-
-def jaumann(s, L, G):
-    D, W = 0.5 * (L + L.T), 0.5 * (L - L.T)
-    return 2 * G * deviator(D) + W @ s - s @ W
-
-
-# --- a body of particles ------------------------------------------------------------------------------------
-
-def lattice_sums(name, dim, h):
-    """On a lattice of spacing 1: the gradient that the sums make of a unit gradient, and twice the sum of |W'| over
-    the pairs across a unit of a plane between two layers."""
-    side = np.arange(-12, 13.0)
-    x, y, z = np.meshgrid(side, side, side if dim == 3 else [0.0])
-    r = np.sqrt(x * x + y * y + z * z)
-    r[r == 0] = 1e30
-    dW = CONSTANT[name][dim - 2] / h ** (dim + 1) * kernel(name, r / h)[1]
-    return -np.sum(dW / r * x * x), -2 * np.sum(np.where(x > 0, dW * x, 0))
-
-
-def tensile_share(name, dim, h, power):
-    """The part of a tension that an artificial stress of strength 1 takes on that lattice."""
-    side = np.arange(-12, 13.0)
-    x, y, z = np.meshgrid(side, side, side if dim == 3 else [0.0])
-    r = np.sqrt(x * x + y * y + z * z)
-    r[r == 0] = 1e30
-    shape, slope = kernel(name, r / h)
-    part = slope / r * x * x
-    return np.sum(part * (shape / kernel(name, np.array([1 / h]))[0][0]) ** power) / np.sum(part)
-
-
-def factors(name, dim, ratio):
-    """1 over the gradient that the lattice makes of a unit gradient, linear between 257 values from 0.8 to 4."""
-    step, out = 3.2 / 256, []
-    for x in np.clip((ratio - 0.8) / step, 0, 256):
-        k = min(int(x), 255)
-        a, b = (1 / lattice_sums(name, dim, 0.8 + m * step)[0] for m in (k, k + 1))
-        out.append(a + (x - k) * (b - a))
-    return np.array(out)
-
-
-def lattice_psi(name, dim, n_h):
-    """Psi of the lattice without the particle itself, REFERENCE.md section 7."""
-    side = np.arange(-12, 13.0)
-    x, y, z = np.meshgrid(side, side, side if dim == 3 else [0.0])
-    r = np.sqrt(x * x + y * y + z * z)
-    return (CONSTANT[name][dim - 2] * kernel(name, r[r > 0] / n_h)[0].sum()) ** (1 / dim)
-
-
-def warmed(m, T, heat):
-    """Temperature after a heat per mass, the integral of a capacity that is linear meanwhile; by bisection."""
-    if not heat:
-        return T
-    lo, hi = T + heat / m.capacity(T) * np.array([0.25, 4] if heat > 0 else [4, 0.25])
-    for _ in range(200):
-        mid = 0.5 * (lo + hi)
-        if (mid - T) * 0.5 * (m.capacity(T) + m.capacity(mid)) < heat:
-            lo = mid
-        else:
-            hi = mid
-    return 0.5 * (lo + hi)
 
 
 class Body:
@@ -278,28 +86,22 @@ class Body:
             out["source"] = np.sum(ft * speed * b[:, None] / (b[:, None] + b[None]), axis=1)
         self.contacts = int(np.sum(fn > 0))
 
-    def rates(self, ahead=0.0, dt=1.0):
-        """Everything that one pass over the neighbours gives, at the force point."""
-        q = self.q = self.point(ahead)
-        dim, n, m, rho, v = self.dim, self.n, self.m, q["rho"], q["v"]
-        d = q["x"][:, None] - q["x"][None]                      # x_ij
+    def distances(self, x):
+        """x_ij and its size, of the nearest image; a particle is far from itself."""
+        d = x[:, None] - x[None]
         for k in range(3):
             if self.box[k] > 0:
                 d[..., k] -= self.box[k] * np.round(d[..., k] / self.box[k])
-        if dim == 2:
+        if self.dim == 2:
             d[..., 2] = 0
         r = np.sqrt(np.sum(d * d, axis=2))
         np.fill_diagonal(r, 1e30)
         self.r = r
-        h = np.sqrt(self.own_h[:, None] * self.own_h[None])
-        constant = CONSTANT[self.kernel][dim - 2] / h ** dim
-        shape, slope = kernel(self.kernel, r / h)
-        gradient, across = lattice_sums(self.kernel, dim, self.h / self.spacing)
-        W, dW = constant * shape, constant * slope / (h * gradient)
-        if self.follow:    # each pair has the mean of the factors of the two
-            factor = factors(self.kernel, dim, self.own_h / (m / rho) ** (1 / dim))
-            dW = constant * slope / h * 0.5 * (factor[:, None] + factor[None])
-        grad = (dW / r)[..., None] * d                          # gradient of W with respect to x_i
+        return d, r
+
+    def meetings(self):
+        """Of each pair: is it of one continuum, does it conduct, do bodies touch, conductance of the interface."""
+        n = self.n
         same, heat_pair = np.ones((n, n), bool), np.ones((n, n), bool)
         touch = np.zeros((n, n), bool)
         hc = np.full((n, n), np.inf)
@@ -311,6 +113,43 @@ class Body:
             touch[mask] = law[0] == "contact"
             if law[0] == "heat" and law[1]:
                 hc[mask] = law[1]
+        return same, heat_pair, touch, hc
+
+    def tensile(self, sigma, rho):
+        """Artificial stress of a particle F14 (18), without the thickness: R belongs to the stress of the material."""
+        dim, R = self.dim, np.zeros((self.n, 3, 3))
+        for i in range(self.n):
+            t = sigma[i][:dim, :dim] / self.lz[i]
+            if self.component:
+                t = np.maximum(t, 0)
+            else:
+                value, vector = np.linalg.eigh(t)
+                t = vector @ np.diag(np.maximum(value, 0)) @ vector.T
+            R[i, :dim, :dim] = -self.artstress[0] * t * self.lz[i] / rho[i] ** 2
+        return R
+
+    def inverse_moments(self, M):
+        """Of Bonet and Lok; eigenvalues below 0.1 count as 0.1."""
+        if self.dim == 2:
+            M[:, 2, 2] = 1.0
+        value, vector = np.linalg.eigh(M)
+        return np.einsum("iab,ib,icb->iac", vector, 1 / np.maximum(value, 0.1), vector)
+
+    def rates(self, ahead=0.0, dt=1.0):
+        """Everything that one pass over the neighbours gives, at the force point."""
+        q = self.q = self.point(ahead)
+        dim, n, m, rho, v = self.dim, self.n, self.m, q["rho"], q["v"]
+        d, r = self.distances(q["x"])
+        h = np.sqrt(self.own_h[:, None] * self.own_h[None])
+        constant = CONSTANT[self.kernel][dim - 2] / h ** dim
+        shape, slope = kernel(self.kernel, r / h)
+        gradient, across = lattice_sums(self.kernel, dim, self.h / self.spacing)
+        W, dW = constant * shape, constant * slope / (h * gradient)
+        if self.follow:    # each pair has the mean of the factors of the two
+            factor = factors(self.kernel, dim, self.own_h / (m / rho) ** (1 / dim))
+            dW = constant * slope / h * 0.5 * (factor[:, None] + factor[None])
+        grad = (dW / r)[..., None] * d                          # gradient of W with respect to x_i
+        same, heat_pair, touch, hc = self.meetings()
         gm = np.where(same[..., None], grad, 0.0)               # of the mechanical neighbours
         vij = v[:, None] - v[None]
         if dim == 2:
@@ -322,17 +161,8 @@ class Body:
         out = {"L": -np.einsum("ij,ija,ijb->iab", volume, vij, gm),
                "M": -np.einsum("ij,ija,ijb->iab", volume, d, gm)}
 
-        # artificial stress of a particle F14 (18), without the thickness: R belongs to the stress of the material
         sigma = q["sigma"]
-        R = np.zeros((n, 3, 3))
-        for i in range(n):
-            t = sigma[i][:dim, :dim] / self.lz[i]
-            if self.component:
-                t = np.maximum(t, 0)
-            else:
-                value, vector = np.linalg.eigh(t)
-                t = vector @ np.diag(np.maximum(value, 0)) @ vector.T
-            R[i, :dim, :dim] = -self.artstress[0] * t * self.lz[i] / rho[i] ** 2
+        R = self.tensile(sigma, rho)
 
         # momentum: F15 (4), F14 (6); corrected per particle after Bonet and Lok
         P = sigma if f14 else sigma / rho[:, None, None] ** 2
@@ -340,11 +170,7 @@ class Body:
             back = tensile_share(self.kernel, dim, self.h / self.spacing, self.artstress[1]) * R
             P = P - (back * rho[:, None, None] ** 2 if f14 else back)
         if self.correction:
-            M = out["M"]
-            if dim == 2:
-                M[:, 2, 2] = 1.0
-            value, vector = np.linalg.eigh(M)    # eigenvalues below 0.1 count as 0.1
-            K = np.einsum("iab,ib,icb->iac", vector, 1 / np.maximum(value, 0.1), vector)
+            K = self.inverse_moments(out["M"])
             out["L"] = np.einsum("iab,ibc->iac", out["L"], K)
             P = np.einsum("iab,ibc->iac", P, K)
         pair = P[:, None] + P[None]

@@ -3,7 +3,7 @@
  - a tool at fixed temperature, perfect contact: T = Tt + (T0 - Tt) erf(x/sqrt(4 a t)); a finite conductance h: surface
    at Tt + (T0 - Tt) exp(H^2) erfc(H), H = h sqrt(a t)/k; the heat through the surface with both;
  - a lumped tool: relaxation of two heat capacities, heat of both sides together kept to round-off;
- - a tool filled with SPH heat particles: interface of 500 C aluminium and 20 C steel at 284.33 C (REFERENCE 3), also
+ - a tool filled with SPH heat particles: interface of 500 C aluminium and 20 C steel at 284.33 C, also
    while the tool slides; friction alone: 0.5507 of the heat into the aluminium, rise of the surface 34.54 K in 1 ms at
    30 MW/m^2; heat of both bodies together is the friction work."""
 import numpy as np

@@ -88,16 +88,6 @@ def layer_factor(depth, radius, thickness, nu):
             16 * a / np.pi ** 4 * (a ** 3 + 3 * np.pi ** 2 / 5 * b) * c ** 4)
 
 
-def layer_factor(depth, radius, thickness, nu):
-    """Force over that of the half-space, layer bonded to a rigid base."""
-    a = -(1.2876 - 1.4678 * nu + 1.3442 * nu ** 2) / (1 - nu)
-    b = (0.6387 - 1.0277 * nu + 1.5164 * nu ** 2) / (1 - nu)
-    c = np.sqrt(radius * depth) / thickness
-    return (1 - 2 * a / np.pi * c + 4 * a ** 2 / np.pi ** 2 * c ** 2 -
-            8 / np.pi ** 3 * (a ** 3 + 4 * np.pi ** 2 / 15 * b) * c ** 3 +
-            16 * a / np.pi ** 4 * (a ** 3 + 3 * np.pi ** 2 / 5 * b) * c ** 4)
-
-
 PRESS = """
 pair_coeff 1 1 density 1000 elastic {E} {nu} strength elastic
 pair_coeff 2 2 density 1000 elastic {E} {nu} strength elastic

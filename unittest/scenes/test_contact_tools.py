@@ -118,7 +118,7 @@ def files(checks):
             f.write("".join("3 %d %d %d\n" % (3 * k, 3 * k + 1, 3 * k + 2) for k in range(len(t))))
             f.write("CELL_TYPES %d\n" % len(t) + "5\n" * len(t))
     place = "rotate axis 1 0 0 angle 90 rotate axis 0 0 1 angle 20 move 0 0.01 -0.1"
-    reference, n = None, None
+    reference = None
     for what in ("file plate.stl", "file ascii.stl", "file plate.vtk", "file fine.stl", "file unit.stl scale 0.5 0.2 0.6",
                  "file unit.stl move 1 0 0 scale 0.5 0.2 0.6 move -0.5 0 0"):
         tools = ["fix p all contact/tri %s %s friction 0.2" % (what, place)]

@@ -5,7 +5,8 @@ import os
 import re
 
 import numpy as np
-from sph_reference import Body, Material
+from sph_material import Material
+from sph_reference import Body
 from sphtm_scene import SOURCE, Checks
 
 YAML = os.path.join(SOURCE, "unittest", "harness", "yaml")

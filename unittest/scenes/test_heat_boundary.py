@@ -1,6 +1,6 @@
 """Flux into a half-space, fixed temperature at its end, and materials whose k and cp depend on temperature."""
 import numpy as np
-from scipy.special import erf, erfc
+from scipy.special import erfc
 
 from heat_rod import RUN, Layer, rod
 from sphtm_scene import Checks, order_of_convergence, run
@@ -66,10 +66,8 @@ thermo 20
     z = np.maximum(x, 0) / (2 * np.sqrt(DIFFUSIVITY * t))
     if Ts == "v_Ts":    # Carslaw and Jaeger 2.5: 4 times the second integral of erfc
         exact = T0 + 2e4 * t * ((1 + 2 * z * z) * erfc(z) - 2 * z / np.sqrt(np.pi) * np.exp(-z * z))
-        start = 0.0
     else:
         exact = T0 + (500 - T0) * erfc(z)
-        start = 3 * 200.0    # the held particles are put at their temperature before the run
     held = x < 0.1 * dx
     checks.below("fixed temperature %s: held" % Ts, abs(T[held] - exact[held].max()).max(), 1e-9)
     content = RHO * CP * dx * dx * (log["c_sum"][-1] - log["c_sum"][0])

@@ -16,7 +16,7 @@ def effusivity(m):
 
 
 def perfect(dim):
-    """REFERENCE section 3: 500 C aluminium, 20 C steel, interface at 284.33 C."""
+    """500 C aluminium, 20 C steel, interface at 284.33 C."""
     dx, n, t = 1e-5, 100, 5e-4
     text = rod([Layer(n, T=500 + ZERO, **ALUMINIUM), Layer(n, T=20 + ZERO, **STEEL)], dx,
                "pair_coeff 1 2 heat\nthermo_style custom step time dt f_body\n" + RUN.format(t), dim=dim)

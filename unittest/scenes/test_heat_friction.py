@@ -1,4 +1,4 @@
-"""Friction heat of two half-spaces that slide on each other: REFERENCE section 3.
+"""Friction heat of two half-spaces that slide on each other, against the closed form.
 
 The heat mu p v is released in the first layer of each body, half and half, and the bodies touch by perfect thermal
 contact, so the split by effusivity is an outcome: it is 0.5507 but for half a spacing. One body slides; the sums over
@@ -8,7 +8,6 @@ The contact law of two particle bodies is too rough for this: spheres climb over
 and let go, so the mean friction is not mu times the mean normal force (0.12 to 0.5 for mu = 0.3). Its second scene
 here holds its heat against its energy book, and the split."""
 import numpy as np
-from scipy.special import erfc
 
 from heat_rod import RUN, Layer, rod
 from sphtm_scene import Checks, run

@@ -1,4 +1,4 @@
-"""Two layers that conduct differently, against the closed form of REFERENCE: the scene of examples/two_layer_heat."""
+"""Two layers that conduct differently, against the closed form: the scene of examples/two_layer_heat."""
 import os
 import sys
 

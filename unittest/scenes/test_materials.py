@@ -1,8 +1,7 @@
 """Material cards.
 
  - every card of materials/materials.sphtm, read here apart from the plugin, says what the literature says: the flow
- stress
-   at points of REFERENCE 2, or the constants themselves;
+   stress at some points, or the constants themselves;
  - a run with a card is, bit for bit, the run with its constants in the script, and each constant arrives: with 'set' it
    gives the run with that constant in the script, and another one than before;
  - malformed cards stop with file, line and word; cut and damaged files stop or load, and never crash."""
@@ -20,7 +19,7 @@ NAMES = {"density": ["density"], "elastic": ["young", "poisson"],
          "strength plastic": ["yield", "hardening"], "strength elastic": [], "eos linear": [],
          "emissivity": ["emissivity"]}
 
-# flow stress (MPa) at plastic strain, rate and temperature above Tref: REFERENCE 2
+# flow stress (MPa) at plastic strain, rate and temperature above Tref, worked out apart
 POINTS = ((0.1, 1.0, 0.0), (0.5, 1e3, 0.0), (0.5, 1e3, 300.0), (1.0, 1e5, 500.0))
 FLOW = {"c45e": (903.634, 1162.428, 920.230, 869.397), "ofhc-copper": (233.015, 381.758, 285.117, 274.625),
         "4340": (1072.266, 1335.676, 1080.255, 1022.564)}

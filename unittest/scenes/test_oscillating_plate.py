@@ -1,4 +1,4 @@
-"""A clamped plate swings in its first mode (Gray, Monaghan, Swift 2001; REFERENCE: thin plate 0.2540 s, linear finite
+"""A clamped plate swings in its first mode (Gray, Monaghan, Swift 2001; thin plate 0.2540 s, linear finite
 elements 0.2621 s with the faces of the base held and 0.2550 s with a rigid base; published SPH 0.283 to 0.285 s, total
 Lagrangian SPH 0.2745 s; to be met: below 0.2745 s, if possible 0.255 to 0.262 s). Ten particles over the thickness,
 half a period, which the first zero of the tip's height ends.

@@ -7,7 +7,9 @@ import os
 import sys
 
 import numpy as np
-from sph_reference import REACH, Body, Material
+from sph_kernels import REACH
+from sph_material import Material
+from sph_reference import Body
 from sphtm_scene import Checks, run
 from unit_styles import UNITS
 

@@ -1,6 +1,6 @@
 """Two colliding rubber rings (Gray, Monaghan, Swift 2001): they rebound in one piece with the artificial stress, and
 break without it. Plane strain, radii 0.03 to 0.04 m, particles on circles 1 mm apart, each ring at 0.059 times the bulk
-speed of sound. At 0.12 times, the speed of REFERENCE.md, they break with the artificial stress too."""
+speed of sound. At 0.12 times they break with the artificial stress too."""
 import os
 import sys
 

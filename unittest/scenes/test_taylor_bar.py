@@ -1,6 +1,6 @@
 """Taylor bars of copper on a frictionless plane of triangles, four rings of particles over the radius.
 
-  linear hardening, 227 m/s: length about 21.4 mm, radius 7.22 mm with converged hexahedra (REFERENCE)
+  linear hardening, 227 m/s: length about 21.4 mm, radius 7.22 mm with converged hexahedra
   OFHC, Johnson-Cook, measured: 210 m/s 14.80 and 8.40 mm (Wilkins and Guinan 1973), 225 m/s 22.25 and 8.02 mm
 
 What is missed is printed, not held to: the radius at 210 m/s, which comes with the spacing, and the shot at 225 m/s,
