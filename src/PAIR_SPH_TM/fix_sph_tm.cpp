@@ -292,7 +292,10 @@ void FixSPHTM::initial_integrate(int)
   backend.drift(drifted, drift_args(), fx, lost);
 }
 
-void FixSPHTM::pre_exchange() { check_lost(); }
+void FixSPHTM::pre_exchange()
+{
+  if (check_lost()) delete_lost();
+}
 
 void FixSPHTM::post_neighbor()
 {

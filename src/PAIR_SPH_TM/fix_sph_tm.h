@@ -115,6 +115,7 @@ class FixSPHTM : public Fix {
   double contact_spring = 0.0;    // energy stored in contact springs now, on this rank
 
  protected:
+  virtual void delete_lost() {}    // LAMMPS does, in the exchange that follows
   SPHTM_NS::Backend &backend;
   SPHTM_NS::ParticleFields fields;
   PairSPHTM *pair_sph = nullptr;
@@ -187,7 +188,7 @@ class FixSPHTM : public Fix {
   tm_update_args update_args();
   void stop_on(int, const tm_update_result &);
   tm_drift_args drift_args();
-  void check_lost();
+  bool check_lost();
   void stop_on_lost_particle(int);
   void sum_energies();
   double audit_output(int);

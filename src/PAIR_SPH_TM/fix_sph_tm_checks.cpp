@@ -14,7 +14,7 @@
 
 using namespace LAMMPS_NS;
 
-// a particle beyond a fixed boundary would be deleted at the next reneighbouring
+// a particle beyond a fixed boundary is deleted at the next reneighbouring
 tm_drift_args FixSPHTM::drift_args()
 {
   enum { FIXED = 1 };    // of Domain
@@ -24,20 +24,22 @@ tm_drift_args FixSPHTM::drift_args()
   a.half = dt_ahead;
   for (int d = 0; d < 3; d++) {
     for (int side = 0; side < 2; side++)
-      a.closed[d][side] = stop_on_lost && !domain->triclinic && domain->boundary[d][side] == FIXED;
+      a.closed[d][side] = !domain->triclinic && domain->boundary[d][side] == FIXED;
     a.lo[d] = domain->boxlo[d];
     a.hi[d] = domain->boxhi[d];
   }
   return a;
 }
 
-// asked before LAMMPS would delete the particle, and before the forces
-void FixSPHTM::check_lost()
+// asked before LAMMPS would delete the particle, and before the forces; whether there is one that may go
+bool FixSPHTM::check_lost()
 {
-  if (drifted == 0) return;
+  if (drifted == 0) return false;
   backend.wait();
-  if (*lost < drifted) stop_on_lost_particle(*lost);
+  const bool some = *lost < drifted;
+  if (some && stop_on_lost) stop_on_lost_particle(*lost);
   drifted = 0;
+  return some;
 }
 
 void FixSPHTM::stop_on_lost_particle(int i)

@@ -6,6 +6,7 @@
 
 #include "atom_kokkos.h"
 #include "atom_masks.h"
+#include "comm_kokkos.h"
 #include "modify.h"
 #include "utils.h"
 
@@ -121,8 +122,32 @@ void FixSPHTMKokkos::init()
 // checks of the set-up look at particles on the host
 void FixSPHTMKokkos::setup(int vflag)
 {
+  exchange_as_before();
   atomKK->sync(Host, ALL_MASK);
   FixSPHTM::setup(vflag);
+}
+
+// With one rank LAMMPS exchanges nothing where the loops run, and keeps particles that have left the box: its bins then
+// write beyond their end. On the host it deletes them.
+void FixSPHTMKokkos::delete_lost()
+{
+  auto *brick = dynamic_cast<CommKokkos *>(comm);
+  if (!brick || comm->nprocs > 1 || brick->exchange_comm_classic) return;
+  brick->exchange_comm_classic = exchanges_on_host = true;
+}
+
+void FixSPHTMKokkos::exchange_as_before()
+{
+  if (exchanges_on_host) static_cast<CommKokkos *>(comm)->exchange_comm_classic = false;
+  exchanges_on_host = false;
+}
+
+void FixSPHTMKokkos::setup_pre_exchange() { delete_lost(); }
+
+void FixSPHTMKokkos::post_neighbor()
+{
+  exchange_as_before();
+  FixSPHTM::post_neighbor();
 }
 
 // in the middle of a step: what the loops have changed is known to LAMMPS only at its end

@@ -17,6 +17,8 @@ class FixSPHTMKokkos : public FixSPHTM, public KokkosBase {
   FixSPHTMKokkos(class LAMMPS *, int, char **);
   void init() override;
   void setup(int) override;
+  void setup_pre_exchange() override;
+  void post_neighbor() override;
   void host_particles() override;
   void host_particles_changed() override;
   int pack_exchange_kokkos(const int &, DAT::tdual_xfloat_2d &, DAT::tdual_int_1d, DAT::tdual_int_1d,
@@ -28,6 +30,11 @@ class FixSPHTMKokkos : public FixSPHTM, public KokkosBase {
  protected:
   void point_to_atoms(tm_state &) override;
   void atoms_to_host() override;
+  void delete_lost() override;
+
+ private:
+  void exchange_as_before();
+  bool exchanges_on_host = false;    // this time
 };
 
 }    // namespace LAMMPS_NS
