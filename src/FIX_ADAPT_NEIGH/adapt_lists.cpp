@@ -58,7 +58,7 @@ void AdaptLists::init()
                   &names, &holder, &other_holder})
     a->move_to(*backend);
   for (auto &a : cells.column) a.move_to(*backend);
-  for (auto *a : {&memory, &shown, &told, &next}) a->move_to(*backend);
+  for (auto *a : {&memory, &shown, &told, &next, &correction}) a->move_to(*backend);
   for (auto *a : {&meets, &marks, &was, &now, &dirty}) a->move_to(*backend);
   fresh_first.move_to(*backend);
   weight.move_to(*backend);
@@ -103,9 +103,6 @@ void AdaptLists::check_effects()
   if (fix.pair().settings_in_use().art_balanced && body.has(TM_FX_ARTSTRESS))
     error->all(FLERR, "Fix adapt/neigh threshold {}: pair_style artstress balanced needs threshold 0: kept rows have no "
                       "artificial stress; leave balanced away", threshold);
-  if (body.has(TM_FX_CORRECTION) && std::isfinite(threshold))
-    error->all(FLERR, "Fix adapt/neigh threshold {}: pair_style correction yes needs threshold inf or 0: corrected "
-                      "gradients take whole rows", threshold);
 }
 
 /* ---------------------------------------------------------------------- search */
@@ -227,7 +224,7 @@ double AdaptLists::bytes() const
                         &names, &holder, &other_holder})
     sum += a->bytes();
   for (const auto &c : cells.column) sum += c.bytes();
-  for (const auto *a : {&memory, &shown, &told, &next}) sum += a->bytes();
+  for (const auto *a : {&memory, &shown, &told, &next, &correction}) sum += a->bytes();
   for (const auto *a : {&meets, &marks, &was, &now, &dirty}) sum += a->bytes();
   return sum;
 }

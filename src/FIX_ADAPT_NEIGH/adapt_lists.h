@@ -54,6 +54,7 @@ class AdaptLists : public AdaptPart, public RowSource {
   tm_rows others() override { return other.loop_rows(); }
   tm_rows host_others() override { return other.host_rows(); }
   int searched(tm_rates_args &) override;
+  void kept_moments(const tm_rates_args &, unsigned) override;
   void kept_rates(const tm_rates_args &, unsigned) override;
 
  private:
@@ -86,7 +87,7 @@ class AdaptLists : public AdaptPart, public RowSource {
   LoopArray<int> kept, which, which_border, which_near;
   LoopArray<ptrdiff_t> fresh_first;
   LoopArray<float> weight;
-  LoopArray<tm_real> memory, shown, told, next;
+  LoopArray<tm_real> memory, shown, told, next, correction;
   LoopArray<double> place;
   LoopArray<unsigned char> marks, was, now, dirty;
   LoopArray<int> holder, other_holder;    // see tm_places.h
@@ -105,6 +106,8 @@ class AdaptLists : public AdaptPart, public RowSource {
   tm_kept_args kept_args(const tm_records &);
   tm_border_args border_args();
   bool blind() const;
+  bool corrects() const;
+  tm_rates_args border_rates(const tm_rates_args &);
   void to_tags();
   void to_indices(bool same);
   bool same_places();

@@ -54,6 +54,9 @@ tm_kept_rows AdaptLists::kept_rows(bool on_host)
 // total-Lagrangian: who is not searched stays so, and nobody looks for others
 bool AdaptLists::blind() const { return std::isinf(threshold) && std::isinf(approach); }
 
+// rows that may hold both kept and searched pairs have corrections of their own
+bool AdaptLists::corrects() const { return fix.body().has(TM_FX_CORRECTION) && !blind(); }
+
 /* ---------------------------------------------------------------------- one step */
 
 tm_kept_store AdaptLists::kept_store(bool on_host)
@@ -72,6 +75,7 @@ tm_kept_args AdaptLists::kept_args(const tm_records &rec)
   a.dt = stepping ? fix.body().step_dt() : 0.0;
   a.h = rates.h;
   a.slope_norm = rates.slope_norm;
+  a.correction = corrects() ? correction.loop_read() : nullptr;
   a.force_unit = rates.force_unit;
   return a;
 }
@@ -217,15 +221,34 @@ int AdaptLists::searched(tm_rates_args &a)
   return active;
 }
 
-// those at the border first, with the pairs whose other end is searched
-void AdaptLists::kept_rates(const tm_rates_args &rates, unsigned effects)
+// pairs of those that are not searched whose other end is
+tm_rates_args AdaptLists::border_rates(const tm_rates_args &rates)
 {
-  if (!keeps()) return;
   tm_rates_args border = rates;
   border.rows = quiet.loop_rows();
   border.rows.first = fresh_first.loop_read();
   border.which = which_border.loop_read();
-  backend->rates(at_border, border, effects);
+  return border;
+}
+
+void AdaptLists::kept_moments(const tm_rates_args &rates, unsigned effects)
+{
+  if (!keeps() || !corrects()) return;
+  correction.make_room(true, (size_t) own() * 9 + 9);
+  tm_kept_moment_args a = {};
+  a.fresh = border_rates(rates);
+  a.kept = kept.loop_read();
+  a.now = now.loop_read();
+  a.memory = memory.loop_read();
+  a.correction = correction.loop_write();
+  backend->kept_moments(own(), a, effects);
+}
+
+// those at the border first
+void AdaptLists::kept_rates(const tm_rates_args &rates, unsigned effects)
+{
+  if (!keeps()) return;
+  backend->rates(at_border, border_rates(rates), effects);
   tm_kept_args a = kept_args(rates.rec);
   a.force = rates.force;
   a.force_begins = rates.force_begins;
@@ -252,7 +275,7 @@ void AdaptLists::end_of_step()
   a.next = next.loop_write();
   a.settles = first_search || fix.host()->update->ntimestep % SETTLE_EVERY == 0;
   a.measures = fix.host()->update->ntimestep % MEASURE_EVERY == 0;
-  a.corrected = fix.body().has(TM_FX_CORRECTION);
+  a.corrected = fix.body().has(TM_FX_CORRECTION) && !corrects();
   a.threshold = threshold;
   a.strain = strain;
   a.dt = fix.body().step_dt();

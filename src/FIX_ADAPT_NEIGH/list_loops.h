@@ -22,6 +22,7 @@ constexpr int kept_loop_index(unsigned fx)
 struct ListLoops {
   int (*search)(int begin, int end, const tm_search_args *);    // the longest row
   void (*kept[KEPT_LOOPS])(int begin, int end, const tm_kept_args *);
+  void (*moments)(int begin, int end, const tm_kept_moment_args *, unsigned effects);
   void (*settle)(int begin, int end, const tm_settle_args *, unsigned effects);
 };
 namespace isa_default { extern const ListLoops list_loops; }

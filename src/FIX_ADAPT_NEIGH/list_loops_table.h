@@ -19,6 +19,11 @@ template <unsigned EFFECTS> void kept(int begin, int end, const tm_kept_args *ar
     if (args->rows.kept[i]) tm_kept_rates(i, args, EFFECTS);
 }
 
+void moments(int begin, int end, const tm_kept_moment_args *args, unsigned effects)
+{
+  for (int i = begin; i < end; i++) tm_kept_moment(i, args, effects);
+}
+
 void settle(int begin, int end, const tm_settle_args *args, unsigned effects)
 {
   for (int i = begin; i < end; i++) tm_settle(i, args, effects);
@@ -34,7 +39,7 @@ namespace SPHTM_ISA {
       kept<kept_loop_effects(K + 3)>
 
 extern const ListLoops list_loops;
-const ListLoops list_loops = {search, {TM_KEPT_4(0), TM_KEPT_4(4), TM_KEPT_4(8), TM_KEPT_4(12)}, settle};
+const ListLoops list_loops = {search, {TM_KEPT_4(0), TM_KEPT_4(4), TM_KEPT_4(8), TM_KEPT_4(12)}, moments, settle};
 
 }    // namespace SPHTM_ISA
 }    // namespace SPHTM_NS

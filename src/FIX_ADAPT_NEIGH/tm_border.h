@@ -7,6 +7,7 @@
 #ifndef TM_BORDER_H
 #define TM_BORDER_H
 
+#include "tm_kept_moment.h"
 #include "tm_search.h"
 #include "tm_settle.h"
 

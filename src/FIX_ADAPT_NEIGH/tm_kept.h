@@ -13,8 +13,8 @@
 
    F follows from the positions of the neighbours,
      G_i = sum_j m_j (x_j - x_i) (x) a_i,   B_i = G_i^-T Q_i
-   where Q holds B as it was when the row last changed; with corrected gradients Q = 1 and the gradient
-   of a linear field is exact. G is measured when the row changes and every few steps; between it goes
+   where Q holds B as it was when the row last changed; with corrected gradients that are never searched Q = 1 and the
+   gradient of a linear field is exact. Those that are searched again have tm_kept_moment.h. G is measured when the row changes and every few steps; between it goes
    on with its rate, the sum with v_j - v_i that L is made of, which costs nothing.
 
    Viscosity and conduction take the frozen W'/r and the current x_i - x_j, viscosity also the distance,
@@ -104,6 +104,7 @@ typedef struct {
   tm_real *memory;             /* TM_K, owned; B and G go on to the next force point */
   tm_real dt;                  /* to that */
   tm_real h, slope_norm;       /* as in tm_rates_args */
+  const tm_real *correction;   /* K, 9 in rows: see tm_kept_moment.h. NULL: 1 */
   tm_real force_unit;
   int force_begins;            /* as in tm_rates_args */
   /* results; added to those of the pairs searched in this step */
@@ -168,8 +169,10 @@ TM_FN void tm_kept_show(int i, const tm_kept_args *a, tm_real *shown)
 {
   const tm_real *r = tm_main_record(&a->rec, i), rho = r[tm_part(TM_REC_RHO)];
   const tm_sym3 P = tm_kept_sym(r, TM_REC_P);
-  const tm_real *B = a->memory + (ptrdiff_t) i * TM_K + TM_K_B;
-  tm_real *out = shown + (ptrdiff_t) i * TM_KEPT;
+  tm_mat3 map = tm_mat_load(a->memory + (ptrdiff_t) i * TM_K + TM_K_B);
+  if (a->correction) map = tm_mat_mul(tm_mat_transposed(tm_mat_load(a->correction + (ptrdiff_t) i * 9)), map);
+  tm_real B[9], *out = shown + (ptrdiff_t) i * TM_KEPT;
+  tm_mat_store(B, map);
   for (int c = 0; c < 3; c++) {
     const tm_vec3 p = tm_sym_mul_vec(P, tm_vec(B[c], B[3 + c], B[6 + c]));
     out[c] = rho * p.x;
@@ -368,10 +371,15 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
                         tm_lanes_sum(lyx), tm_lanes_sum(lyy), tm_lanes_sum(lyz),
                         tm_lanes_sum(lzx), tm_lanes_sum(lzy), tm_lanes_sum(lzz)};
   tm_real *L = a->gradient + tm_row(i, 9);
-  for (int r = 0; r < 3; r++)
+  for (int r = 0; r < 3; r++) {
     for (int c = 0; c < 3; c++)
       L[tm_column(3 * r + c)] = (add ? L[tm_column(3 * r + c)] : 0.0)
                    + w * (l[3 * r] * B[3 * c] + l[3 * r + 1] * B[3 * c + 1] + l[3 * r + 2] * B[3 * c + 2]);
+    if (!a->correction) continue;
+    const tm_real *K = a->correction + (ptrdiff_t) i * 9;
+    const tm_real x = L[tm_column(3 * r)], y = L[tm_column(3 * r + 1)], z = L[tm_column(3 * r + 2)];
+    for (int c = 0; c < 3; c++) L[tm_column(3 * r + c)] = x * K[c] + y * K[3 + c] + z * K[6 + c];
+  }
   const tm_real ux = tm_lanes_sum(sx), uy = tm_lanes_sum(sy), uz = tm_lanes_sum(sz), mf = mi * a->force_unit;
   double *f = a->force + 3 * (ptrdiff_t) i;
   if (a->force_begins && !add) f[0] = f[1] = f[2] = 0.0;

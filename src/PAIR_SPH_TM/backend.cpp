@@ -182,6 +182,12 @@ void Backend::border(int n, const tm_border_args &a)
   });
 }
 
+void Backend::kept_moments(int n, const tm_kept_moment_args &a, unsigned effects)
+{
+  const auto loop = list_loops().moments;
+  blocks(n, [&](int begin, int end) { loop(begin, end, &a, effects); });
+}
+
 void Backend::kept_show(int n, const tm_kept_args &a, tm_real *shown)
 {
   blocks(n, [&](int begin, int end) {

@@ -68,6 +68,7 @@ class Backend {
   virtual int border_change(int n, const tm_border_args &);
   virtual void border_touch(int n, const tm_border_args &);
   virtual void border(int n, const tm_border_args &);
+  virtual void kept_moments(int n, const tm_kept_moment_args &, unsigned effects);
   virtual void kept_show(int n, const tm_kept_args &, tm_real *shown);
   virtual void kept_rates(int n, const tm_kept_args &, unsigned effects);
   virtual void settle_tell(int n, const tm_settle_args &, unsigned effects);

@@ -151,6 +151,11 @@ struct Border {
   tm_border_args a;
   KOKKOS_FUNCTION void operator()(int i) const { tm_border(i, &a); }
 };
+struct KeptMoment {
+  tm_kept_moment_args a;
+  unsigned fx;
+  KOKKOS_FUNCTION void operator()(int i) const { tm_kept_moment(i, &a, fx); }
+};
 struct KeptShow {
   tm_kept_args a;
   tm_real *shown;
@@ -291,6 +296,10 @@ void KokkosLists::border(int n, const tm_border_args &a)
 
 /* ---------------------------------------------------------------------- rows that are kept */
 
+void KokkosLists::kept_moments(int n, const tm_kept_moment_args &a, unsigned fx)
+{
+  kokkos_each("sph/tm kept moments", n, KeptMoment{a, fx});
+}
 void KokkosLists::kept_show(int n, const tm_kept_args &a, tm_real *shown)
 {
   kokkos_each("sph/tm kept show", n, KeptShow{a, shown});

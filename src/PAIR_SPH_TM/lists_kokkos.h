@@ -18,6 +18,7 @@ class KokkosLists : public Backend {
   int border_change(int n, const tm_border_args &a) override;
   void border_touch(int n, const tm_border_args &a) override;
   void border(int n, const tm_border_args &a) override;
+  void kept_moments(int n, const tm_kept_moment_args &a, unsigned fx) override;
   void kept_show(int n, const tm_kept_args &a, tm_real *shown) override;
   void kept_rates(int n, const tm_kept_args &a, unsigned fx) override;
   void settle_tell(int n, const tm_settle_args &a, unsigned fx) override;

@@ -96,6 +96,7 @@ void PairSPHTM::correct_gradients(int n, tm_rates_args &search)
 {
   const auto timed = fix->run_clock.timed(RunClock::MOMENTS);
   backend.moments(n, search, fix->effects());
+  if (row_source) row_source->kept_moments(args, fix->effects());
   forward(rec_correction, TM_REC_CORRECTION);
   search.rec.correction = args.rec.correction = rec.correction = rec_correction.loop_write();
 }
@@ -114,7 +115,6 @@ void PairSPHTM::compute(int eflag, int vflag)
   resize_arrays();
   const tm_state s = fix->state();
   predict(s);
-  if (row_source) row_source->show(rec);
   forward_records();
   rec.main = rec_main.loop_write();    // the host may have filled those of ghosts
   rec.stress = rec_stress.loop_write();
@@ -129,6 +129,7 @@ void PairSPHTM::compute(int eflag, int vflag)
   tm_rates_args search = args;
   const int searched = row_source ? row_source->searched(search) : nlocal;
   if (fx & TM_FX_CORRECTION) correct_gradients(searched, search);
+  if (row_source) row_source->show(rec);
   if (fx & TM_FX_MIXED) round_records();
   search.single = args.single;
   backend.zero(args.artificial, args.artificial ? nlocal * sizeof(double) : 0);

@@ -13,13 +13,14 @@ class RowSource {
   static constexpr const char *NAME = "sph/tm rows";    // what Fix::extract() knows it by
   virtual ~RowSource() = default;
 
-  // the records of the owned particles are made
-  virtual void show(const tm_records &) {}
   // brings the rows to the positions of this step; renumbered: particles have new places in memory
   virtual void renew(bool renumbered) = 0;
   virtual tm_rows mechanical() = 0;
   // the rows that tm_rates() is for, into the arguments; returns how many. The others it leaves to
   virtual int searched(tm_rates_args &) = 0;
+  // the correction of gradients, of the particles it leaves; then what they show each other
+  virtual void kept_moments(const tm_rates_args &, unsigned /*effects*/) {}
+  virtual void show(const tm_records &) {}
   virtual void kept_rates(const tm_rates_args &, unsigned /*effects*/) {}
   virtual bool keeps() const { return false; }    // rows that are not searched in every step
   virtual tm_rows others() = 0;         // neighbors that exchange heat, and those in contact

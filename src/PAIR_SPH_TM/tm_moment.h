@@ -24,8 +24,8 @@
 
 #define TM_MOMENT_LOW 0.1
 
-/* K of particle i into a->correction, P K into its record. */
-TM_FN void tm_moment(int i, const tm_rates_args *a, unsigned effects)
+/* M of row i of the arguments. */
+TM_FN tm_sym3 tm_moment_sum(int i, const tm_rates_args *a, unsigned effects)
 {
   const int kernel = tm_fx_kernel(effects), dim3 = (effects & TM_FX_3D) != 0;
   const int sizes = (a->effects & TM_FX_SMOOTHING) != 0;
@@ -89,10 +89,15 @@ TM_FN void tm_moment(int i, const tm_rates_args *a, unsigned effects)
   }
 
   const tm_real s = (sizes ? 1.0 : a->slope_norm) / ri[tm_part(TM_REC_RHO)];
-  const tm_sym3 M = tm_sym(s * tm_lanes_sum(mxx), s * tm_lanes_sum(myy), s * tm_lanes_sum(mzz),
-                           s * tm_lanes_sum(mxy), s * tm_lanes_sum(mxz), s * tm_lanes_sum(myz));
-  const tm_sym3 K = tm_sym_inverse_bounded(M, dim3, TM_MOMENT_LOW);
-  const tm_sym3 P = tm_sym_from_record(ri, TM_REC_P);
+  return tm_sym(s * tm_lanes_sum(mxx), s * tm_lanes_sum(myy), s * tm_lanes_sum(mzz),
+                s * tm_lanes_sum(mxy), s * tm_lanes_sum(mxz), s * tm_lanes_sum(myz));
+}
+
+/* K of particle i into a->correction, P K into its record. */
+TM_FN void tm_moment(int i, const tm_rates_args *a, unsigned effects)
+{
+  const tm_sym3 K = tm_sym_inverse_bounded(tm_moment_sum(i, a, effects), (effects & TM_FX_3D) != 0, TM_MOMENT_LOW);
+  const tm_sym3 P = tm_sym_from_record(tm_main_record(&a->rec, i), TM_REC_P);
   tm_sym_store(a->correction + (ptrdiff_t) i * 6, K);
   tm_mat_store(a->rec.correction + (ptrdiff_t) i * TM_REC_CORRECTION, tm_sym_mul(P, K));
 }

@@ -81,6 +81,14 @@ TM_FN tm_sym3 tm_mat_symmetric(tm_mat3 l)
 {
   return tm_sym(l.xx, l.yy, l.zz, 0.5 * (l.xy + l.yx), 0.5 * (l.xz + l.zx), 0.5 * (l.yz + l.zy));
 }
+TM_FN tm_mat3 tm_mat_from_sym(tm_sym3 s)
+{
+  tm_mat3 m;
+  m.xx = s.xx; m.xy = s.xy; m.xz = s.xz;
+  m.yx = s.xy; m.yy = s.yy; m.yz = s.yz;
+  m.zx = s.xz; m.zy = s.yz; m.zz = s.zz;
+  return m;
+}
 TM_FN tm_real tm_mat_trace(tm_mat3 l) { return l.xx + l.yy + l.zz; }
 TM_FN tm_mat3 tm_mat_identity(void)
 {
