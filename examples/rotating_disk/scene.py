@@ -8,9 +8,9 @@ import numpy as np
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "bench"))
 from study import Study                                                                # noqa: E402
 
-# 1e-5_searched: a strain of 2e-4, as the swinging makes it, is enough for a search; 1e-5_plain: without corrected gradients
-ROWS = {"skin": None, "every_step": "threshold 0", "once": "threshold inf", "1e-4": "threshold 1e-4", "1e-5": "threshold 1e-5",
-        "1e-5_searched": "threshold 1e-5 stretch 2e-4", "1e-5_plain": "threshold 1e-5"}
+# 1e-5_searched: a strain of 2e-4, as the swinging makes it, is enough for a search; 1e-5_plain: no corrected gradients
+ROWS = {"skin": None, "every_step": "threshold 0", "once": "threshold inf", "1e-4": "threshold 1e-4",
+        "1e-5": "threshold 1e-5", "1e-5_searched": "threshold 1e-5 stretch 2e-4", "1e-5_plain": "threshold 1e-5"}
 PLAIN = "artstress 0 4"
 
 
@@ -20,8 +20,8 @@ def measure(result):
     spin, radius = t["c_sum"] / t["c_sum"][0] - 1, t["c_r"] / t["c_r"][0] - 1
     energy = t["f_body[9]"] / t["f_body[9]"][0] - 1
     searches = float(t["f_lists[2]"][-1]) if "f_lists[2]" in t else 0.0
-    return {"searches": searches, "turns": t["v_angle"][-1], "spin": np.abs(spin).max(), "spin_last": spin[-1], "radius": np.abs(radius).max(),
-            "radius_last": radius[-1], "energy": np.abs(energy).max()}
+    return {"searches": searches, "turns": t["v_angle"][-1], "spin": np.abs(spin).max(), "spin_last": spin[-1],
+            "radius": np.abs(radius).max(), "radius_last": radius[-1], "energy": np.abs(energy).max()}
 
 
 def main():

@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 """The neck of in.tensile_cylinder: measure.py [folder [particles over the radius]] prints force and radius.
 
-Radius: planes of the lattice are followed as they move. In each, the particles within half a spacing of the surface tell
-by how much that has come in: mean of their distance from the axis over that at the start, times 50 mm. At the waist, between
-two planes, the radius squared is that of an even parabola through four planes. On necks of known shape (neck()) this is
-within 0.05 mm at 10 mm spacing; a section's volume over the mean distance of its neighbors is 0.12 mm too large there, as
-the planes lie closer together towards both sides of the waist than at it.
-Force: mean of the two ends, averaged over a twentieth of the run; the largest of it. A circle on a lattice is some percent
-larger or smaller than pi R^2: forces are referred to the area of the section at the start."""
+Radius: planes of the lattice are followed as they move. In each, the particles within half a spacing of the surface
+tell by how much that has come in: mean of their distance from the axis over that at the start, times 50 mm. At the
+waist, between two planes, the radius squared is that of an even parabola through four planes. On necks of known shape
+(neck()) this is within 0.05 mm at 10 mm spacing; a section's volume over the mean distance of its neighbors is 0.12 mm
+too large there, as the planes lie closer together towards both sides of the waist than at it.
+Force: mean of the two ends, averaged over a twentieth of the run; the largest of it. A circle on a lattice is some
+percent larger or smaller than pi R^2: forces are referred to the area of the section at the start."""
 import os
 import sys
 
@@ -20,7 +20,7 @@ RADIUS = 0.05
 
 
 def surface(start, frame, dx):
-    """Position and radius of the surface at the four planes around the waist; start: the same particles before the run."""
+    """Position and radius of the surface at the four planes around the waist; start: the particles before the run."""
     plane = np.floor(start["x"] / dx).astype(int)
     far = np.hypot(start["y"], start["z"])
     ratio = np.hypot(frame["y"], frame["z"]) / far
