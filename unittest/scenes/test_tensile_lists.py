@@ -1,6 +1,6 @@
-"""F14's tensile cylinder (examples/tensile_cylinder), coarse, short and fast, with adaptive lists: the force against a
-search in every step, and no numerical fracture. A check that the check can fail: without artificial stress a search in
-every step lets it break, which kept rows do not."""
+"""F14's tensile cylinder (examples/tensile_cylinder), coarse, short and fast, with adaptive lists and corrected gradients:
+force and neck against a search in every step, and no numerical fracture: what is left of the largest force at the end.
+Checks that the checks can fail: rows searched once give another force; a material that fails at strain 0.05 breaks."""
 import os
 import sys
 
@@ -10,19 +10,30 @@ EXAMPLE = os.path.join(SOURCE, "examples", "tensile_cylinder")
 sys.path.insert(0, EXAMPLE)
 from measure import measure                                                            # noqa: E402
 
-N = 4
+N, WHOLE, SAME = 4, 0.9, 0.01
+MATERIAL = "strength plastic 350e6 0"
+with open(os.path.join(EXAMPLE, "in.tensile_cylinder")) as f:
+    SCRIPT = f.read()
 
 
-def pull(adapt, options="correction yes"):
-    result = run(os.path.join(EXAMPLE, "in.tensile_cylinder"),
-                 {"n": N, "faster": 8, "grip": 0.05, "pull": 7.3e-3, "adapt": adapt, "options": options})
-    return dict(measure(result.folder, N), searched=result.thermo[-1]["f_lists[2]"][-1] / result.thermo[-1]["Step"][-1])
+def pull(adapt, more=""):
+    result = run(SCRIPT.replace(MATERIAL, MATERIAL + more),
+                 {"n": N, "faster": 8, "grip": 0.05, "pull": 5e-3, "adapt": adapt})
+    t = result.thermo[-1]
+    return dict(measure(result.folder, N), searched=t["f_lists[2]"][-1] / t["Step"][-1])
 
 
 checks = Checks()
-every = pull("threshold 0 margin 0.15")
-for threshold in "1e-3", "inf":
-    m = pull("threshold " + threshold)
-    print(threshold, {k: v for k, v in m.items() if k not in ("history", "moved", "force of moved")})
-print({k: v for k, v in every.items() if k not in ("history", "moved", "force of moved")})
+checks.true("the script has the material this test changes", MATERIAL in SCRIPT)
+every, lists, once = (pull(a) for a in ("threshold 0 margin 0.15", "threshold 1e-4", "threshold inf"))
+checks.near("threshold 1e-4: largest force, MN", 1e-6 * lists["force"], 1e-6 * every["force"], relative=SAME)
+checks.near("threshold 1e-4: least radius, mm", 1e3 * lists["radius"], 1e3 * every["radius"], absolute=0.05)
+checks.near("threshold 1e-4: largest plastic strain", lists["strain"], every["strain"], relative=0.03)
+checks.below("threshold 1e-4: part of the particles searched", lists["searched"], 0.6)
+checks.above("threshold 1e-4: part searched", lists["searched"], 0.05)
+checks.above("threshold 1e-4: force at the end over the largest", lists["last force"] / lists["force"], WHOLE)
+checks.above("counter-case, searched once: the force is off by", abs(once["force"] / every["force"] - 1), 2 * SAME)
+broken = pull("threshold 1e-4", " damage strain 0.05")
+checks.below("counter-case, it fails at strain 0.05: force at the end over the largest",
+             broken["last force"] / broken["force"], WHOLE)
 checks.end()
