@@ -1,7 +1,8 @@
 """What each effect costs, on and off: instructions per particle and step (valgrind --tool=callgrind, repeatable),
 processor time, bytes per particle. Off is measured twice: with the whole plugin, and with a build that has only the
-effects of the scene (CMake: SPHTM_MINIMAL_EFFECTS); the two must not differ by 1 %. Prints a table and writes
-summary.json and table.rst. Called by ./sphtm effects [options].
+effects of the scene (CMake: SPHTM_MINIMAL_EFFECTS); the two must not differ by 1 %. And what audits cost at their
+defaults (fix sph/tm audit yes), which must be less than 1 % of the run. Prints tables and writes summary.json, table.rst
+and audit.rst. Called by ./sphtm effects [options].
 
 Instructions are those of the run itself (Verlet::run), with the AVX2 loops: valgrind has no AVX-512. Time is processor
 time with the best loops of the processor, the median of interleaved rounds."""
@@ -46,9 +47,10 @@ run             {steps}
 BARE = {"options": "viscosity 0 0 artstress 0 4", "material": "", "meet": "bond", "fix": "", "more": ""}
 MORE = dict(BARE, options="viscosity 1 1 artstress 0 4", material="strength plastic 400e6 1e9 heat 0 477 0.9")
 SHOCK = dict(BARE, material="eos shock 4570 1.49 1.9", fix="effects internal-energy off")
+USUAL = dict(BARE, options="", material="strength plastic 400e6 1e9 heat 38 477 0.9")
 APART = dict(BARE, meet="none")
 BASES = {"bare": (BARE, "none"), "more": (MORE, "viscosity;plasticity;heat"), "shock": (SHOCK, "none"),
-         "apart": (APART, "none")}
+         "apart": (APART, "none"), "usual": (USUAL, "none")}
 # effect: base, what turns it on there
 EFFECTS = {
     "viscosity": ("bare", {"options": "viscosity 1 1 artstress 0 4"}),
@@ -68,6 +70,9 @@ EFFECTS = {
                                          "heat conductance 1e5 temperature 600"}),
     "fix sph/tm/heat": ("more", {"more": "fix air all sph/tm/heat convection 100 300"}),
 }
+# audits: the scene, particles along an edge of the block; usual: the defaults of the pair style, and conduction
+AUDITS = [("bare", 12), ("more", 12), ("usual", 12), ("usual", 24)]
+EVERY, SAMPLE = 1000, 50    # of 'audit yes'
 
 
 def script(settings, n, steps, mesh):
@@ -97,6 +102,24 @@ def run(plugin, text, name, valgrind=False):
     return float(loop[1]) * float(re.search(r"([\d.]+)% CPU", done.stdout)[1]) / 100 * 1e9 * per, done.stdout
 
 
+def audits(which, mesh):
+    """Instructions of one audit, from a run with one at its last step and one that has the keyword but none, and of a step
+    without the keyword; the share that audits take of a run at their defaults."""
+    rows, steps = [], 2
+    for base, n in which:
+        count = {}
+        for name, keyword in (("without", ""), ("waiting", "audit %d %d" % (EVERY, SAMPLE)), ("audited", "audit %d %d" % (steps, SAMPLE))):
+            settings = dict(BASES[base][0], fix=keyword)
+            count[name] = run(os.environ["LAMMPS_PLUGIN_PATH"], script(settings, n, steps, mesh), "audit " + name,
+                              valgrind=True)
+        per_step = count["waiting"] - count["without"]
+        audit = (count["audited"] - count["waiting"]) * steps
+        rows.append({"scene": base, "particles": n ** 3, "every": EVERY, "sample": SAMPLE, "step": count["without"],
+                     "step_with_the_keyword": count["waiting"], "audit_in_steps": audit / count["without"],
+                     "share": (per_step + audit / EVERY) / count["without"]})
+    return rows
+
+
 def bytes_of(text):
     """Per particle: of the lines of the table at the end of the run."""
     lines = re.findall(r"^  (\S.{25}) +\S+ +\S+ +\S+ +(\d+)(?:  |$)", text.split("effect or part")[-1], re.M)
@@ -111,6 +134,7 @@ def main():
     options.add_argument("--steps", type=int, default=200, help="steps of a timed run")
     options.add_argument("--counted", type=int, default=10, help="steps of a run whose instructions are counted")
     options.add_argument("--effects", nargs="+", choices=EFFECTS, default=list(EFFECTS), metavar="EFFECT")
+    options.add_argument("--only-audits", action="store_true", help="what audits cost, and nothing else")
     options = options.parse_args()
     plugins = {"whole": os.environ["LAMMPS_PLUGIN_PATH"]}
     for pair in os.environ.get("SPHTM_MINIMAL_PLUGINS", "").split(":"):
@@ -122,6 +146,9 @@ def main():
     subprocess.run([sys.executable, os.path.join(os.path.dirname(HERE), "tools", "make_tool.py"), "block", "--size",
                     "40", "40", "10", "--cells", "20", "20", "5", "--scale", "1e-3", "-o", mesh], check=True,
                    stdout=subprocess.DEVNULL)
+
+    if options.only_audits:
+        sys.exit(1 if report_audits(audits(AUDITS, mesh)) else 0)
 
     # the runs: (who, settings, plugin); the lists are walked once per round
     cases = {}
@@ -147,7 +174,7 @@ def main():
         f["ns"] = statistics.median(f["ns"])
 
     summary = {"particles": options.n ** 3, "steps": options.steps, "rounds": options.rounds, "runs": found, "effects": {},
-               "limit": LIMIT, "waste": []}
+               "limit": LIMIT, "waste": [], "audits": audits(AUDITS, mesh)}
     for e in options.effects:
         base = EFFECTS[e][0]
         row = {"base": base, "on": found["on " + e], "off": found["off " + base], "minimal": found["minimal " + base]}
@@ -159,7 +186,20 @@ def main():
         json.dump(summary, f, indent=1)
         f.write("\n")
     report(summary)
-    sys.exit(1 if summary["waste"] else 0)
+    dear = report_audits(summary["audits"])
+    print("written to", os.path.join(OUT, "summary.json"))
+    sys.exit(1 if summary["waste"] or dear else 0)
+
+
+def show(head, rows, file, left):
+    """A table on the screen, its first columns to the left, and in a file."""
+    widths = [max(len(str(row[k])) for row in rows + [head]) for k in range(len(head))]
+    for row in [head] + rows:
+        print("  ".join("%-*s" % (w, v) if k < left else "%*s" % (w, v) for k, (w, v) in enumerate(zip(widths, row))))
+    with open(os.path.join(OUT, file), "w") as f:
+        f.write(".. list-table::\n   :header-rows: 1\n\n")
+        for row in [head] + rows:
+            f.write("   * - %s\n" % row[0] + "".join("     - %s\n" % v for v in row[1:]))
 
 
 def report(summary):
@@ -170,17 +210,20 @@ def report(summary):
                     ("%+.2f %%" % (100 * r["off_over_minimal"]),) +
                     tuple("%.0f" % r[k]["ns"] for k in ("minimal", "off", "on")) +
                     tuple("%d" % r[k]["bytes"] for k in ("off", "on")))
-    widths = [max(len(str(row[k])) for row in rows + [head]) for k in range(len(head))]
     print("\n%d particles; instructions, ns and bytes per particle and step" % summary["particles"])
-    for row in [head] + rows:
-        print("  ".join("%-*s" % (w, v) if k < 2 else "%*s" % (w, v) for k, (w, v) in enumerate(zip(widths, row))))
-    with open(os.path.join(OUT, "table.rst"), "w") as f:
-        f.write(".. list-table::\n   :header-rows: 1\n\n")
-        for row in [head] + rows:
-            f.write("   * - %s\n" % row[0] + "".join("     - %s\n" % v for v in row[1:]))
+    show(head, rows, "table.rst", 2)
     print("off and minimal differ by less than %g %% everywhere" % (100 * LIMIT) if not summary["waste"] else
           "waste: " + ", ".join(summary["waste"]))
-    print("written to", os.path.join(OUT, "summary.json"))
+
+
+def report_audits(rows):
+    """Prints and writes what audits cost; the scenes in which that is 1 % or more."""
+    head = ("scene", "particles", "instructions", "with audit waiting", "an audit, in steps", "audit %d %d" % (EVERY, SAMPLE))
+    text = [(r["scene"], r["particles"], "%.1f" % r["step"], "%.1f" % r["step_with_the_keyword"], "%.2f" % r["audit_in_steps"],
+             "%.3f %%" % (100 * r["share"])) for r in rows]
+    print("\naudits; instructions per particle and step")
+    show(head, text, "audit.rst", 1)
+    return [r["scene"] for r in rows if r["share"] >= LIMIT]
 
 
 if __name__ == "__main__":

@@ -114,9 +114,9 @@ void FixContactTri::init()
 
 void FixContactTri::limit_time_step()
 {
-  // k and m both follow the size of a particle: the limit is proportional to it, in 2D and in 3D
+  // sqrt(m/k): m follows the volume of a particle, k its area
   const double dp = pair->settings_in_use().spacing;
-  state->limit_dt(dt_limit * pair->smallest_spacing() / dp, TM_DT_CONTACT);
+  state->limit_dt(dt_limit * sqrt(pair->smallest_spacing() / dp), TM_DT_CONTACT);
   // no point of the tool moves by more than a fifth of the smallest spacing in a step
   const double speed = motion.top_speed(tool.mesh().lo, tool.mesh().hi);
   if (speed > 0.0) state->limit_dt(0.2 * pair->smallest_spacing() / speed, TM_DT_MOTION);

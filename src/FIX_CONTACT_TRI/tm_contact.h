@@ -2,7 +2,9 @@
 
    Penetration F15 (9): delta = r - d, r = dp/2 the particle's radius, d the distance of its centre.
    Stiffness F15 (10): k = PFAC E_i E_j dp/(E_i + E_j), against a rigid body PFAC E_i dp (per unit
-   thickness in 2D: without dp).
+   thickness in 2D: without dp), with dp of the pair style: PFAC E_i/dp per area. Particles of a
+   size of their own have the same per area, so that a pressed surface that is split into finer
+   particles is as stiff as before: its force and the energy of its springs stay.
    Damping F15 (11) with the particle's own mass: c = DFAC 2 sqrt(k m), so DFAC = 1 is critical
    against a rigid body. The printed factor contains m_i + m_j, which has no rigid limit.
    Normal force F15 (12): f = k delta + c ddelta/dt, ddelta/dt > 0 while closing (the printed minus
@@ -39,13 +41,14 @@ TM_FN tm_real tm_contact_stiffness(tm_real pfac, tm_real Ei, tm_real Ej, tm_real
   return pfac * (Ej > 0.0 ? Ei * Ej / (Ei + Ej) : Ei) * (dim3 ? dp : 1.0);
 }
 
-/* The law for a particle of edge dp, where it differs from the one the law was made for. */
+/* The law for a particle of edge dp, where it differs from the one the law was made for: the same
+   stiffness per area. */
 TM_FN tm_contact_law tm_contact_law_of_size(const tm_contact_law *law, tm_real dp, int dim3)
 {
   tm_contact_law own = *law;
   own.radius = 0.5 * dp;
-  own.stiffness = law->stiffness * (dim3 ? own.radius / law->radius : 1.0);
   own.area = dim3 ? dp * dp : dp;
+  own.stiffness = law->stiffness * (own.area / law->area);
   return own;
 }
 

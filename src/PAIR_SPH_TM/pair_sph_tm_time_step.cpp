@@ -32,8 +32,8 @@ double PairSPHTM::contact_stiffness_limit(int t) const
     const PairLaw &l = law(t, u);
     if (l.meeting != CONTACT) continue;
     const double e1 = material[t].young, e2 = material[u].young;
-    const double k = l.contact.penalty * e1 * e2 / (e1 + e2) *
-        (domain->dimension == 3 ? least_spacing : 1.0);
+    const double k = tm_body_contact_stiffness(l.contact.penalty, e1, e2, set.spacing, least_spacing,
+                                               domain->dimension == 3);
     const double mass = pow(least_spacing, domain->dimension) *
         std::min(material[t].rho0, material[u].rho0) * 0.5;
     const double dt = sqrt(mass / k);

@@ -2,6 +2,8 @@
    and never reverses, and the books of momentum, energy and heat. */
 #include "ut_contact.h"
 
+#include "tm_body_contact.h"
+
 /* --- laws ------------------------------------------------------------------------------------ */
 
 static void laws(void)
@@ -284,16 +286,65 @@ static void limits_in_the_loop(void)
   ut_put(&s, 0, tm_vec(0.1, 0.1, -0.5 * r), tm_vec(1, 0, 0));
   UT_TRUE(tm_contact_tri(0, &s.args, TM_CT_3D).contacts == 0 && s.f[2] == 0.0);
   s.args.mask = NULL;
-  /* a particle of half the size: half the radius and, in 3D, half the stiffness */
+  /* a particle of half the size: half the radius and a quarter of the stiffness */
   double size[TM_REC_SIZE] = {0};
   size[TM_SIZE_DP] = 0.5 * dp;
   s.args.size = size;
   ut_put(&s, 0, tm_vec(0.1, 0.1, -0.2 * r), tm_vec(0, 0, 0));
   tm_contact_tri(0, &s.args, TM_CT_3D);
-  UT_NEAR(fabs(s.f[2]), 0.5 * (0.5 * r + 0.2 * r), 1e-12);
-  const tm_contact_law half = tm_contact_law_of_size(s.law + 1, 0.5 * dp, 1);
-  UT_NEAR(half.area, 0.25 * dp * dp, 1e-15);
-  UT_NEAR(tm_contact_law_of_size(s.law + 1, 0.5 * dp, 0).stiffness, s.law[1].stiffness, 0.0);
+  UT_NEAR(fabs(s.f[2]), 0.25 * (0.5 * r + 0.2 * r), 1e-12);
+  s.args.size = NULL;
+  ut_clear(&s);
+}
+
+/* Stiffness per area does not depend on the size of a particle: a pressed particle and the 8 of half the size
+   in its place (or the other way round) have one force, one spring energy, and the time step follows. */
+static void sizes(void)
+{
+  tm_contact_law w = {0};
+  for (int dim3 = 0; dim3 < 2; dim3++) {
+    w.radius = 0.5 * dp;
+    w.area = dim3 ? dp * dp : dp;
+    w.stiffness = tm_contact_stiffness(0.7, 110e9, 0.0, dp, dim3);
+    const tm_contact_law same = tm_contact_law_of_size(&w, dp, dim3);
+    UT_TRUE(same.stiffness == w.stiffness && same.area == w.area && same.radius == w.radius);
+    for (double edge = 0.1; edge < 3.0; edge *= 1.7) {
+      const tm_contact_law own = tm_contact_law_of_size(&w, edge * dp, dim3);
+      UT_NEAR(own.stiffness / own.area, 0.7 * 110e9 / dp, 1e-14);
+      UT_NEAR(own.area, pow(edge * dp, dim3 ? 2 : 1), 1e-14);
+      /* m follows the volume */
+      const double m = 0.4, z = 0.1;
+      UT_NEAR(tm_contact_time_step(own.stiffness, m * pow(edge, dim3 ? 3 : 2), z),
+              sqrt(edge) * tm_contact_time_step(w.stiffness, m, z), 1e-14);
+    }
+    /* bodies: as many more pairs per area as the finer particles are smaller */
+    const double k = tm_body_contact_stiffness(0.7, 110e9, 70e9, dp, dp, dim3);
+    UT_TRUE(k == 0.7 * 110e9 * 70e9 / (110e9 + 70e9) * (dim3 ? dp : 1.0));
+    UT_NEAR(pow(2.0, dim3 ? 2 : 1) * tm_body_contact_stiffness(0.7, 110e9, 70e9, dp, 0.5 * dp, dim3), k, 1e-14);
+  }
+
+  floor_scene();
+  s.law[1].stiffness = 3.0e4;
+  double size[8 * TM_REC_SIZE] = {0};
+  const double depth = 0.13 * r;
+  const tm_vec3 at = tm_vec(0.013, 0.017, r - depth);
+  ut_put(&s, 0, at, tm_vec(0, 0, 0));
+  const tm_contact_result whole = tm_contact_tri(0, &s.args, TM_CT_3D);
+  UT_NEAR(-whole.force.z, 3.0e4 * depth, 1e-12);
+  tm_contact_result parts = tm_contact_nothing();
+  s.args.size = size;
+  for (int k = 0; k < 8; k++) {
+    const double e = 0.25 * dp;
+    size[k * TM_REC_SIZE + TM_SIZE_DP] = 0.5 * dp;
+    ut_put(&s, k, tm_vec(at.x + (k & 1 ? e : -e), at.y + (k & 2 ? e : -e), at.z + (k & 4 ? e : -e)), tm_vec(0, 0, 0));
+    const tm_contact_result one = tm_contact_tri(k, &s.args, TM_CT_3D);
+    tm_contact_sum(&parts, &one);
+  }
+  UT_TRUE(parts.contacts == 4);
+  UT_NEAR(parts.force.z, whole.force.z, 1e-12);
+  UT_NEAR(parts.depth, whole.depth, 1e-12);
+  UT_NEAR(whole.spring, 0.5 * 3.0e4 * depth * depth, 1e-12);
+  UT_NEAR(parts.spring, whole.spring, 1e-12);
   s.args.size = NULL;
   ut_clear(&s);
 }
@@ -301,6 +352,7 @@ static void limits_in_the_loop(void)
 int main(void)
 {
   laws();
+  sizes();
   critical_damping();
   bounce();
   slope();
