@@ -102,14 +102,14 @@ def run(plugin, text, name, valgrind=False):
     return float(loop[1]) * float(re.search(r"([\d.]+)% CPU", done.stdout)[1]) / 100 * 1e9 * per, done.stdout
 
 
-def audits(which, mesh):
+def audits(which, steps, mesh):
     """Instructions of one audit, from a run with one at its last step and one that has the keyword but none, and of a step
     without the keyword; the share that audits take of a run at their defaults."""
-    rows, steps = [], 2
+    rows = []
     for base, n in which:
         count = {}
-        for name, keyword in (("without", ""), ("waiting", "audit %d %d" % (EVERY, SAMPLE)), ("audited", "audit %d %d" % (steps, SAMPLE))):
-            settings = dict(BASES[base][0], fix=keyword)
+        for name, every in (("without", 0), ("waiting", EVERY), ("audited", steps)):
+            settings = dict(BASES[base][0], fix="audit %d %d" % (every, SAMPLE) if every else "")
             count[name] = run(os.environ["LAMMPS_PLUGIN_PATH"], script(settings, n, steps, mesh), "audit " + name,
                               valgrind=True)
         per_step = count["waiting"] - count["without"]
@@ -148,7 +148,7 @@ def main():
                    stdout=subprocess.DEVNULL)
 
     if options.only_audits:
-        sys.exit(1 if report_audits(audits(AUDITS, mesh)) else 0)
+        sys.exit(1 if report_audits(audits(AUDITS, options.counted, mesh)) else 0)
 
     # the runs: (who, settings, plugin); the lists are walked once per round
     cases = {}
@@ -174,7 +174,7 @@ def main():
         f["ns"] = statistics.median(f["ns"])
 
     summary = {"particles": options.n ** 3, "steps": options.steps, "rounds": options.rounds, "runs": found, "effects": {},
-               "limit": LIMIT, "waste": [], "audits": audits(AUDITS, mesh)}
+               "limit": LIMIT, "waste": [], "audits": audits(AUDITS, options.counted, mesh)}
     for e in options.effects:
         base = EFFECTS[e][0]
         row = {"base": base, "on": found["on " + e], "off": found["off " + base], "minimal": found["minimal " + base]}

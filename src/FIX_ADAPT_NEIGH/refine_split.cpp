@@ -3,6 +3,7 @@
 #include "fix_sph_tm.h"
 #include "pair_sph_tm.h"
 #include "refinement.h"
+#include "tm_split_place.h"
 
 #include "atom.h"
 #include "atom_vec.h"
@@ -74,6 +75,30 @@ void Refinement::spread(int i, const double *place, int n, double size, double *
   }
 }
 
+// about particle i, in its h: those of the pattern; next to tools so that no child reaches farther than i does
+std::vector<double> Refinement::places(int i)
+{
+  const int n = pattern.n;
+  std::vector<double> place(&pattern.x[0][0], &pattern.x[0][0] + 3 * n), radius(n);
+  const double h = cloud.size(i), reach = 0.5 * cloud.row(i)[cloud.column(TM_F_SIZE) + TM_S_DP] / h;
+  double farthest = reach;
+  for (int k = 0; k < n; k++) {
+    radius[k] = reach * pow(pattern.mass[k], 1.0 / pattern.dim);
+    farthest = std::max(farthest, radius[k] + tm_vec_norm(tm_split_place(place.data(), k)));
+  }
+  std::vector<ContactProbe::Surface> surface;
+  for (ContactProbe *tool : tools) tool->touched(i, h * farthest, surface);
+  std::sort(surface.begin(), surface.end(), [](const auto &a, const auto &b) { return a.distance < b.distance; });
+  for (size_t s = 0; s < surface.size(); s++) {
+    const tm_vec3 normal = surface[s].normal;
+    if (s == 0) tm_split_turn(place.data(), n, normal);
+    const double factor = tm_split_factor(place.data(), radius.data(), n, normal, reach);
+    // the nearest surface keeps its distance from the outermost children; others are not to be reached by more
+    if (s == 0 || factor < 1.0) tm_split_scale(place.data(), n, normal, factor);
+  }
+  return place;
+}
+
 void Refinement::plan_split(int i)
 {
   const Atom *atom = lmp()->atom;
@@ -83,9 +108,10 @@ void Refinement::plan_split(int i)
   Split s;
   s.i = i;
   s.tag = atom->tag[i];
+  s.place = places(i);
   s.change = tm_content_nothing();
   for (int k = 0; k < n; k++) s.children.insert(s.children.end(), parent, parent + table.width);
-  spread(i, &pattern.x[0][0], n, h, s.children.data());
+  spread(i, s.place.data(), n, h, s.children.data());
   const std::vector<int> near = kin(i);
   tm_sym3 inverse;
   tm_cloud_moments(&table, i, near.data(), (int) near.size(), h, &inverse);
@@ -94,7 +120,7 @@ void Refinement::plan_split(int i)
     velocity[d] = tm_cloud_slope(&table, i, near.data(), (int) near.size(), h, &inverse, TM_CLOUD_V + d);
   for (int k = 0; k < n; k++) {
     double *r = s.children.data() + (size_t) k * table.width;
-    const tm_vec3 at = tm_vec(h * pattern.x[k][0], h * pattern.x[k][1], h * pattern.x[k][2]);
+    const tm_vec3 at = tm_vec_scale(h, tm_split_place(s.place.data(), k));
     r[TM_CLOUD_X] += at.x;
     r[TM_CLOUD_X + 1] += at.y;
     r[TM_CLOUD_X + 2] += at.z;
@@ -126,7 +152,7 @@ bool Refinement::inside_box(const Split &s) const
   const double *x = lmp()->atom->x[s.i];
   for (int k = 0; k < pattern.n; k++)
     for (int d = 0; d < lmp()->domain->dimension; d++) {
-      const double at = x[d] + cloud.size(s.i) * pattern.x[k][d];
+      const double at = x[d] + cloud.size(s.i) * s.place[3 * k + d];
       if (domain->boundary[d][0] == FIXED && at < domain->boxlo[d]) return false;
       if (domain->boundary[d][1] == FIXED && at > domain->boxhi[d]) return false;
     }
@@ -195,7 +221,7 @@ void Refinement::make_children()
         atom->tag[i] = tags[m] + k - 1;
       }
       write_row(i, s.children.data() + (size_t) k * width);
-      for (int d = 0; d < 3; d++) atom->x[i][d] = x[d] + h * pattern.x[k][d];
+      for (int d = 0; d < 3; d++) atom->x[i][d] = x[d] + h * s.place[3 * k + d];
       fresh[i] = 1.0;
       fix.remade(i, pattern.alpha);
     }

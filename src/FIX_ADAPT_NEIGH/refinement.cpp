@@ -140,6 +140,10 @@ void Refinement::init()
   when.init(every);
   coarsen_when.init(every);
   forget_plans();
+  tools.clear();
+  int dim;
+  for (Fix *f : lmp()->modify->get_fix_by_style("^contact/tri"))
+    if (auto *tool = (ContactProbe *) f->extract(ContactProbe::NAME, dim)) tools.push_back(tool);
   settle_at = apply_at = -1;
   fix.pair().make_room_for(pow(*std::min_element(pattern.mass, pattern.mass + pattern.n), (double) most_level / pattern.dim));
   const bigint now = lmp()->update->ntimestep;

@@ -9,6 +9,7 @@
 
 #include "adapt_part.h"
 #include "cloud.h"
+#include "contact_probe.h"
 #include "refine_criterion.h"
 #include "tm_split_pattern.h"
 
@@ -67,6 +68,7 @@ class Refinement : public AdaptPart {
   struct Split {
     int i;
     LAMMPS_NS::tagint tag;
+    std::vector<double> place;         // of the children, x, y, z each, in h of the parent
     std::vector<double> children;      // rows of the cloud
     tm_content change;
   };
@@ -84,6 +86,7 @@ class Refinement : public AdaptPart {
   std::vector<int> touched;            // those whose neighbors change
   bool pending = false;                // on any rank
   Cloud cloud;
+  std::vector<ContactProbe *> tools;
 
   // sums over the run, of this rank
   double n_splits = 0, n_merges = 0, n_outside = 0;
@@ -105,6 +108,7 @@ class Refinement : public AdaptPart {
   std::vector<char> mark();
   std::vector<int> kin(int i);
   void spread(int i, const double *place, int n, double size, double *rows);
+  std::vector<double> places(int i);
   void plan_split(int i);
   std::vector<int> members(int i, const std::vector<int> &by_family);
   void plan_merges();

@@ -8,6 +8,7 @@
 #include "fix.h"
 
 #include "contact_loop.h"
+#include "contact_probe.h"
 #include "loop_tool.h"
 #include "tm_carry.h"
 #include "tm_spread.h"
@@ -21,7 +22,7 @@ namespace LAMMPS_NS {
 
 class FixSPHTM;
 
-class FixContactTri : public Fix {
+class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
  public:
   FixContactTri(class LAMMPS *, int, char **);
   ~FixContactTri() override;
@@ -36,6 +37,8 @@ class FixContactTri : public Fix {
   double compute_scalar() override;
   double compute_vector(int) override;
   int image(int *&, double **&) override;
+  void *extract(const char *, int &) override;
+  void touched(int i, double radius, std::vector<Surface> &) override;
   int pack_forward_comm(int, int *, double *, int, int *) override;
   void unpack_forward_comm(int, int, double *) override;
   void write_restart(FILE *) override;

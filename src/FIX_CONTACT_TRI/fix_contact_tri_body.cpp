@@ -36,6 +36,21 @@ tm_contact_args FixContactTri::host_args(const tm_pose &pose)
   return a;
 }
 
+void FixContactTri::touched(int i, double radius, std::vector<Surface> &found)
+{
+  if (!laws[atom->type[i]].active || !(atom->mask[i] & groupbit)) return;
+  const tm_contact_args a = host_args(pose_now());
+  const tm_vec3 p = tm_pose_to_local(&a.pose, tm_load3(atom->x[i]));
+  tm_touch touch[TM_TOUCH_MAX];
+  const int n = tm_touch_find(&a.mesh, &a.grid, p, std::min(radius, indexed_reach), a.deep, request.two_sided, touch);
+  for (int k = 0; k < n; k++) {
+    tm_vec3 normal = tm_mat_mul_vec(a.pose.turn, touch[k].normal);
+    if (domain->dimension == 2) normal.z = 0.0;
+    const double length = tm_vec_norm(normal);
+    if (length > 0.0) found.push_back({tm_vec_scale(1.0 / length, normal), touch[k].distance});
+  }
+}
+
 // does a particle of any rank overlap the tool, moved by a shift? *worst: the deepest, on its rank
 bool FixContactTri::overlaps(const tm_contact_args &args, tm_vec3 shift, int *worst) const
 {

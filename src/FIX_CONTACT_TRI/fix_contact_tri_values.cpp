@@ -56,6 +56,12 @@ void FixContactTri::tool_force(double *force)
   std::copy_n(totals, 3, force);
 }
 
+void *FixContactTri::extract(const char *name, int &dim)
+{
+  dim = 0;
+  return strcmp(name, ContactProbe::NAME) == 0 ? (ContactProbe *) this : nullptr;
+}
+
 /* ---------------------------------------------------------------------- restart */
 
 void FixContactTri::write_restart(FILE *fp)
