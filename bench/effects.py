@@ -1,8 +1,8 @@
 """What each effect costs, on and off: instructions per particle and step (valgrind --tool=callgrind, repeatable),
 processor time, bytes per particle. Off is measured twice: with the whole plugin, and with a build that has only the
 effects of the scene (CMake: SPHTM_MINIMAL_EFFECTS); the two must not differ by 1 %. And what audits cost at their
-defaults (fix sph/tm audit yes), which must be less than 1 % of the run. Prints tables and writes summary.json, table.rst
-and audit.rst. Called by ./sphtm effects [options].
+defaults (fix sph/tm audit yes), which must be less than 1 % of the run. Prints tables and writes summary.json,
+table.rst and audit.rst. Called by ./sphtm effects [options].
 
 Instructions are those of the run itself (Verlet::run), with the AVX2 loops: valgrind has no AVX-512. Time is processor
 time with the best loops of the processor, the median of interleaved rounds."""
@@ -103,8 +103,8 @@ def run(plugin, text, name, valgrind=False):
 
 
 def audits(which, steps, mesh):
-    """Instructions of one audit, from a run with one at its last step and one that has the keyword but none, and of a step
-    without the keyword; the share that audits take of a run at their defaults."""
+    """Instructions of one audit, from a run with one at its last step and one that has the keyword but none, and of a
+    step without the keyword; the share that audits take of a run at their defaults."""
     rows = []
     for base, n in which:
         count = {}
@@ -218,9 +218,10 @@ def report(summary):
 
 def report_audits(rows):
     """Prints and writes what audits cost; the scenes in which that is 1 % or more."""
-    head = ("scene", "particles", "instructions", "with audit waiting", "an audit, in steps", "audit %d %d" % (EVERY, SAMPLE))
-    text = [(r["scene"], r["particles"], "%.1f" % r["step"], "%.1f" % r["step_with_the_keyword"], "%.2f" % r["audit_in_steps"],
-             "%.3f %%" % (100 * r["share"])) for r in rows]
+    head = ("scene", "particles", "instructions", "with audit waiting", "an audit, in steps",
+            "audit %d %d" % (EVERY, SAMPLE))
+    text = [(r["scene"], r["particles"], "%.1f" % r["step"], "%.1f" % r["step_with_the_keyword"],
+             "%.2f" % r["audit_in_steps"], "%.3f %%" % (100 * r["share"])) for r in rows]
     print("\naudits; instructions per particle and step")
     show(head, text, "audit.rst", 1)
     return [r["scene"] for r in rows if r["share"] >= LIMIT]

@@ -1,5 +1,5 @@
-"""Particles that are split and merged while they are pressed against a tool: the energy book and the penetration are those
-of the run that is not refined, on planes square to the pattern and not, in 2D and in 3D."""
+"""Particles that are split and merged while they are pressed against a tool: the energy book and the penetration are
+those of a run that is not refined, on planes square to the pattern and not, in 2D and in 3D."""
 import numpy as np
 from contact_scene import block, header, mesh, particles, rotation
 from sphtm_scene import Checks, new_folder, run
@@ -11,7 +11,8 @@ fix             body all sph/tm energy yes
 fix             plate all contact/tri file plate.stl move 0 -0.001 0 rotate axis 0 0 1 angle {angle}
 variable        pressed atom (step>40)*(step<=80)*(id<={foot})
 variable        back atom (step>80)
-fix             ad all adapt/neigh refine {pattern} alpha 0.5 when v_pressed above 0.5 every 10 coarsen when v_back above 0.5
+fix             ad all adapt/neigh refine {pattern} alpha 0.5 when v_pressed above 0.5 every 10 &
+                coarsen when v_back above 0.5
 thermo          5
 thermo_style    custom step atoms f_plate[1] f_plate[2] f_plate[13] f_ad[1] f_ad[2] f_body[1] f_body[9]
 thermo_modify   lost error norm no
@@ -45,8 +46,10 @@ def main():
             checks.near(name + ": splits", t["f_ad[1]"][-1], 2 * counts[0] * counts[2])
             checks.near(name + ": merges", t["f_ad[2]"][-1], t["f_ad[1]"][-1])
             force = np.hypot(t["f_plate[1]"], t["f_plate[2]"])
-            checks.above(name + ": force on the plate at the split, of the largest", force[t["Step"] == 50][0] / force.max(), 0.3)
-            checks.below(name + ": energy sum, change over the kinetic energy, before merging", drift[t["Step"] < 90].max(), 4e-3)
+            pressed = force[t["Step"] == 50][0] / force.max()
+            checks.above(name + ": force on the plate at the split, of the largest", pressed, 0.3)
+            refined = drift[t["Step"] < 90].max()
+            checks.below(name + ": energy sum, change over the kinetic energy, before merging", refined, 4e-3)
             # children that are pressed together reach a little less far than the particle that stands for them again
             checks.below(name + ": the same, after merging", drift.max(), 0.02)
             checks.below(name + ": penetration over that before the split",
