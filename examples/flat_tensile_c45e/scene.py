@@ -78,7 +78,8 @@ def draw(curves, study):
     axes[0].legend(frameon=False)
     for k, row in enumerate(curves):
         frame = read_dump(os.path.join(study.path(row), "end.dump"))[-1]
-        dots = axes[1].scatter(1e3 * frame["x"], 1e3 * frame["y"] - 30 * k, c=frame["c_p[1]"], s=0.6, cmap="inferno", vmin=0,
+        dots = axes[1].scatter(1e3 * frame["x"], 1e3 * frame["y"] - 30 * k, c=frame["c_p[1]"],
+                               s=0.6 * (25 / int(study.size["rows"]))**2, cmap="inferno", vmin=0,
                                vmax=0.4, lw=0)
         axes[1].text(-10, -30 * k + 12, titles[row], fontsize=8)
     axes[1].set(aspect="equal", title="plastic strain", xticks=[], yticks=[])
