@@ -27,5 +27,5 @@ SWEEPS = [
           kind="published SPH",
           also=[("stress", "engineering stress at strain 0.02 to 0.05", "flow curve of the material", CLOSED,
                                        "stress_off")], script=example("flat_tensile_c45e"), measure=reached,
-          settings={"quick": by(rows=8, speed=20), "full": by(rows=14, speed=20), "large": by(rows=50, speed=20)}),
+          settings={"quick": by(rows=8, speed=20), "full": by(rows=14, speed=20), "large": by(rows=28, speed=20)}),
 ]

@@ -32,5 +32,5 @@ SWEEPS = [
     Sweep(name="cut", quantity="mean cutting force", reference="the cut with heat and conduction", kind=SAME,
           script=script, prepare=mesh, measure=force, against="heat and conduction",
           settings={"quick": by(width=0.6e-3, cut=1.2e-3), "full": by(width=0.8e-3, cut=4e-3),
-                    "large": by(width=4e-3, cut=2e-3, dp=0.1e-3)}),
+                    "large": by(width=2e-3, cut=2e-3, dp=0.1e-3)}),
 ]
