@@ -50,7 +50,8 @@ int main(void)
       /* stretched along one axis: the same Psi as before at a larger h, less than the stretch */
       double h = 1.3;
       const double first = tm_asph_nodes(&t, stretched(kernel, dim, h, 1.0));
-      for (int turn = 0; turn < 60; turn++) h = tm_asph_next(h, first, tm_asph_nodes(&t, stretched(kernel, dim, h, 1.5)));
+      for (int turn = 0; turn < 60; turn++)
+        h = tm_asph_next(h, first, tm_asph_nodes(&t, stretched(kernel, dim, h, 1.5)));
       UT_NEAR(stretched(kernel, dim, h, 1.5), stretched(kernel, dim, 1.3, 1.0), 1e-3);
       UT_TRUE(h > 1.3 && h < 1.3 * 1.5);
     }

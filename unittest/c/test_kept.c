@@ -166,9 +166,10 @@ static void start(void)
         tm_real *r = main_rec + N * TM_REC;
         r[TM_REC_RHO] = ut_random(2000, 3000);
         r[TM_REC_M] = ut_random(0.9, 1.1) * 2700 * DP * DP * (in_3d ? DP : 1.0);
-        for (int k = 0; k < 6; k++) r[TM_REC_P + k] = (in_3d || k != 4 ? (in_3d || k != 5) : 0) * ut_random(-1, 1) * 30.0;
+        for (int k = 0; k < 6; k++) r[TM_REC_P + k] = (in_3d || (k != 4 && k != 5)) * ut_random(-1, 1) * 30.0;
         r[TM_REC_C] = 5000;
-        for (int k = 0; k < 6; k++) stress_rec[N * TM_REC_STRESS + k] = in_3d || k == 0 || k == 1 || k == 3 ? ut_random(-5, 0) : 0.0;
+        for (int k = 0; k < 6; k++)
+          stress_rec[N * TM_REC_STRESS + k] = in_3d || k == 0 || k == 1 || k == 3 ? ut_random(-5, 0) : 0.0;
         heat_rec[N * TM_REC_HEAT] = ut_random(300, 400);
         heat_rec[N * TM_REC_HEAT + 1] = 100;
         first[N] = (ptrdiff_t) N * ROOM;

@@ -16,7 +16,8 @@ static const struct {
 static tm_vec3 normal(int kernel, int dim, double dp, double h, int depth)
 {
   const int m = (int) (3 * h / dp) + 1, mz = dim == 3 ? m : 0;
-  const double V = dim == 3 ? dp * dp * dp : dp * dp, norm = tm_kernel_norm(kernel, dim, h) / (h * tm_lattice_sums(kernel, dim, h / dp).gradient);
+  const double V = dim == 3 ? dp * dp * dp : dp * dp, gradient = tm_lattice_sums(kernel, dim, h / dp).gradient;
+  const double norm = tm_kernel_norm(kernel, dim, h) / (h * gradient);
   tm_vec3 n = tm_vec(0, 0, 0);
   for (int x = -m; x <= depth; x++)
     for (int y = -m; y <= m; y++)

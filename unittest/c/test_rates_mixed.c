@@ -66,7 +66,8 @@ static void sizes(int i, int kernel, double h, unsigned fx)
     if (fx & TM_FX_FORM_F14) P /= rhoi * rhoj;
     for (int d = 0; d < 6; d++) R += apart(c.stress + 6 * i, c.stress + 6 * j, d);
     const double mu = h * v * r / (r * r + 0.01 * h * h);
-    const double Pi = (args.visc_alpha * 0.5 * apart(a, b, TM_REC_C) + args.visc_beta * mu) * mu / (0.5 * (rhoi + rhoj));
+    const double c_mean = 0.5 * apart(a, b, TM_REC_C), rho_mean = 0.5 * (rhoi + rhoj);
+    const double Pi = (args.visc_alpha * c_mean + args.visc_beta * mu) * mu / rho_mean;
     const double extra = ((fx & TM_FX_ARTSTRESS) ? weight * R : 0) + ((fx & TM_FX_VISCOSITY) ? Pi : 0);
     force += mi * mj * g * (P + extra);
     L += mj / ((fx & TM_FX_FORM_F14) ? rhoj : rhoi) * v * g;

@@ -77,7 +77,8 @@ static int search_by_many(int i, const tm_search_args *a)
     }
     for (int k = 0; k < n; k++) tags[k] = tag[found[k]];
     for (int thread = 0; thread < THREADS; thread++)
-      tm_search_place(thread, THREADS, n, found, tags, a->images, a->index + a->first[i] + total * a->stride, a->stride);
+      tm_search_place(thread, THREADS, n, found, tags, a->images, a->index + a->first[i] + total * a->stride,
+                      a->stride);
     a->count[s][i] = n;
     total += n;
   }

@@ -14,9 +14,11 @@ enum { MOST = 5000, ROOM = 400 };
 static int n, dim, mechanical[MOST], row[MOST][ROOM];
 static ptrdiff_t first[MOST];
 static double x[MOST][3], edge[MOST], h[MOST];
-static tm_real rec[MOST * TM_REC], stress[MOST * TM_REC_STRESS], size[MOST * TM_REC_SIZE], turned[MOST * TM_REC_CORRECTION];
+static tm_real rec[MOST * TM_REC], stress[MOST * TM_REC_STRESS], size[MOST * TM_REC_SIZE];
+static tm_real turned[MOST * TM_REC_CORRECTION];
 static double force[MOST * 3], gradient[MOST * 9], correction[MOST * 6], artificial[MOST];
-/* hidden from the compiler: of a switch over kernels with a known ratio GCC 12 makes a table, and reads before its start */
+/* hidden from the compiler: of a switch over kernels with a known ratio GCC 12 makes a table, and reads before its
+   start */
 static volatile double RATIO = 1.2;
 static const double PULL[6] = {3.0, -1.0, 0.5, 0.8, -0.4, 0.6};    /* sigma, rho is 1 */
 static const double L[9] = {2.0, -1.0, 0.5, 3.0, -0.7, 1.5, -2.5, 0.3, 0.9};
@@ -115,7 +117,10 @@ static void run(int kernel, int sizes, int corrected)
 static double depth(int i, const double *box)
 {
   double least = 1e300;
-  for (int k = 0; k < dim; k++) least = fmin(least, fmin(x[i][k] + (k ? 0.0 : 0.5 * box[0]), (k ? box[k] : 0.5 * box[0]) - x[i][k]));
+  for (int k = 0; k < dim; k++) {
+    const double lo = k ? 0.0 : -0.5 * box[0], hi = k ? box[k] : 0.5 * box[0];
+    least = fmin(least, fmin(x[i][k] - lo, hi - x[i][k]));
+  }
   return least;
 }
 

@@ -25,10 +25,12 @@ int main(void)
     for (int dim = 2; dim <= 3; dim++)
       for (int k = 0; k < 4; k++) {
         const double d = 0.45 * k, alpha = 0.6 + 0.15 * k, at_0 = tm_kernel_overlap(kernel, dim, alpha, 0.0);
-        UT_WITHIN(tm_kernel_overlap(kernel, dim, alpha, d), brute(kernel, dim, alpha, d), (dim == 2 ? 2e-6 : 4e-4) * at_0);
+        UT_WITHIN(tm_kernel_overlap(kernel, dim, alpha, d), brute(kernel, dim, alpha, d),
+                  (dim == 2 ? 2e-6 : 4e-4) * at_0);
         /* which of two kernels is called the first does not matter */
         const double unit = pow(alpha, -dim);
-        UT_NEAR(tm_kernel_overlap(kernel, dim, alpha, d), unit * tm_kernel_overlap(kernel, dim, 1 / alpha, d / alpha), 1e-10);
+        UT_NEAR(tm_kernel_overlap(kernel, dim, alpha, d),
+                unit * tm_kernel_overlap(kernel, dim, 1 / alpha, d / alpha), 1e-10);
       }
 
   tm_split_pattern p;

@@ -69,7 +69,8 @@ int main(void)
   const tm_tally_result again = tm_tally(2, &a, 0);
   tm_tally_sum(&sum, &r);
   tm_tally_sum(&sum, &again);
-  for (int k = 0; k < TM_TALLY; k++) UT_TRUE(again.value[k] == r.value[k] && sum.value[k] == 2.0 * r.value[k] && r.value[k] != 0.0);
+  for (int k = 0; k < TM_TALLY; k++)
+    UT_TRUE(again.value[k] == r.value[k] && sum.value[k] == 2.0 * r.value[k] && r.value[k] != 0.0);
   p.material[1].body = TM_BODY_HEAT;                  /* a body of heat stores none */
   r = tm_tally(2, &a, 0);
   for (int k = 0; k < TM_TALLY; k++) UT_TRUE(r.value[k] == 0.0);
