@@ -71,7 +71,7 @@ EFFECTS = {
     "fix sph/tm/heat": ("more", {"more": "fix air all sph/tm/heat convection 100 300"}),
 }
 # audits: the scene, particles along an edge of the block; usual: the defaults of the pair style, and conduction
-AUDITS = [("bare", 12), ("more", 12), ("usual", 12), ("usual", 24)]
+AUDITS = [("usual", 12), ("bare", 12), ("usual", 24)]
 EVERY, SAMPLE = 1000, 50    # of 'audit yes'
 
 
@@ -112,6 +112,8 @@ def audits(which, steps, mesh):
             settings = dict(BASES[base][0], fix="audit %d %d" % (every, SAMPLE) if every else "")
             count[name] = run(os.environ["LAMMPS_PLUGIN_PATH"], script(settings, n, steps, mesh), "audit " + name,
                               valgrind=True)
+            print("%-26s %10.1f instructions per particle and step" % ("audit %s %d %s" % (base, n, name), count[name]),
+                  flush=True)
         per_step = count["waiting"] - count["without"]
         audit = (count["audited"] - count["waiting"]) * steps
         rows.append({"scene": base, "particles": n ** 3, "every": EVERY, "sample": SAMPLE, "step": count["without"],

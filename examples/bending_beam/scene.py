@@ -5,15 +5,20 @@ import sys
 
 import numpy as np
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "bench"))
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [os.path.join(HERE, "..", "..", "bench"), os.path.join(HERE, "..", "..", "bench", "stability")]
+from frame import pieces                                                               # noqa: E402
 from study import Study                                                                # noqa: E402
 from sphtm_scene import read_dump                                                      # noqa: E402
 
 L, W = 0.05, 12.5e-3
 # S13: edge of the square 0.5 of the spacing; the keyword takes smoothing lengths, 1.2 spacings
-REFINE = "refine square epsilon 0.41667 alpha 0.6 velocity linear when v_strain above 0.04 every 200"
+REFINE = "refine square epsilon 0.41667 alpha 0.6 velocity linear when f_strain[1] above 0.04 every 200"
 ELASTIC = {"options": "viscosity 0.5 0.5 correction yes artstress 0 4", "sag": 0}
-ROWS = {"elastic": ELASTIC, "unrefined": {"ramp": 100e-6}, "refined": {"ramp": 100e-6, "adapt": REFINE}}
+BARE = {"ramp": 100e-6, "options": "viscosity 1 1 artstress 0 4"}
+ROWS = {"elastic": ELASTIC, "unrefined": {"ramp": 100e-6}, "refined": {"ramp": 100e-6, "adapt": REFINE},
+        "unrefined_artstress_0": BARE,
+        "refined_artstress_0": dict(BARE, adapt=REFINE)}
 
 
 def elastic_profile(result, rows, at=0.5):
@@ -38,28 +43,70 @@ def profile_error(y, s, wanted, top):
     return np.abs(s - wanted).max() / top, best[0]
 
 
-def halves(frame, first, rows):
-    """What became of the particles of the lattice, by the half they started in: of those on the free length, how many have
-    been split; in the upper half near the clamp, two rows off the surface, the neighbors of the least and of the 3 %
-    with the fewest. The ID of a parent goes to one of its children."""
-    dx, start = W / rows, {int(k): (x, y) for k, x, y in zip(first["id"], first["x"], first["y"])}
+def places(frame):
+    return {int(k): (x, y) for k, x, y in zip(frame["id"], frame["x"], frame["y"])}
+
+
+def strains(frame, first, rows):
+    """Logarithmic strain along the beam of each particle of an unrefined frame, from its two neighbors in the row."""
+    start, now, found = places(first), places(frame), {}
+    for k, (x, y) in start.items():
+        ends = k - 1, k + 1
+        if all(e in start and abs(start[e][1] - y) < 0.5 * W / rows for e in ends):
+            length = [np.hypot(*np.subtract(p[ends[1]], p[ends[0]])) for p in (start, now)]
+            found[k] = np.log(length[1] / length[0])
+    return found
+
+
+def split_particles(frame, first):
+    """IDs of the particles of the free length that have been split: a parent's goes to one of its children."""
+    start, whole = places(first), 0.9 * first["mass"].max()
+    return [int(k) for k, m in zip(frame["id"], frame["mass"]) if m < whole and 0 < start.get(int(k), (-1, 0))[0] < L]
+
+
+def state_of(frame, first, rows, strain):
+    """Of a frame: particles; how many of the lattice have been split, how many of those are shorter than at the start in
+    the unrefined beam (strain), how many lay in the lower half, the middle row apart; in the upper half near the clamp,
+    two rows off the surface, the neighbors of the least and of the 3 % with the fewest."""
+    dx, start = W / rows, places(first)
+    split = split_particles(frame, first)
     kept = np.array([int(k) in start for k in frame["id"]])
     x, y = np.array([start[int(k)] for k in frame["id"][kept]]).T
-    split, near = frame["mass"][kept] < 0.9 * first["mass"].max(), frame["c_p[5]"][kept]
-    free, inside = (x > 0) & (x < L), (y > 0) & (y < W / 2 - 1.9 * dx) & (x > 0) & (x < L / 2)
-    return {"particles": len(frame["id"]), "split_stretched_half": int((split & free & (y > 0)).sum()),
-            "split_compressed_half": int((split & free & (y < 0)).sum()), "neighbors_least": int(near[inside].min()),
-            "neighbors_fewest": float(np.percentile(near[inside], 3))}
+    near = frame["c_p[5]"][kept][(y > 0) & (y < W / 2 - 1.9 * dx) & (x > 0) & (x < L / 2)]
+    return {"particles": len(frame["id"]), "split": len(split),
+            "split_shortened": sum(bool(strain.get(k, 0.0) < 0) for k in split),
+            "split_in_lower_half": sum(bool(start[k][1] < -0.5 * dx) for k in split),
+            "neighbors_least": int(near.min()), "neighbors_fewest": float(np.percentile(near, 3))}
+
+
+def breaks(result, rows):
+    """How far down the end is in the last frame in which the beam is whole, and in the first in which it is not: in pieces
+    that are farther apart than the kernel of the lattice reaches."""
+    whole = 0.0
+    for frame in read_dump(result.path("beam.dump")):
+        tip = tip_at(result, frame)
+        if len(pieces(np.c_[frame["x"], frame["y"]], 2.4 * W / rows)) > 1:
+            return whole, tip
+        whole = tip
+    return whole, None
+
+
+def tip_at(result, frame):
+    h = result.columns("history.dat")
+    return float(np.interp(frame["step"], h[:, 0], h[:, 4]))
 
 
 def at_sag(result, sag):
-    """The first frame with the end so far down, and where the end is then."""
-    h = result.columns("history.dat")
+    """The first frame with the end so far down, or the last one, and where the end is then."""
     for frame in read_dump(result.path("beam.dump")):
-        tip = np.interp(frame["step"], h[:, 0], h[:, 4])
-        if tip < -sag:
-            return frame, tip
-    return frame, tip
+        if tip_at(result, frame) < -sag:
+            break
+    return frame, tip_at(result, frame)
+
+
+def like(result, tip):
+    """The frame in which the end is nearest to tip."""
+    return min(read_dump(result.path("beam.dump")), key=lambda frame: abs(tip_at(result, frame) - tip))
 
 
 def main():
@@ -79,11 +126,16 @@ def main():
             continue
         first = read_dump(result.path("elastic.dump"))[-1]
         h, table[row] = result.columns("history.dat"), {}
-        for name, sag in (("25_mm", 0.025), ("end", 1.0)):
+        table[row]["whole_until"], table[row]["in_pieces_at"] = breaks(result, rows)
+        if row == "unrefined":
+            straight, lattice = result, first
+        for name, sag in (("25_mm", 0.025), ("end", 1.0)) if row in ("unrefined", "refined") else ():
             frame, tip = at_sag(result, sag)
-            table[row][name] = dict(halves(frame, first, rows), tip=tip)
+            strain = strains(like(straight, tip), lattice, rows)
+            table[row][name] = dict(state_of(frame, first, rows, strain), tip=tip)
             frames["%s, %.0f mm down" % (row, -1e3 * tip)] = frame
-        table[row].update(largest_plastic_strain=h[-1, 5], steps=int(h[-1, 0]), processor=result.processor, wall=result.wall)
+        table[row].update(largest_plastic_strain=h[-1, 5], steps=int(h[-1, 0]), processor=result.processor,
+                          wall=result.wall)
     draw(frames, study)
     study.end({"rows": table})
 
