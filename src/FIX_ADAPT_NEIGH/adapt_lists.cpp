@@ -63,10 +63,10 @@ void AdaptLists::init()
   fresh_first.move_to(*backend);
   weight.move_to(*backend);
   place.move_to(*backend);
+  reaches.move_to(*backend);
   if (strain < 0.0) strain = std::isinf(threshold) ? INFINITY : 0.2;
   if (approach < 0.0) approach = std::isinf(threshold) ? INFINITY : 0.01;
   cover_reach();
-  margin = (wide >= 0.0 ? wide : keeps() ? 0.15 : 0.0) * reach;
   const double cut = (reach + margin) / set.spacing;
   const double lattice = dim == 3 ? 4.0 / 3.0 * TM_PI * cut * cut * cut : TM_PI * cut * cut;
   const double more = margin > 0.0 ? 1.5 : 2.0;    // than in the lattice
@@ -75,13 +75,20 @@ void AdaptLists::init()
   fix.update_packed_size();
 }
 
-// a little more than the rates take: which pairs are within reach they decide
+bool AdaptLists::own_reach() const { return fix.body().has(TM_FX_SMOOTHING); }
+
+// Rows reach a little further than the rates take: which pairs are within reach they decide. Refinement looks at rows at
+// the end of the step, half a step and perhaps a change of h later
+double AdaptLists::spare() const { return fix.uses("refine") ? 1.02 : 1.0 + 1e-9; }
+
+// the largest
 void AdaptLists::cover_reach()
 {
   const PairSPHTM::Settings &set = fix.pair().settings_in_use();
-  const double now_covered = tm_kernel_support(set.kernel) * std::max(set.h, fix.pair().covered_h()) * (1.0 + 1e-9);
+  const double now_covered = tm_kernel_support(set.kernel) * std::max(set.h, fix.pair().covered_h()) * spare();
   rows_good = rows_good && now_covered == reach;
   reach = now_covered;
+  margin = (wide >= 0.0 ? wide : keeps() ? 0.15 : 0.0) * reach;
 }
 
 // what rows that are kept know nothing of
@@ -126,17 +133,17 @@ void AdaptLists::renew(bool renumbered)
     if (!keeps()) table.make_room(own(), room);
     other.make_room(own(), others ? room : 0);
     if (others) search_others();
-    if (margin == 0.0) make_grid(reach, fix.body().state().x);
+    if (margin == 0.0 && !own_reach()) make_grid(reach, fix.body().state().x);
     renumbered = true;
   }
   if (keeps()) {
     search_again(renumbered);
     return;
   }
-  if (margin > 0.0) {
+  if (margin > 0.0 || own_reach()) {
     const bool same = !renumbered || same_places();
     by_tag = false;
-    search_moved(!same || !rows_good);
+    search_moved(!same || !rows_good || margin == 0.0);
     return;
   }
   sort_into_cells(fix.body().state().x);
@@ -153,20 +160,21 @@ void AdaptLists::search_others()
   search(other, TM_MEETS_THERMAL | TM_MEETS_CONTACT, within, own());
 }
 
-void AdaptLists::make_grid(double width, const double *x)
+// reaches: of each particle, none wider than the cells; or nullptr
+void AdaptLists::make_grid(double width, const double *x, const double *reaches)
 {
   LAMMPS *lmp = fix.host();
   const int n = lmp->atom->nlocal + lmp->atom->nghost;
   tm_cells &g = cells.grid;
   g.n = n;
   g.x = x;
-  g.reach = nullptr;
+  g.reach = reaches;
   tm_cells_make(&g, backend->bounds(n, g.x), width, lmp->domain->dimension == 3, 4 * n + 4096);
   cells.cell.make_room(true, n + 1);
   cells.begin.make_room(true, tm_cells_number(&g) + 1);
   cells.index.make_room(true, n + TM_COLUMN_MOST);
   cells.marked.make_room(margin > 0.0, n + 1);
-  for (int d = 0; d < 3; d++) cells.column[d].make_room(true, n + TM_COLUMN_MOST);
+  for (int d = 0; d < 4; d++) cells.column[d].make_room(d < 3 || reaches, n + TM_COLUMN_MOST);
 }
 
 void AdaptLists::sort_into_cells(const double *x)
@@ -206,7 +214,11 @@ void AdaptLists::search(RowTable &t, int segments, double within, int n, const i
   a.first = t.first.loop_read();
   for (int s = 0; s < TM_SEGMENTS; s++) a.count[s] = t.count[s].loop_write();
   const int longest = backend->search(n, a);
-  if (longest > t.capacity) stop_on_long_row(t, longest);
+  if (longest <= t.capacity) return;
+  if (rows || keeps() || longest > TM_SEARCH_MOST) stop_on_long_row(t, longest);
+  room = std::min((int) TM_SEARCH_MOST, 8 * (int) ceil(1.25 * longest / 8.0));
+  t.make_room(own(), room);
+  search(t, segments, within, own());
 }
 
 void AdaptLists::stop_on_long_row(const RowTable &t, int longest)
@@ -217,9 +229,19 @@ void AdaptLists::stop_on_long_row(const RowTable &t, int longest)
                          8 * (int) ceil(1.5 * longest / 8.0));
 }
 
+// in all rows of this rank
+double AdaptLists::entries()
+{
+  double sum = 0.0;
+  const int *n = table.particles < own() ? nullptr : table.count[0].host_read();
+  for (int i = 0; n && i < own(); i++) sum += n[i];
+  return sum;
+}
+
 double AdaptLists::bytes() const
 {
-  double sum = table.bytes() + quiet.bytes() + other.bytes() + fresh_first.bytes() + weight.bytes() + place.bytes();
+  double sum = table.bytes() + quiet.bytes() + other.bytes() + fresh_first.bytes() + weight.bytes() + place.bytes() +
+      reaches.bytes();
   for (const auto *a : {&cells.cell, &cells.begin, &cells.index, &cells.marked, &kept, &which, &which_border, &which_near,
                         &names, &holder, &other_holder})
     sum += a->bytes();

@@ -41,7 +41,7 @@ class AdaptLists : public AdaptPart, public RowSource {
   std::vector<double> state() override;
   void restore(const double *, size_t) override;
 
-  std::vector<std::string> outputs() const override { return {"fraction", "searches"}; }
+  std::vector<std::string> outputs() const override { return {"fraction", "searches", "entries in rows"}; }
   double output(int) override;
   double bytes() const override;
   void *extract(const char *) override;
@@ -52,7 +52,7 @@ class AdaptLists : public AdaptPart, public RowSource {
   void renew(bool) override;
   tm_rows mechanical() override;
   tm_rows others() override { return other.loop_rows(); }
-  tm_rows host_others() override { return other.host_rows(); }
+  tm_rows host_mechanical() override { return table.host_rows(); }
   int searched(tm_rates_args &) override;
   void kept_moments(const tm_rates_args &, unsigned) override;
   void kept_rates(const tm_rates_args &, unsigned) override;
@@ -63,7 +63,7 @@ class AdaptLists : public AdaptPart, public RowSource {
   double approach = -1.0;     // of a distance, in reaches; negative: by default
   int rows = 0;               // room in a row; 0: by the kernel
   Backend *backend = nullptr;
-  double reach = 0.0;
+  double reach = 0.0;         // the largest
   int room = 0;
   bool first_search = true;   // pairs of the first search of all have no artificial stress
   bool by_tag = false;        // entries of kept rows are places in names
@@ -88,7 +88,7 @@ class AdaptLists : public AdaptPart, public RowSource {
   LoopArray<ptrdiff_t> fresh_first;
   LoopArray<float> weight;
   LoopArray<tm_real> memory, shown, told, next, correction;
-  LoopArray<double> place;
+  LoopArray<double> place, reaches;    // at the last search
   LoopArray<unsigned char> marks, was, now, dirty;
   LoopArray<int> holder, other_holder;    // see tm_places.h
   LoopArray<int> names;       // tags of what entries of kept rows mean, while particles get new places
@@ -99,6 +99,8 @@ class AdaptLists : public AdaptPart, public RowSource {
   int own() const;
   int all() const;
   void check_effects();
+  bool own_reach() const;
+  double spare() const;
   void cover_reach();
   void make_room(int);
   tm_kept_rows kept_rows(bool on_host = false);
@@ -113,7 +115,7 @@ class AdaptLists : public AdaptPart, public RowSource {
   bool same_places();
   int room_for_names(int);
   void tell_searched();
-  void make_grid(double width, const double *x);
+  void make_grid(double width, const double *x, const double *reaches = nullptr);
   void sort_into_cells(const double *x);
   tm_search_args search_args(int segments, double within);
   void search(RowTable &, int segments, double within, int n, const int *of = nullptr);
@@ -121,6 +123,7 @@ class AdaptLists : public AdaptPart, public RowSource {
   void search_again(bool renumbered);
   void search_moved(bool all_of_them);
   void watch();
+  double entries();
   void stop_on_long_row(const RowTable &, int longest);
 };
 

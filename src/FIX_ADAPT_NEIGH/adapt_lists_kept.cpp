@@ -149,7 +149,7 @@ void AdaptLists::search_again(bool renumbered)
   any_dirty = false;
 }
 
-// rows near those that have moved by half the margin
+// rows near those that have moved by half the margin; without a margin all, which are then those of this step
 void AdaptLists::search_moved(bool all_of_them)
 {
   place.make_room(true, (size_t) all() * 3 + 3);
@@ -158,13 +158,21 @@ void AdaptLists::search_moved(bool all_of_them)
   tm_moved_args m = {};
   m.x = fix.body().state().x;
   m.place = place.loop_write();
-  m.limit2 = 0.25 * margin * margin;
+  m.margin = margin;
+  m.part = 0.5;
+  if (own_reach()) {
+    reaches.make_room(true, all() + 1);
+    m.size = fix.pair().rate_args().rec.size;
+    m.margin = margin / reach;
+    m.support = tm_kernel_support(fix.pair().settings_in_use().kernel) * spare();
+    m.reach = reaches.loop_write();
+  }
   if (!all_of_them && !backend->moved(all(), m)) return;
   // those that will have moved so far soon come with them
-  m.limit2 = all_of_them ? -1.0 : EARLY * EARLY * m.limit2;
+  m.part = all_of_them ? -1.0 : 0.5 * EARLY;
   m.marks = marks.loop_write();
   backend->moved(all(), m);
-  make_grid(reach + margin, m.place);
+  make_grid(reach + margin, m.place, m.reach);
   sort_into_cells(m.place);
   tm_select_args s = {};
   s.border = border_args();
@@ -312,8 +320,8 @@ void AdaptLists::end_of_step()
 double AdaptLists::output(int k)
 {
   LAMMPS *lmp = fix.host();
-  if (!keeps()) return k == 0 ? 1.0 : 0.0;
-  const double mine = k == 0 ? last_searched : sum_searched;
+  if (!keeps() && k < 2) return k == 0 ? 1.0 : 0.0;
+  const double mine = k == 0 ? last_searched : k == 1 ? sum_searched : entries();
   double sum;
   MPI_Allreduce(&mine, &sum, 1, MPI_DOUBLE, MPI_SUM, lmp->world);
   return sum / std::max((double) lmp->atom->natoms, 1.0);

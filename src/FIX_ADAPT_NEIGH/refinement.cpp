@@ -117,9 +117,6 @@ void Refinement::make_pattern(int kernel)
 void Refinement::ready()
 {
   if (kind < 0) lmp()->error->all(FLERR, "Fix adapt/neigh coarsen needs the keyword refine: it merges what was split");
-  if (fix.uses("threshold"))
-    lmp()->error->all(FLERR, "Fix adapt/neigh refine does not work with threshold yet: kept rows do not know of children; "
-                             "remove one of them");
   FixSPHTM::of(lmp(), "Fix adapt/neigh refine")->need(TM_FX_SMOOTHING, "particles are refined");
   if (lmp()->atom->rmass_flag) return;
   lmp()->modify->add_fix(fmt::format("{}_mass all property/atom rmass ghost yes", fix.id));

@@ -3,7 +3,11 @@
 
    Every particle has a row of all within reach and a margin, from its place at its last search. It is
    searched anew when a particle near it has moved by half the margin. Of such rows the rates take what
-   is within reach, so nothing depends on when they were made. */
+   is within reach, so nothing depends on when they were made.
+
+   Where particles have a reach of their own, R = support h, the row of i holds all j with r < (1 + m) max(R_i, R_j), m
+   the margin. What R_i has grown by since then counts as a way of the particle: as long as way and growth of each are
+   below m R/2, r + growth < (1 + m) max(R_i, R_j) for all that are within reach now. */
 #ifndef TM_BORDER_H
 #define TM_BORDER_H
 
@@ -14,8 +18,13 @@
 typedef struct {
   const double *x;             /* owned and ghost */
   double *place;               /* at the last search */
-  tm_real limit2;              /* of the distance, squared */
+  tm_real margin;              /* a distance; where each has its own reach: over that */
+  tm_real part;                /* of the margin that a particle may move; negative: all count as moved */
   unsigned char *marks;        /* result: has moved; then place becomes x. NULL: only look */
+  /* particles with a reach of their own */
+  const tm_real *size;         /* records of size, or NULL: all have the same reach */
+  tm_real support;             /* reach over h */
+  tm_real *reach;              /* of each, with the margin; becomes that of now with place */
 } tm_moved_args;
 
 TM_FN int tm_moved(int i, const tm_moved_args *a)
@@ -23,10 +32,17 @@ TM_FN int tm_moved(int i, const tm_moved_args *a)
   const double *x = a->x + 3 * (ptrdiff_t) i;
   double *p = a->place + 3 * (ptrdiff_t) i;
   const tm_real dx = x[0] - p[0], dy = x[1] - p[1], dz = x[2] - p[2];
-  const int moved = !(dx * dx + dy * dy + dz * dz <= a->limit2);
+  tm_real limit = a->part * a->margin, reach = 0.0;
+  if (a->size) {
+    const tm_real then = a->reach[i] / (1.0 + a->margin);
+    reach = a->support / a->size[(ptrdiff_t) i * TM_REC_SIZE + TM_SIZE_INV_H];
+    limit = limit * then - tm_max(reach - then, 0.0);
+  }
+  const int moved = a->part < 0.0 || limit < 0.0 || !(dx * dx + dy * dy + dz * dz <= limit * limit);
   if (!a->marks) return moved;
   a->marks[i] = (unsigned char) moved;
   for (int d = 0; moved && d < 3; d++) p[d] = x[d];
+  if (moved && a->size) a->reach[i] = (1.0 + a->margin) * reach;
   return moved;
 }
 

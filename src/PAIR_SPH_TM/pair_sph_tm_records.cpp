@@ -46,7 +46,7 @@ tm_records PairSPHTM::host_records()
 
 tm_rows PairSPHTM::host_rows()
 {
-  if (row_source) return row_source->host_others();
+  if (row_source) return row_source->host_mechanical();
   return {row_index.host_read(),   row_first.host_read(),   row_mechanical.host_read(),
           row_thermal.host_read(), row_contact.host_read(), row_stride};
 }

@@ -16,6 +16,7 @@ class RowSource {
   // brings the rows to the positions of this step; renumbered: particles have new places in memory
   virtual void renew(bool renumbered) = 0;
   virtual tm_rows mechanical() = 0;
+  virtual tm_rows host_mechanical() = 0;
   // the rows that tm_rates() is for, into the arguments; returns how many. The others it leaves to
   virtual int searched(tm_rates_args &) = 0;
   // the correction of gradients, of the particles it leaves; then what they show each other
@@ -24,7 +25,6 @@ class RowSource {
   virtual void kept_rates(const tm_rates_args &, unsigned /*effects*/) {}
   virtual bool keeps() const { return false; }    // rows that are not searched in every step
   virtual tm_rows others() = 0;         // neighbors that exchange heat, and those in contact
-  virtual tm_rows host_others() = 0;
 };
 
 // how smoothing lengths are set, see tm_smoothing.h

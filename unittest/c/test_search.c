@@ -1,5 +1,5 @@
 /* Rows from the cells against all pairs: two and three dimensions, one reach and one each, types, rows that are full;
-   which rows one that has moved is near to. */
+   which rows one that has moved is near to; rows with a margin where each has its own reach, which grows. */
 #include "tm_border.h"
 #include "ut.h"
 
@@ -141,7 +141,7 @@ static void run(int dim3, int own_reach, int types, ptrdiff_t stride)
   memset(row, 0, sizeof row);
   check(&a, 1);
 
-  tm_moved_args m = {x[0], was_at[0], 0.04, marks};
+  tm_moved_args m = {x[0], was_at[0], 0.4, 0.5, marks, NULL, 0, NULL};
   tm_select_args near;
   memset(&near, 0, sizeof near);
   near.kind = TM_SELECT_NEAR;
@@ -177,6 +177,99 @@ static void run(int dim3, int own_reach, int types, ptrdiff_t stride)
   }
 }
 
+static tm_search_args search_of(int dim3, tm_real width, const tm_real *reaches)
+{
+  tm_search_args a;
+  memset(&a, 0, sizeof a);
+  a.cells.reach = reaches;
+  sort(&a.cells, dim3, width);
+  a.reach = width;
+  a.segments = 1;
+  a.tag = tag;
+  a.capacity = ROOM;
+  a.stride = 1;
+  a.index = row;
+  a.first = first;
+  for (int s = 0; s < TM_SEGMENTS; s++) a.count[s] = count[s];
+  for (int i = 0; i < N; i++) {
+    const int n = tm_search(i, &a);
+    UT_TRUE(n == count[0][i] && n <= ROOM);
+  }
+  return a;
+}
+
+static int in_row(int i, int j)
+{
+  for (int k = 0; k < count[0][i]; k++)
+    if (row[first[i] + k] == j) return 1;
+  return 0;
+}
+
+/* A third of the particles is small and lies close. Rows of the small ones hold what is near them, not what the large ones
+   would want; they hold all within reach as long as nobody has moved and grown by more than half the margin in sum. */
+static void own_reaches(int dim3)
+{
+  static tm_real size[N][TM_REC_SIZE];
+  static double place[N][3];
+  const tm_real support = 2.0, margin = 0.2, side = dim3 ? 8.0 : 24.0;
+  tm_real mean[2] = {0, 0};
+  for (int i = 0; i < N; i++) {
+    const int small = i < N / 3;
+    for (int d = 0; d < 3; d++)
+      x[i][d] = d == 2 && !dim3 ? 0.0 : ut_random(0.0, side) * (small ? 0.5 : 1.0) - (small && d == 0 ? 0.75 * side : 0.0);
+    size[i][TM_SIZE_INV_H] = 1.0 / (ut_random(1.0, 1.2) * (small ? 0.5 : 1.0));
+    tag[i] = i;
+    first[i] = (ptrdiff_t) i * ROOM;
+  }
+  tm_moved_args m = {x[0], place[0], margin, -1.0, marks, size[0], support, reach};
+  for (int i = 0; i < N; i++) {
+    UT_TRUE(tm_moved(i, &m) == 1 && place[i][0] == x[i][0]);
+    UT_NEAR(reach[i], 1.2 * 2.0 / size[i][TM_SIZE_INV_H], 1e-15);
+  }
+  for (int own = 0; own < 2; own++) {
+    search_of(dim3, 1.2 * 2.0 * 1.2, own ? reach : NULL);
+    for (int i = 0; i < N / 3; i++) mean[own] += count[0][i] / (N / 3.0);
+  }
+  UT_TRUE(mean[1] < (dim3 ? 0.35 : 0.45) * mean[0]);    /* (1/2)^3 and (1/2)^2 but for those at the border of the two */
+
+  /* all go and grow at random, up to what is allowed */
+  m.part = 0.5;
+  m.marks = NULL;
+  int far = 0;
+  for (int i = 0; i < N; i++) {
+    const tm_real s = support / size[i][TM_SIZE_INV_H], room = 0.499 * margin * s, grown = ut_random(0.0, 1.0) * room;
+    const tm_real angle = ut_random(0.0, 6.28318);
+    x[i][0] += (room - grown) * cos(angle);
+    x[i][1] += (room - grown) * sin(angle);
+    size[i][TM_SIZE_INV_H] = support / (s + grown);
+    UT_TRUE(tm_moved(i, &m) == 0);
+  }
+  for (int i = 0; i < N; i++)
+    for (int j = 0; j < N; j++) {
+      const tm_real r = support / tm_min(size[i][TM_SIZE_INV_H], size[j][TM_SIZE_INV_H]);
+      const tm_real dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], dz = x[i][2] - x[j][2];
+      const tm_real ox = place[i][0] - place[j][0], oy = place[i][1] - place[j][1];
+      if (i == j || dx * dx + dy * dy + dz * dz >= r * r) continue;
+      UT_TRUE(in_row(i, j));
+      far += ox * ox + oy * oy + dz * dz > r * r;
+    }
+  UT_TRUE(far > 20);    /* neighbours that were none at the search */
+
+  /* either of the two alone is enough; a shrunken reach is not */
+  m.marks = marks;
+  for (int k = 0; k < 3; k++) {
+    m.part = -1.0;
+    UT_TRUE(tm_moved(k, &m) == 1);
+    const tm_real s = support / size[k][TM_SIZE_INV_H];
+    if (k == 0) x[k][0] += 0.501 * margin * s;
+    if (k == 1) size[k][TM_SIZE_INV_H] /= 1.0 + 0.501 * margin;
+    if (k == 2) size[k][TM_SIZE_INV_H] *= 2.0;
+    m.part = 0.5;
+    UT_TRUE(tm_moved(k, &m) == (k < 2) && marks[k] == (k < 2));
+    UT_NEAR(reach[k], 1.2 * s * (k == 1 ? 1.0 + 0.501 * margin : 1.0), 1e-14 * s);
+  }
+}
+
 #ifndef UT_NEEDS
 #define UT_NEEDS 1
 #endif
@@ -188,5 +281,7 @@ int main(void)
     return 77;
   }
   for (int c = 0; c < 8; c++) run(c & 1, c >> 1 & 1, c >> 2 & 1, c == 5 ? 32 : 1);
+  own_reaches(0);
+  own_reaches(1);
   return ut_summary();
 }
