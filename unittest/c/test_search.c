@@ -205,8 +205,8 @@ static int in_row(int i, int j)
   return 0;
 }
 
-/* A third of the particles is small and lies close. Rows of the small ones hold what is near them, not what the large ones
-   would want; they hold all within reach as long as nobody has moved and grown by more than half the margin in sum. */
+/* A third of the particles is small and lies close. Rows of the small ones hold what is near them, not what the large
+   ones would want; they hold all within reach as long as nobody has moved and grown by half the margin in sum. */
 static void own_reaches(int dim3)
 {
   static tm_real size[N][TM_REC_SIZE];
@@ -215,8 +215,8 @@ static void own_reaches(int dim3)
   tm_real mean[2] = {0, 0};
   for (int i = 0; i < N; i++) {
     const int small = i < N / 3;
-    for (int d = 0; d < 3; d++)
-      x[i][d] = d == 2 && !dim3 ? 0.0 : ut_random(0.0, side) * (small ? 0.5 : 1.0) - (small && d == 0 ? 0.75 * side : 0.0);
+    for (int d = 0; d < 3; d++) x[i][d] = d == 2 && !dim3 ? 0.0 : ut_random(0.0, side) * (small ? 0.5 : 1.0);
+    x[i][0] -= small ? 0.75 * side : 0.0;
     size[i][TM_SIZE_INV_H] = 1.0 / (ut_random(1.0, 1.2) * (small ? 0.5 : 1.0));
     tag[i] = i;
     first[i] = (ptrdiff_t) i * ROOM;

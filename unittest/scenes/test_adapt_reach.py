@@ -1,18 +1,20 @@
-"""Rows of particles with smoothing lengths of their own: threshold 0, with and without a margin, searches with the reach of
-each. The same bits as LAMMPS's lists, which reach as far as the largest h wants, with refinement to two levels and merging,
-with ASPH, on 1 and 2 ranks and across a periodic boundary; rows hold what is within the larger reach of the two, counted
-here. Counter-case: with the reach of the largest for all there would be several times as many."""
+"""Rows of particles with smoothing lengths of their own: threshold 0, with and without a margin, searches with the
+reach of each. The same bits as LAMMPS's lists, which reach as far as the largest h wants, with refinement to two levels
+and merging, with ASPH, on 1 and 2 ranks and across a periodic boundary; rows hold what is within the larger reach of
+the two, counted here. Counter-case: with the reach of the largest for all there would be several times as many."""
 import numpy as np
 from refine_scene import DX, dump, start, styles, values
 from sphtm_scene import Checks, run
 
 SUPPORT, SPARE = 2.0, 1.02    # of the kernel; what rows reach further where particles are refined
 SQUARE = "refine square epsilon 0.41666667 alpha 0.6 every 20 "
-CIRCLE = ("compute xu all property/atom xu yu\nvariable near atom ((c_xu[1]-%.17g-%.17g*step)^2+(c_xu[2]-%.17g)^2<%.17g)" %
+CIRCLE = ("compute xu all property/atom xu yu\n"
+          "variable near atom ((c_xu[1]-%.17g-%.17g*step)^2+(c_xu[2]-%.17g)^2<%.17g)" %
           (2 * DX, 0.02 * DX, 6 * DX, (4 * DX) ** 2))
 CASES = {
     "circle that moves, split and merged": dict(
-        make=dict(spin=2000.0, squeeze=3e3, size=(24, 12, 8)), refine=SQUARE + "when v_near above 0.5 level 2 coarsen fallen",
+        make=dict(spin=2000.0, squeeze=3e3, size=(24, 12, 8)),
+        refine=SQUARE + "when v_near above 0.5 level 2 coarsen fallen",
         more=CIRCLE, steps=100),
     "ASPH, split, periodic": dict(
         make=dict(size=(24, 12, 8), squeeze=6e3, boundary="p s p", v="40 0 0", shift=12),
@@ -73,7 +75,8 @@ def main():
                 checks.below(case + ": rows, of those with the largest reach", own.mean() / largest.mean(), 0.7)
                 small = values(frames[2], "h") < 1.1 * h.min()
                 checks.below(case + ": the same for the smallest", own[small].mean() / largest[small].mean(), 0.7)
-    kept = run(start() + styles(SQUARE + "when pstrain above 0.01 threshold 1e-5") + "run 1\n", expect_error=True).errors()
+    refined = styles(SQUARE + "when pstrain above 0.01 threshold 1e-5")
+    kept = run(start() + refined + "run 1\n", expect_error=True).errors()
     checks.true("error: refined, threshold 1e-5",
                 all(w in kept for w in ("threshold 1e-05", "smoothing length", "threshold 0")), kept)
     checks.end()

@@ -1,6 +1,6 @@
-"""Orthogonal cutting of C45E (S13 section 5; examples/cutting_c45e), refined at the edge of the tool: the first 1.5 mm of
-a small work piece. All particles about the edge are children, mass and energy stay, the force is nearer to that of fine
-particles: below the one of the coarse run (by 16 % in the scene of full size), and of the size of Kienzle's law."""
+"""Orthogonal cutting of C45E (S13 section 5; examples/cutting_c45e), refined at the edge of the tool: the first 1.5 mm
+of a small work piece. All particles about the edge are children, mass and energy stay, the force is nearer to that of
+fine particles: below the one of the coarse run (by 16 % in the full scene), and of the size of Kienzle's law."""
 import os
 import sys
 
