@@ -130,6 +130,8 @@ SCENES = {
                                       fix="\nfix lists all adapt/neigh threshold 0 margin 0.2") + end(60),
     "lists that are kept": BAR.format(style="", material=JOHNSON_COOK,
                                       fix="\nfix lists all adapt/neigh threshold 1e-3") + end(220),
+    "lists that are kept, corrected": BAR.format(style="correction yes", material=JOHNSON_COOK,
+                                                 fix="\nfix lists all adapt/neigh threshold 1e-3") + end(220),
     "without artificial terms": BAR.format(style="viscosity 0 0 artstress 0 4", material="",
                                            fix="courant 0.2") + end(60),
     "cut": CUT + end(80),
