@@ -132,6 +132,8 @@ SCENES = {
                                       fix="\nfix lists all adapt/neigh threshold 1e-3") + end(220),
     "lists that are kept, corrected": BAR.format(style="correction yes", material=JOHNSON_COOK,
                                                  fix="\nfix lists all adapt/neigh threshold 1e-3") + end(220),
+    "rows by the reach of each": BAR.format(style="", material=JOHNSON_COOK, fix="\nfix lists all adapt/neigh asph psi "
+                                            "every 2 threshold 0 margin 0.1") + end(40, VALUES + " h"),
     "without artificial terms": BAR.format(style="viscosity 0 0 artstress 0 4", material="",
                                            fix="courant 0.2") + end(60),
     "cut": CUT + end(80),
