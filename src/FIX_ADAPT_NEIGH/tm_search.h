@@ -80,9 +80,10 @@ TM_FN void tm_search_cells(const tm_cells *c, const double *x, int k, int *begin
   *end = c->begin[row + (cx + 1 < c->cells[0] ? cx + 1 : cx) + 1];
 }
 
-#if !defined(__CUDACC__)
+/* ---- by threads of the host, whole rows */
+
 /* Places of the n entries in order of tag, then of memory, by counting those before each. */
-TM_FN void tm_search_order(const int *found, int n, const int *tag, int *place)
+TM_HOST_FN void tm_search_order(const int *found, int n, const int *tag, int *place)
 {
   enum { TURN = 16 };
   int TM_ALIGNED key[TM_SEARCH_MOST + TM_COLUMN];
@@ -112,7 +113,7 @@ TM_FN void tm_search_order(const int *found, int n, const int *tag, int *place)
 }
 
 /* Row i by one thread; returns the entries it has then, which may be more than its room: then nothing was stored beyond. */
-TM_FN int tm_search(int i, const tm_search_args *a)
+TM_HOST_FN int tm_search(int i, const tm_search_args *a)
 {
   const double *x = a->cells.x + 3 * (ptrdiff_t) i;
   const tm_real reach = a->cells.reach ? a->cells.reach[i] : a->reach;
@@ -153,8 +154,6 @@ TM_FN int tm_search(int i, const tm_search_args *a)
   }
   return total;
 }
-#endif
-
 /* ---- the same by many threads for one row: they find the entries of a segment in any order, and their places in it.
    The threads of a GPU do this; a thread of the host takes whole rows. */
 

@@ -16,6 +16,12 @@
 #else
 #define TM_FN static inline
 #endif
+/* one that a GPU does not run */
+#if defined(__CUDACC__)
+#define TM_HOST_FN static inline
+#else
+#define TM_HOST_FN TM_FN
+#endif
 
 /* A pointer that no other pointer of the same loop aliases. */
 #if defined(__cplusplus) || defined(__CUDACC__)

@@ -153,7 +153,7 @@ static void sums(void)
 static void border(int kernel, double noise, double most_gradient, double most_force)
 {
   const int coarse[3] = {6, dim == 3 ? 8 : 16, 8}, fine[3] = {12, dim == 3 ? 16 : 32, 16};
-  const double left[3] = {-6, 0, 0}, right[3] = {0, 0, 0}, box[3] = {12, coarse[1], 8};
+  const double left[3] = {-6, 0, 0}, right[3] = {0, 0, 0}, box[3] = {12, (double) coarse[1], 8};
   const double still[3] = {0, 0, 0}, flight[3] = {70, -20, 30};
   n = 0;
   block(coarse, 1.0, left, noise);
