@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 using namespace LAMMPS_NS;
 
@@ -23,25 +22,15 @@ namespace SPHTM_NS {
 
 /* ---------------------------------------------------------------------- input */
 
-int AdaptLists::keyword(int narg, char **arg)
+bool AdaptLists::keyword(Keywords &k)
 {
-  LAMMPS *lmp = fix.host();
-  const std::string key = arg[0], what = "Fix adapt/neigh " + key;
-  const auto known = keywords();
-  if (std::find(known.begin(), known.end(), key) == known.end()) return 0;
-  if (narg < 2) lmp->error->all(FLERR, "{} needs 1 value", what);
-  const bool never = strcmp(arg[1], "inf") == 0;
-  if (key == "threshold")
-    threshold = never ? INFINITY : not_negative(lmp, what, arg[1]);
-  else if (key == "stretch")
-    strain = never ? INFINITY : positive(lmp, what, arg[1]);
-  else if (key == "approach")
-    approach = never ? INFINITY : number_within(lmp, what, arg[1], 0.0, 0.5);
-  else if (key == "margin")
-    wide = number_within(lmp, what, arg[1], 0.0, 1.0);
-  else
-    rows = integer_within(lmp, what, arg[1], 1, TM_SEARCH_MOST);
-  return 2;
+  if (k.is("threshold")) threshold = k.take("inf") ? INFINITY : k.not_negative();
+  else if (k.is("stretch")) strain = k.take("inf") ? INFINITY : k.positive();
+  else if (k.is("approach")) approach = k.take("inf") ? INFINITY : k.within(0.0, 0.5);
+  else if (k.is("margin")) wide = k.within(0.0, 1.0);
+  else if (k.is("rows")) rows = k.integer(1, TM_SEARCH_MOST);
+  else return false;
+  return true;
 }
 
 void AdaptLists::init()

@@ -13,7 +13,7 @@ namespace SPHTM_NS {
 class AdaptLists : public AdaptPart, public RowSource {
  public:
   using AdaptPart::AdaptPart;
-  int keyword(int, char **) override;
+  bool keyword(Keywords &) override;
   std::vector<std::string> keywords() const override { return {"threshold", "rows", "margin", "stretch", "approach"}; }
   bool in_use() const override { return threshold >= 0.0; }
   void init() override;

@@ -15,14 +15,17 @@ class FixAdaptNeigh;
 
 namespace SPHTM_NS {
 
+class Keywords;
+
 class AdaptPart {
  public:
   explicit AdaptPart(LAMMPS_NS::FixAdaptNeigh &owner) : fix(owner) {}
   virtual ~AdaptPart() = default;
 
-  // takes the keyword arg[0] with its values and returns how many arguments they are; 0: not its keyword
-  virtual int keyword(int narg, char **arg) = 0;
+  // reads the values of the keyword, where it is one of its own; false: it is not
+  virtual bool keyword(Keywords &) = 0;
   virtual std::vector<std::string> keywords() const = 0;
+  virtual std::vector<std::string> options() const { return {}; }    // that may follow the first keyword
   virtual bool in_use() const = 0;
   virtual bool on_host() const { return false; }    // works on LAMMPS's particles of the host in any step
 

@@ -21,37 +21,24 @@ namespace SPHTM_NS {
 // lists reach this much further than the largest h needs, so that they are not widened at every turn
 static constexpr double MARGIN = 1.05;
 
-int AdaptSmoothing::keyword(int narg, char **arg)
+bool AdaptSmoothing::keyword(Keywords &k)
 {
-  if (strcmp(arg[0], "asph") != 0) return 0;
+  if (!k.is("asph")) return false;
   LAMMPS *lmp = fix.host();
-  const std::string what = "Fix adapt/neigh asph";
-  if (narg < 2 || (strcmp(arg[1], "psi") != 0 && strcmp(arg[1], "density") != 0))
-    lmp->error->all(FLERR, "{} must be psi or density{}", what, narg < 2 ? "" : std::string(", got ") + arg[1]);
-  if (mode != NONE) lmp->error->all(FLERR, "{} is given twice", what);
-  mode = strcmp(arg[1], "psi") == 0 ? PSI : DENSITY;
-  int n = 2;
-  for (;;) {
-    auto value = [&](int values) {
-      if (n + values >= narg)
-        lmp->error->all(FLERR, "{} {} needs {} value{}", what, arg[n], values, values == 1 ? "" : "s");
-    };
-    if (n < narg && strcmp(arg[n], "every") == 0) {
-      value(1);
-      every = integer_within(lmp, what + " every", arg[n + 1], 1, 1000000);
-      n += 2;
-    } else if (n < narg && strcmp(arg[n], "limits") == 0) {
-      value(2);
-      least = number_within(lmp, what + " limits lo", arg[n + 1], 0.0, 1.0);
-      most = positive(lmp, what + " limits hi", arg[n + 2]);
-      if (most < 1.0) lmp->error->all(FLERR, "{} limits hi must be at least 1, got {}", what, arg[n + 2]);
-      n += 3;
-    } else
-      break;
+  if (mode != NONE) lmp->error->all(FLERR, "{} is given twice", k.what());
+  mode = k.second("psi", "density") ? DENSITY : PSI;
+  while (k.option(options())) {
+    if (k.is("every")) every = k.integer(1, 1000000);
+    else {
+      k.need(2);
+      least = k.within(0.0, 1.0, "lo");
+      most = k.positive("hi");
+      if (most < 1.0) lmp->error->all(FLERR, "{} hi must be at least 1, got {}", k.what(), k.given());
+    }
   }
   // before init, so that no check takes particles of different mass for a mistake
   if (FixSPHTM *body = FixSPHTM::of(lmp)) body->need(TM_FX_SMOOTHING, "fix adapt/neigh has asph");
-  return n;
+  return true;
 }
 
 void AdaptSmoothing::init()

@@ -13,8 +13,9 @@ namespace SPHTM_NS {
 class AdaptSmoothing : public AdaptPart {
  public:
   explicit AdaptSmoothing(LAMMPS_NS::FixAdaptNeigh &owner) : AdaptPart(owner) {}
-  int keyword(int narg, char **arg) override;
+  bool keyword(Keywords &) override;
   std::vector<std::string> keywords() const override { return {"asph"}; }
+  std::vector<std::string> options() const override { return {"every", "limits"}; }
   bool in_use() const override { return mode != NONE; }
   void init() override;
   void setup() override;

@@ -3,6 +3,7 @@
 
 #include "adapt_smoothing.h"
 #include "adapt_lists.h"
+#include "argument.h"
 #include "fix_sph_tm.h"
 #include "pair_sph_tm.h"
 #include "refinement.h"
@@ -17,7 +18,6 @@
 #include "update.h"
 
 #include <algorithm>
-#include <cstring>
 
 using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
@@ -36,7 +36,7 @@ FixAdaptNeigh::FixAdaptNeigh(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
   parts.push_back(std::make_unique<AdaptSmoothing>(*this));
   parts.push_back(std::make_unique<AdaptLists>(*this));
   parts.push_back(std::make_unique<Refinement>(*this));
-  read_keywords(3, narg, arg);
+  read_keywords(Keywords(lmp, "Fix adapt/neigh", narg - 3, arg + 3));
   for (const auto &p : parts)
     if (p->in_use()) used.push_back(p.get());
   for (const AdaptPart *p : used) size_vector += (int) p->outputs().size();
@@ -63,19 +63,24 @@ FixAdaptNeigh::~FixAdaptNeigh()
   atom->delete_callback(id, Atom::RESTART);
 }
 
-void FixAdaptNeigh::read_keywords(int iarg, int narg, char **arg)
+void FixAdaptNeigh::read_keywords(Keywords k)
 {
-  while (iarg < narg) {
-    int taken = 0;
-    for (auto p = parts.begin(); !taken && p != parts.end(); ++p) taken = (*p)->keyword(narg - iarg, arg + iarg);
-    if (!taken) {
-      std::string known;
-      for (const auto &p : parts)
-        for (const auto &k : p->keywords()) known += (known.empty() ? "" : ", ") + k;
-      error->all(FLERR, "Unknown fix adapt/neigh keyword {}: known are {}", arg[iarg], known);
-    }
-    iarg += taken;
+  while (k.next()) {
+    const bool known = std::any_of(parts.begin(), parts.end(), [&k](const auto &p) { return p->keyword(k); });
+    if (!known) k.unknown(known_words());
   }
+}
+
+// keywords, then the options behind some of them
+std::string FixAdaptNeigh::known_words() const
+{
+  std::string words, options;
+  for (const auto &p : parts) {
+    const std::vector<std::string> own = p->keywords(), behind = p->options();
+    words += (words.empty() ? "" : ", ") + utils::join_words(own, ", ");
+    if (!behind.empty()) options += "; options of " + own[0] + " are " + utils::join_words(behind, ", ");
+  }
+  return words + options;
 }
 
 int FixAdaptNeigh::setmask() { return PRE_EXCHANGE | POST_NEIGHBOR | PRE_FORCE | END_OF_STEP; }

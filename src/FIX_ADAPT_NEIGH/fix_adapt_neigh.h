@@ -76,7 +76,8 @@ class FixAdaptNeigh : public Fix {
   int forwarded_columns = 0;
   bool has_values = false;    // that move with the particles
 
-  void read_keywords(int, int, char **);
+  void read_keywords(SPHTM_NS::Keywords);
+  std::string known_words() const;
 };
 
 }    // namespace LAMMPS_NS

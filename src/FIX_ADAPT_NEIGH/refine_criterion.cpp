@@ -34,59 +34,46 @@ RefineCriteria::~RefineCriteria()
 
 /* ---------------------------------------------------------------------- reading */
 
-int RefineCriteria::read(const std::string &what, int narg, char **arg)
+void RefineCriteria::read(const std::string &what, Keywords &k)
 {
-  int iarg = 0;
   bool after_or = false;
-  for (;;) {
-    Term t;
-    iarg += read_term(what, narg - iarg, arg + iarg, t);
-    t.after_or = after_or;
-    terms.push_back(t);
-    if (iarg >= narg) return iarg;
-    after_or = strcmp(arg[iarg], "or") == 0;
-    if (!after_or && strcmp(arg[iarg], "and") != 0) return iarg;
-    iarg++;
-  }
+  do {
+    terms.push_back(read_term(what, k));
+    terms.back().after_or = after_or;
+    after_or = k.take("or");
+  } while (after_or || k.take("and"));
 }
 
-int RefineCriteria::read_term(const std::string &what, int narg, char **arg, Term &t)
+RefineCriteria::Term RefineCriteria::read_term(const std::string &what, Keywords &k)
 {
   LAMMPS *lmp = fix.host();
   Error *error = lmp->error;
-  int iarg = 0;
   auto next = [&](const char *expected) {
-    if (iarg >= narg) error->all(FLERR, "{} ends where {} is expected", what, expected);
-    return arg[iarg++];
+    if (!k.rest()) error->all(FLERR, "{} ends where {} is expected", what, expected);
+    return k.value();
   };
-  const char *word = next("a criterion");
-  if (strcmp(word, "not") == 0) {
-    t.negate = true;
-    word = next("a criterion after not");
-  }
-  if (strcmp(word, "region") == 0) {
+  Term t;
+  t.negate = k.take("not");
+  std::string word = next(t.negate ? "a criterion after not" : "a criterion");
+  if (word == "region") {
     t.kind = REGION;
     t.region = next("a region ID");
     if (!lmp->domain->get_region_by_id(t.region)) error->all(FLERR, "{}: there is no region {}", what, t.region);
-    return iarg;
+    return t;
   }
-  if (strcmp(word, "neighbors") == 0) t.kind = NEIGHBORS;
-  else if (strcmp(word, "gradient") == 0) {
-    t.kind = GRADIENT;
-    t.source = read_source(what, next("a value after gradient"));
-  } else
-    t.source = read_source(what, word);
+  t.kind = word == "neighbors" ? NEIGHBORS : word == "gradient" ? GRADIENT : VALUE;
+  if (t.kind == GRADIENT) word = next("a value after gradient");
+  if (t.kind != NEIGHBORS) t.source = read_source(what, word);
   const std::string side = next("above or below");
   if (side != "above" && side != "below")
-    error->all(FLERR, "{}: {} must be followed by above or below, got {}", what, arg[iarg - 2], side);
+    error->all(FLERR, "{}: {} must be followed by above or below, got {}", what, word, side);
   t.above = side == "above";
-  const std::string before = what + " " + arg[iarg - 2] + " " + side;
-  t.limit = number(lmp, before, next("a limit"));
-  return iarg;
+  t.limit = number(lmp, what + " " + word + " " + side, next("a limit"));
+  return t;
 }
 
 // c_ID, c_ID[n], f_ID, f_ID[n], v_name, or an attribute of compute sph/tm/atom
-int RefineCriteria::read_source(const std::string &what, const char *text)
+int RefineCriteria::read_source(const std::string &what, const std::string &text)
 {
   LAMMPS *lmp = fix.host();
   Source s;

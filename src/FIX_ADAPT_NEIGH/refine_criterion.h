@@ -14,13 +14,15 @@ class FixAdaptNeigh;
 
 namespace SPHTM_NS {
 
+class Keywords;
+
 class RefineCriteria {
  public:
   // name: a word for the IDs of the computes that it makes
   RefineCriteria(LAMMPS_NS::FixAdaptNeigh &owner, const std::string &name) : fix(owner), label(name) {}
   ~RefineCriteria();
-  // reads 'criterion [and|or criterion] ...' behind the keyword; returns how many arguments they are
-  int read(const std::string &what, int narg, char **arg);
+  // reads 'criterion [and|or criterion] ...'
+  void read(const std::string &what, Keywords &);
   bool empty() const { return terms.empty(); }
   void init(int every);                         // checks that what the terms name is there, every so many steps
   // whether the criteria hold, for every particle of this rank; at the end of a step
@@ -47,8 +49,8 @@ class RefineCriteria {
   std::vector<Source> sources;
   std::vector<Term> terms;
 
-  int read_term(const std::string &what, int narg, char **arg, Term &);
-  int read_source(const std::string &what, const char *text);
+  Term read_term(const std::string &what, Keywords &);
+  int read_source(const std::string &what, const std::string &text);
   void take_values(Source &);
   std::vector<char> test(const Term &, Cloud &);
 };

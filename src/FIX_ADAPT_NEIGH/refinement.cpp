@@ -13,11 +13,9 @@
 #include "force.h"
 #include "modify.h"
 #include "update.h"
-#include "utils.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 using namespace LAMMPS_NS;
 
@@ -32,69 +30,50 @@ LAMMPS *Refinement::lmp() const { return fix.host(); }
 
 /* ---------------------------------------------------------------------- input */
 
-int Refinement::keyword(int narg, char **arg)
+bool Refinement::keyword(Keywords &k)
 {
-  if (strcmp(arg[0], "refine") == 0) return read_refine(narg, arg);
-  if (strcmp(arg[0], "coarsen") != 0) return 0;
-  Error *error = lmp()->error;
-  const std::string what = "Fix adapt/neigh coarsen";
-  if (narg < 2) error->all(FLERR, "{} needs 'fallen' or 'when' with criteria", what);
-  if (strcmp(arg[1], "fallen") == 0) {
-    coarsen = FALLEN;
-    return 2;
-  }
-  if (strcmp(arg[1], "when") != 0) error->all(FLERR, "{} must be followed by fallen or when, got {}", what, arg[1]);
-  coarsen = WHEN;
-  return 2 + coarsen_when.read(what + " when", narg - 2, arg + 2);
+  if (k.is("refine")) read_refine(k);
+  else if (k.is("coarsen")) {
+    coarsen = k.second("fallen", "when") ? WHEN : FALLEN;
+    if (coarsen == WHEN) coarsen_when.read(k.what("when"), k);
+  } else
+    return false;
+  return true;
 }
 
 // refine <pattern> epsilon E alpha A when <criteria> [level N] [every M] [velocity parent|linear] [settle N]
-int Refinement::read_refine(int narg, char **arg)
+void Refinement::read_refine(Keywords &k)
 {
   Error *error = lmp()->error;
-  const std::string what = "Fix adapt/neigh refine";
-  if (kind >= 0) error->all(FLERR, "{} is given twice; join criteria with and, or", what);
-  std::string known;
-  for (int k = 0; k < TM_SPLIT_KINDS; k++) known += std::string(k ? ", " : "") + tm_split_name(k);
-  if (narg < 2) error->all(FLERR, "{} needs a pattern: {}", what, known);
-  for (int k = 0; k < TM_SPLIT_KINDS; k++)
-    if (strcmp(arg[1], tm_split_name(k)) == 0) kind = k;
-  if (kind < 0) error->all(FLERR, "{}: unknown pattern {}; known are {}", what, arg[1], known);
-  if (tm_split_dim(kind) != lmp()->domain->dimension)
-    error->all(FLERR, "{} {}: the pattern has {} dimensions, the run {}", what, arg[1], tm_split_dim(kind),
-               lmp()->domain->dimension);
-  int iarg = 2;
-  while (iarg < narg) {
-    const std::string key = arg[iarg];
-    auto value = [&]() {
-      if (iarg + 1 >= narg) error->all(FLERR, "{} {} needs a value", what, key);
-      return arg[iarg + 1];
-    };
-    if (key == "epsilon") epsilon = positive(lmp(), what + " epsilon", value());
-    else if (key == "alpha") alpha = number_within(lmp(), what + " alpha", value(), 0.0, 1.0);
-    else if (key == "level") most_level = integer_within(lmp(), what + " level", value(), 1, 8);
-    else if (key == "every") every = integer_within(lmp(), what + " every", value(), 1, 1000000000);
-    else if (key == "settle") sweeps = integer_within(lmp(), what + " settle", value(), 0, 100);
-    else if (key == "velocity") {
-      const std::string choice = value();
-      if (choice != "parent" && choice != "linear")
-        error->all(FLERR, "{} velocity must be parent or linear, got {}", what, choice);
-      linear = choice == "linear";
-    } else if (key == "when") {
-      if (!when.empty()) error->all(FLERR, "{} when is given twice; join criteria with and, or", what);
-      iarg += 1 + when.read(what + " when", narg - iarg - 1, arg + iarg + 1);
-      continue;
-    } else
-      break;
-    iarg += 2;
+  if (kind >= 0) error->all(FLERR, "{} is given twice; join criteria with and, or", k.what());
+  read_pattern(k);
+  while (k.option(options())) {
+    if (k.is("epsilon")) epsilon = k.positive();
+    else if (k.is("alpha")) alpha = k.within(0.0, 1.0);
+    else if (k.is("level")) most_level = k.integer(1, 8);
+    else if (k.is("every")) every = k.integer(1, 1000000000);
+    else if (k.is("settle")) sweeps = k.integer(0, 100);
+    else if (k.is("velocity")) linear = k.second("parent", "linear");
+    else {
+      if (!when.empty()) error->all(FLERR, "{} is given twice; join criteria with and, or", k.what());
+      when.read(k.what(), k);
+    }
   }
-  if (epsilon == 0.0 || alpha == 0.0)
-    error->all(FLERR, "{} {} needs '{} <number>', in smoothing lengths of the particle that is split", what, arg[1],
-               epsilon == 0.0 ? "epsilon" : "alpha");
-  if (when.empty()) error->all(FLERR, "{} {} needs 'when' with a criterion", what, arg[1]);
-  const auto *pair = dynamic_cast<PairSPHTM *>(lmp()->force->pair_match("^sph/tm", 0));
-  if (pair) make_pattern(pair->settings_in_use().kernel);
-  return iarg;
+}
+
+void Refinement::read_pattern(Keywords &k)
+{
+  Error *error = lmp()->error;
+  std::string known;
+  for (int n = 0; n < TM_SPLIT_KINDS; n++) known += std::string(n ? ", " : "") + tm_split_name(n);
+  if (!k.rest()) error->all(FLERR, "{} needs a pattern: {}", k.what(), known);
+  for (int n = 0; n < TM_SPLIT_KINDS && kind < 0; n++)
+    if (k.take(tm_split_name(n))) kind = n;
+  if (kind < 0) error->all(FLERR, "{}: unknown pattern {}; known are {}", k.what(), k.value(), known);
+  const int dim = lmp()->domain->dimension;
+  if (tm_split_dim(kind) != dim)
+    error->all(FLERR, "{} {}: the pattern has {} dimensions, the run {}", k.what(), tm_split_name(kind),
+               tm_split_dim(kind), dim);
 }
 
 void Refinement::make_pattern(int kernel)
@@ -116,11 +95,19 @@ void Refinement::make_pattern(int kernel)
 // all keywords are read
 void Refinement::ready()
 {
-  if (kind < 0) lmp()->error->all(FLERR, "Fix adapt/neigh coarsen needs the keyword refine: it merges what was split");
+  Error *error = lmp()->error;
+  if (kind < 0) error->all(FLERR, "Fix adapt/neigh coarsen needs the keyword refine: it merges what was split");
+  const std::string what = std::string("Fix adapt/neigh refine ") + tm_split_name(kind);
+  if (epsilon == 0.0 || alpha == 0.0)
+    error->all(FLERR, "{} needs '{} <number>', in smoothing lengths of the particle that is split", what,
+               epsilon == 0.0 ? "epsilon" : "alpha");
+  if (when.empty()) error->all(FLERR, "{} needs 'when' with a criterion", what);
+  auto *pair = dynamic_cast<PairSPHTM *>(lmp()->force->pair_match("^sph/tm", 0));
+  if (pair) make_pattern(pair->settings_in_use().kernel);
   FixSPHTM::of(lmp(), "Fix adapt/neigh refine")->need(TM_FX_SMOOTHING, "particles are refined");
   if (lmp()->atom->rmass_flag) return;
   lmp()->modify->add_fix(fmt::format("{}_mass all property/atom rmass ghost yes", fix.id));
-  if (auto *pair = dynamic_cast<PairSPHTM *>(lmp()->force->pair_match("^sph/tm", 0))) pair->give_masses();
+  if (pair) pair->give_masses();
 }
 
 /* ---------------------------------------------------------------------- calls of LAMMPS */

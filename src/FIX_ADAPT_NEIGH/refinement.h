@@ -24,8 +24,12 @@ namespace SPHTM_NS {
 class Refinement : public AdaptPart {
  public:
   explicit Refinement(LAMMPS_NS::FixAdaptNeigh &);
-  int keyword(int narg, char **arg) override;
+  bool keyword(Keywords &) override;
   std::vector<std::string> keywords() const override { return {"refine", "coarsen"}; }
+  std::vector<std::string> options() const override
+  {
+    return {"epsilon", "alpha", "when", "level", "every", "velocity", "settle"};
+  }
   bool in_use() const override { return kind >= 0 || coarsen != NEVER; }
   bool on_host() const override { return true; }
   void ready() override;
@@ -99,7 +103,8 @@ class Refinement : public AdaptPart {
   LAMMPS_NS::bigint settle_at = -1;    // the step at whose end particles settle
 
   LAMMPS_NS::LAMMPS *lmp() const;
-  int read_refine(int narg, char **arg);
+  void read_refine(Keywords &);
+  void read_pattern(Keywords &);
   void make_pattern(int kernel);
   LAMMPS_NS::bigint next_check() const;
   void forget_plans();

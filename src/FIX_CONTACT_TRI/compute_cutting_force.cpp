@@ -7,10 +7,8 @@
 #include "error.h"
 #include "modify.h"
 #include "update.h"
-#include "utils.h"
 
 #include <cmath>
-#include <cstring>
 
 using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
@@ -23,34 +21,23 @@ ComputeCuttingForce::ComputeCuttingForce(LAMMPS *lmp, int narg, char **arg) :
   size_vector = 5;
   extscalar = 0;
   extvector = 0;
-  if (narg < 4) utils::missing_cmd_args(FLERR, "compute cutting/force", error);
+  if (narg < 4) error->all(FLERR, "Compute cutting/force needs the ID of a fix contact/tri");
   tool_id = arg[3];
-  auto three = [&](int iarg, double *to) {
-    if (iarg + 3 >= narg)
-      error->all(FLERR, "Compute cutting/force keyword {} needs three numbers", arg[iarg]);
-    double n = 0.0;
-    for (int k = 0; k < 3; k++) {
-      to[k] = number(lmp, std::string("Compute cutting/force ") + arg[iarg], arg[iarg + 1 + k]);
-      n += to[k] * to[k];
-    }
-    if (!(n > 0.0)) error->all(FLERR, "Compute cutting/force {} must not be zero", arg[iarg]);
-    for (int k = 0; k < 3; k++) to[k] /= sqrt(n);
-    return iarg + 4;
+  Keywords k(lmp, "Compute cutting/force", narg - 4, arg + 4);
+  auto unit_vector = [&](double *to) {
+    k.need(3);
+    for (int d = 0; d < 3; d++) to[d] = k.number();
+    const double n = sqrt(to[0] * to[0] + to[1] * to[1] + to[2] * to[2]);
+    if (!(n > 0.0)) error->all(FLERR, "{} must not be zero", k.what());
+    for (int d = 0; d < 3; d++) to[d] /= n;
   };
-  for (int iarg = 4; iarg < narg;) {
-    if (strcmp(arg[iarg], "direction") == 0) {
+  while (k.next()) {
+    if (k.is("direction")) {
       direction_given = true;
-      iarg = three(iarg, direction);
-    } else if (strcmp(arg[iarg], "away") == 0) {
-      iarg = three(iarg, away);
-    } else if (strcmp(arg[iarg], "width") == 0) {
-      if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "compute cutting/force width", error);
-      width = positive(lmp, "Compute cutting/force width", arg[iarg + 1]);
-      iarg += 2;
-    } else
-      error->all(FLERR,
-                 "Unknown compute cutting/force keyword {}: known are direction, away, width",
-                 arg[iarg]);
+      unit_vector(direction);
+    } else if (k.is("away")) unit_vector(away);
+    else if (k.is("width")) width = k.positive();
+    else k.unknown("direction, away, width");
   }
   vector = new double[size_vector];
 }

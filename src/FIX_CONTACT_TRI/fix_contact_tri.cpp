@@ -38,7 +38,7 @@ FixContactTri::FixContactTri(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
   std::fill(totals, totals + 14, 0.0);
   shape.options = tm_mesh_defaults();
 
-  parse(narg, arg);
+  parse(narg - 3, arg + 3);
   const std::string wrong = tool.load(shape, request.two_sided);
   if (!wrong.empty()) error->all(FLERR, "Fix contact/tri {}: {}", id, wrong);
   reference_local = request.reference_given
@@ -196,15 +196,9 @@ tm_contact_law FixContactTri::make_law(int type)
 
 void FixContactTri::make_laws()
 {
-  if (request.body_type) {
-    if (request.body_type > atom->ntypes)
-      error->all(FLERR, "Fix contact/tri {} particles: there is no type {}", id, request.body_type);
-    if (pair->materials()[request.body_type].body != TM_BODY_HEAT)
-      error->all(FLERR,
-                 "Fix contact/tri {} particles: type {} must be a material that only conducts "
-                 "heat",
-                 id, request.body_type);
-  }
+  if (request.body_type && pair->materials()[request.body_type].body != TM_BODY_HEAT)
+    error->all(FLERR, "Fix contact/tri {} particles: type {} must be a material that only conducts heat", id,
+               request.body_type);
   const double dp = pair->settings_in_use().spacing;
   laws.assign(atom->ntypes + 1, tm_contact_law{});
   dt_limit = 1e300;

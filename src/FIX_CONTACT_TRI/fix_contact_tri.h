@@ -18,6 +18,10 @@
 #include <string>
 #include <vector>
 
+namespace SPHTM_NS {
+class Keywords;
+}
+
 namespace LAMMPS_NS {
 
 class FixSPHTM;
@@ -98,10 +102,11 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   double **image_rows = nullptr;
 
   void parse(int, char **);
-  int parse_placement(int, int, char **);
-  int parse_friction(int, int, char **);
-  int parse_heat(int, int, char **);
-  int parse_output(int, int, char **);
+  bool parse_mesh(SPHTM_NS::Keywords &);
+  bool parse_placement(SPHTM_NS::Keywords &);
+  bool parse_friction(SPHTM_NS::Keywords &);
+  bool parse_heat(SPHTM_NS::Keywords &);
+  bool parse_output(SPHTM_NS::Keywords &);
   void evaluate_variables(double dt);
   void report();
   std::string heat_in_words(int type) const;

@@ -91,43 +91,35 @@ void ToolMotion::check(const char *name, const tm_motion &m, bool along_z) const
 int ToolMotion::parse(int narg, char **arg, double clock)
 {
   Error *error = lmp->error;
-  if (narg < 1) utils::missing_cmd_args(FLERR, "fix_modify move of fix contact/tri", error);
-  const Style *s = std::find_if(std::begin(styles), std::end(styles), [&](const Style &t) {
-    return strcmp(t.name, arg[0]) == 0;
-  });
+  Keywords k(lmp, "Fix contact/tri move", narg, arg);
+  if (!k.next()) utils::missing_cmd_args(FLERR, "fix_modify move of fix contact/tri", error);
+  const Style *s = std::find_if(std::begin(styles), std::end(styles), [&](const Style &t) { return k.is(t.name); });
   if (s == std::end(styles))
-    error->all(FLERR,
-               "Fix contact/tri move must be linear, wiggle, rotate, transrot, variable or none, "
-               "got {}",
-               arg[0]);
-  if (narg < 1 + s->numbers)
-    error->all(FLERR, "Fix contact/tri move {} needs {}", s->name, s->arguments);
+    error->all(FLERR, "Fix contact/tri move must be linear, wiggle, rotate, transrot, variable or none, got {}",
+               k.name());
+  if (k.rest() < s->numbers) error->all(FLERR, "{} needs {}", k.what(), s->arguments);
   std::vector<std::string> vars;
   double a[10] = {0};
-  for (int k = 0; k < s->numbers; k++) {
-    const char *text = arg[1 + k];
-    const bool null = strcmp(text, "NULL") == 0;
+  for (int n = 0; n < s->numbers; n++) {
+    const bool null = k.take("NULL");
     if (s->kind != BY_VARIABLE) {
-      a[k] = null ? 0.0 : number(lmp, std::string("Fix contact/tri move ") + s->name, text);
+      a[n] = null ? 0.0 : k.number();
       continue;
     }
-    if (!null && strncmp(text, "v_", 2) != 0)
-      error->all(FLERR, "Fix contact/tri move variable needs v_name or NULL, got {}", text);
-    vars.emplace_back(null ? "" : text + 2);
+    const char *text = null ? "v_" : k.value();
+    if (strncmp(text, "v_", 2) != 0) error->all(FLERR, "{} needs v_name or NULL, got {}", k.what(), text);
+    vars.emplace_back(text + 2);
   }
   tm_motion m = fill(*s, a);
   check(s->name, m, !vars.empty() && !(vars[2].empty() && vars[5].empty()));
-  int used = 1 + s->numbers;
-  if (used < narg && strcmp(arg[used], "ramp") == 0) {
-    if (used + 1 >= narg) utils::missing_cmd_args(FLERR, "fix contact/tri move ramp", error);
+  if (k.option({"ramp"})) {
     if (m.kind == TM_MOTION_NONE) error->all(FLERR, "Fix contact/tri move {} has no ramp", s->name);
-    m.ramp = not_negative(lmp, "Fix contact/tri move ramp (time)", arg[used + 1]);
-    used += 2;
+    m.ramp = k.not_negative("(time)");
   }
   keep_if_restarted(m, clock);
   motion = m;
   names = vars;
-  return used;
+  return narg - k.rest();
 }
 
 void ToolMotion::init()

@@ -16,7 +16,6 @@
 #include "update.h"
 #include "utils.h"
 
-#include <cmath>
 #include <cstring>
 
 using namespace LAMMPS_NS;
@@ -44,72 +43,60 @@ FixSPHTMHeat::FixSPHTMHeat(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, a
   datamask_read = TYPE_MASK | MASK_MASK | RMASS_MASK;    // with Kokkos
   datamask_modify = EMPTY_MASK;
 
-  int m = -1;
-  for (int k = 0; k < 5 && narg > 3; k++)
-    if (strcmp(arg[3], MODES[k].name) == 0) m = k;
-  if (m < 0)
+  Keywords k(lmp, "Fix sph/tm/heat", narg - 3, arg + 3);
+  const bool given = k.next();
+  int m = 0;
+  while (m < 5 && !k.is(MODES[m].name)) m++;
+  if (m == 5)
     error->all(FLERR, "Fix sph/tm/heat needs a mode: temperature T, flux q, source q, convection hc Tinf or "
-                      "radiation Tinf; got {}", narg > 3 ? arg[3] : "none");
+                      "radiation Tinf; got {}", given ? k.name() : "none");
   mode = static_cast<Mode>(m);
-  int iarg = 4;
-  auto read = [&](EqualValue &value, const char *which) {
-    if (iarg >= narg)
-      error->all(FLERR, "Fix sph/tm/heat {} needs {}, a number or v_name", MODES[m].name, which);
-    value.set(lmp, fmt::format("Fix sph/tm/heat {} {}", MODES[m].name, which), arg[iarg]);
-    const double v = value.varies() ? 1.0 : value.now();
-    const bool fits = m == TEMPERATURE ? v > 0.0 : m == CONVECTION || m == RADIATION ? v >= 0.0 : true;
-    if (!fits)
-      error->all(FLERR, "Fix sph/tm/heat {} {} must be {} 0, got {}", MODES[m].name, which,
-                 m == TEMPERATURE ? ">" : ">=", arg[iarg]);
-    iarg++;
-  };
   static const char *const strengths[] = {"T", "q", "q", "hc", ""};
-  if (MODES[m].strength) read(strength, strengths[m]);
-  if (MODES[m].surroundings) read(T_inf, "Tinf");
-  read_keywords(iarg, narg, arg);
+  if (MODES[m].strength) read(strength, strengths[m], k);
+  if (MODES[m].surroundings) read(T_inf, "Tinf", k);
+  read_keywords(k);
   body = FixSPHTM::of(lmp);
   if (body) ask();
 }
 
-void FixSPHTMHeat::read_keywords(int iarg, int narg, char **arg)
+// a value of the mode
+void FixSPHTMHeat::read(EqualValue &value, const char *which, Keywords &k)
 {
-  const char *name = MODES[mode].name;
-  while (iarg < narg) {
-    const std::string key = arg[iarg];
-    const int n = key == "facing" ? 3 : 1;
-    const bool known = key == "emissivity" ? mode == RADIATION
-        : (key == "area" || key == "threshold" || key == "facing") && on_surface();
-    if (!known)
-      error->all(FLERR, "Unknown fix sph/tm/heat {} keyword {}: known are {}", name, key,
-                 mode == RADIATION ? "emissivity, facing, area, threshold"
-                     : on_surface() ? "facing, area, threshold" : "none");
-    if (iarg + n >= narg)
-      error->all(FLERR, "Fix sph/tm/heat {} keyword {} needs {} value{}", name, key, n, n == 1 ? "" : "s");
-    double v[3] = {0.0, 0.0, 0.0};
-    for (int k = 0; k < n; k++) v[k] = number(lmp, "Fix sph/tm/heat " + key, arg[iarg + 1 + k]);
-    if (key == "emissivity") {
-      if (!(v[0] > 0.0 && v[0] <= 1.0))
-        error->all(FLERR, "Fix sph/tm/heat emissivity must be > 0 and <= 1, got {}", arg[iarg + 1]);
-      emissivity = v[0];
-    } else if (key == "area") {
-      if (!(v[0] > 0.0)) error->all(FLERR, "Fix sph/tm/heat area must be > 0, got {}", arg[iarg + 1]);
-      known_area = v[0];
-    } else if (key == "threshold") {
-      if (!(v[0] >= 0.0 && v[0] < 1.0))
-        error->all(FLERR, "Fix sph/tm/heat threshold must be >= 0 and < 1, a share of what a particle of a flat "
-                          "face carries; got {}", arg[iarg + 1]);
-      threshold = v[0];
+  const std::string what = k.what(which);
+  if (k.rest() < 1) error->all(FLERR, "Fix sph/tm/heat {} needs {}, a number or v_name", k.name(), which);
+  value.set(lmp, what, k.value());
+  const double v = value.varies() ? 1.0 : value.now();
+  if (mode == TEMPERATURE && !(v > 0.0)) error->all(FLERR, "{} must be > 0, got {}", what, v);
+  if ((mode == CONVECTION || mode == RADIATION) && !(v >= 0.0)) error->all(FLERR, "{} must be >= 0, got {}", what, v);
+}
+
+void FixSPHTMHeat::read_keywords(Keywords &k)
+{
+  std::vector<std::string> known;
+  if (on_surface()) known = {"facing", "area", "threshold"};
+  if (mode == RADIATION) known.emplace_back("emissivity");
+  while (k.option(known)) {
+    if (k.is("emissivity")) emissivity = k.within(0.0, 1.0);
+    else if (k.is("area")) known_area = k.positive();
+    else if (k.is("threshold")) {
+      threshold = k.not_negative();
+      if (!(threshold < 1.0))
+        error->all(FLERR, "{} must be >= 0 and < 1, a share of what a particle of a flat face carries; got {}",
+                   k.what(), k.given());
     } else {
-      direction = tm_vec(v[0], v[1], v[2]);
+      k.need(3);
+      for (double *d : {&direction.x, &direction.y, &direction.z}) *d = k.number();
       const double size = tm_vec_norm(direction);
-      if (!(size > 0.0) || (domain->dimension == 2 && v[2] != 0.0))
-        error->all(FLERR, "Fix sph/tm/heat facing needs an outward direction other than 0{}, got {} {} {}",
-                   domain->dimension == 2 ? " in the xy plane" : "", arg[iarg + 1], arg[iarg + 2], arg[iarg + 3]);
+      if (!(size > 0.0) || (domain->dimension == 2 && direction.z != 0.0))
+        error->all(FLERR, "{} needs an outward direction other than 0{}, got {} {} {}", k.what(),
+                   domain->dimension == 2 ? " in the xy plane" : "", direction.x, direction.y, direction.z);
       direction = tm_vec_scale(1.0 / size, direction);
       facing = true;
     }
-    iarg += n + 1;
   }
+  if (k.rest())
+    error->all(FLERR, "Unknown fix sph/tm/heat {} keyword {}: known are {}", MODES[mode].name, k.value(),
+               known.empty() ? "none" : utils::join_words(known, ", "));
 }
 
 int FixSPHTMHeat::setmask() { return mode == TEMPERATURE ? END_OF_STEP : POST_FORCE; }

@@ -10,6 +10,10 @@
 #include "equal_value.h"
 #include "tm_exchange.h"
 
+namespace SPHTM_NS {
+class Keywords;
+}
+
 namespace LAMMPS_NS {
 
 class FixSPHTM;
@@ -42,7 +46,8 @@ class FixSPHTMHeat : public Fix {
   double power = 0.0, energy = 0.0, area = 0.0;
 
   bool on_surface() const { return mode == FLUX || mode == CONVECTION || mode == RADIATION; }
-  void read_keywords(int, int, char **);
+  void read(SPHTM_NS::EqualValue &, const char *which, SPHTM_NS::Keywords &);
+  void read_keywords(SPHTM_NS::Keywords &);
   void ask();
   void check_group();
   double temperature_now();

@@ -4,6 +4,8 @@
 #include "lammps.h"
 #include "utils.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -79,16 +81,43 @@ const char *Keywords::value()
 
 bool Keywords::next()
 {
+  opt.clear();
   if (left < 1) return false;
   key = value();
   return true;
 }
 
+bool Keywords::option(const std::vector<std::string> &of)
+{
+  opt.clear();
+  if (left < 1 || std::find(of.begin(), of.end(), *arg) == of.end()) return false;
+  opt = value();
+  return true;
+}
+
+void Keywords::unknown(const std::string &known) const
+{
+  std::string lower = style;
+  lower[0] = (char) tolower(lower[0]);
+  lmp->error->all(FLERR, "Unknown {} keyword {}: known are {}", lower, name(), known);
+}
+
+std::string Keywords::what(const std::string &part) const
+{
+  std::string all = style;
+  for (const std::string &word : {key, opt, part})
+    if (!word.empty()) all += " " + word;
+  return all;
+}
+
 void Keywords::need(int values) const
 {
-  if (left < values)
-    lmp->error->all(FLERR, "{} keyword {} needs {} value{}", style, key, values, values == 1 ? "" : "s");
+  if (left >= values) return;
+  lmp->error->all(FLERR, "{}{} keyword {} needs {} value{}", style, opt.empty() ? "" : " " + key, name(), values,
+                  values == 1 ? "" : "s");
 }
+
+bool Keywords::number_ahead(int k) const { return k < left && utils::is_double(arg[k]); }
 
 bool Keywords::take(const char *word)
 {
@@ -97,17 +126,18 @@ bool Keywords::take(const char *word)
   return true;
 }
 
-double Keywords::share(const char *part)
+double Keywords::between(double lo, double hi, const char *part)
 {
   const char *text = value();
-  const double x = SPHTM_NS::not_negative(lmp, what(part), text);
-  if (x > 1.0) lmp->error->all(FLERR, "{} must be 0 to 1, got {}", what(part), text);
+  const double x = SPHTM_NS::value(text);
+  if (!(x >= lo && x <= hi))
+    lmp->error->all(FLERR, "{} must be a number from {} to {}, got {}", what(part), lo, hi, text);
   return x;
 }
 
 bool Keywords::second(const char *one, const char *two)
 {
-  const char *text = value();
+  const char *text = left ? value() : "nothing";
   if (strcmp(text, one) != 0 && strcmp(text, two) != 0)
     lmp->error->all(FLERR, "{} must be {} or {}, got {}", what(), one, two, text);
   return strcmp(text, two) == 0;

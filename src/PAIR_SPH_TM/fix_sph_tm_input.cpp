@@ -35,8 +35,7 @@ void FixSPHTM::read_keywords(int narg, char **arg)
     } else if (k.is("audit")) read_audit(k);
     else if (k.is("effects")) read_effect(k);
     else
-      error->all(FLERR, "Unknown fix sph/tm keyword {}: known are temperature, courant, dt, dt/max, "
-                        "energy, lost, table, audit, effects", k.name());
+      k.unknown("temperature, courant, dt, dt/max, energy, lost, table, audit, effects");
   }
   if (forced_on & forced_off)
     error->all(FLERR, "Fix sph/tm: effect {} is forced both on and off",

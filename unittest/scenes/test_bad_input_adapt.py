@@ -35,6 +35,17 @@ wrong("refine with no mass for the corners", adapt("refine hexagon epsilon 0.6 a
       "all but one", "no mass", "smaller alpha")
 wrong("refine with coinciding children", adapt("refine hexagon epsilon 1e-7 alpha 0.8 when neighbors above 1"), AN,
       "close together")
+for bad, words in (("levl", "when pstrain above 0.1 levl 2"), ("vleocity", "vleocity linear when pstrain above 0.1"),
+                   ("pstrain", "level 2 pstrain above 0.1")):
+    wrong("refine with the unknown option " + bad, adapt(PATTERN + words), "keyword " + bad, "known are", "threshold",
+          "options of refine are epsilon, alpha, when, level")
+wrong("refine with an unknown option before one it needs",
+      adapt("refine square epsilon 0.4 alfa 0.6 when pstrain above 1"),
+      "keyword alfa", "options of refine are epsilon, alpha")
+wrong("refine option without value", adapt(PATTERN + "when neighbors above 1 level"), AN, "refine", "level", "1 value")
+wrong("refine velocity without value", adapt(PATTERN + "when neighbors above 1 velocity"), AN, "velocity",
+      "parent or linear")
+wrong("refine level 2.5", adapt(PATTERN + "when neighbors above 1 level 2.5"), AN, "refine level", "2.5")
 wrong("refine level 0", adapt(PATTERN + "when neighbors above 1 level 0"), AN, "level", "1 to 8")
 wrong("refine every 0", adapt(PATTERN + "when neighbors above 1 every 0"), AN, "every", "0")
 wrong("refine velocity own", adapt(PATTERN + "when neighbors above 1 velocity own"), AN, "velocity", "parent or linear",
@@ -77,10 +88,18 @@ wrong("asph of an unknown mode", asph("asph tensor"), A, "psi or density", "tens
 wrong("asph twice", asph("asph psi asph density"), A, "twice")
 wrong("asph every 0", asph("asph psi every 0"), A, "every", "0")
 wrong("asph every without a number", asph("asph psi every"), A, "every", "value")
+wrong("asph every 1.5", asph("asph psi every 1.5"), A + " every", "1.5")
+wrong("asph with an unknown option", asph("asph psi evry 2"), "keyword evry", "known are asph",
+      "options of asph are every, limits")
+wrong("asph limits with one value", asph("asph psi limits 0.5"), A, "limits", "2 values")
 wrong("asph limits above 1", asph("asph psi limits 1.5 2"), A, "limits lo", "1.5")
 wrong("asph limits below 1", asph("asph psi limits 0.5 0.9"), A, "limits hi", "0.9")
 wrong("asph, its effect forced off", asph("asph psi", fix="fix body all sph/tm effects smoothing off"), A, "smoothing",
       "forced off")
+for key in ("threshold", "rows", "margin", "stretch", "approach"):
+    wrong(key + " without value", asph(key), "fix adapt/neigh", key, "1 value")
+    wrong(key + " nan", asph("threshold 0 %s nan" % key), "fix adapt/neigh " + key, "nan")
+wrong("rows 2.5", asph("threshold 0 rows 2.5"), "fix adapt/neigh rows", "2.5")
 wrong("adapt/neigh with an unknown keyword", asph("h psi"), "fix adapt/neigh", "h", "asph")
 fine("asph", asph("asph psi every 2 limits 0.5 2"))
 

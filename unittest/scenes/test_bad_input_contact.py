@@ -45,6 +45,21 @@ fine("mesh inside out, flipped", tool("file @inside_out.stl scale 1e-3 move 10e-
 K = "contact/tri"
 wrong("unknown tool keyword", tool(AWAY + "frictoin 0.3"), K, "frictoin", "known are", "friction")
 wrong("tool keyword without value", tool(AWAY + "friction"), K, "friction", "1 value")
+for key, count in (("file", "1 value"), ("move", "3 values"), ("lumped", "3 values"), ("reference", "3 values"),
+                   ("vtk", "2 values"), ("local", "1 value"), ("temperature", "1 value"), ("heat", "none, perfect")):
+    wrong("tool without the values of " + key, tool(AWAY + key), K, key, count)
+wrong("scale with two values", tool("file @ascii.stl scale 1 2"), K, "scale", "3 values")
+wrong("merge 1", tool(AWAY + "merge 1"), K, "merge", "0 to 0.01", "got 1")
+wrong("smooth -1", tool(AWAY + "smooth -1"), K, "smooth", "0 to 90", "-1")
+wrong("flip perhaps", tool(AWAY + "flip perhaps"), K, "flip", "perhaps")
+wrong("overlap perhaps", tool(AWAY + "overlap perhaps"), K, "overlap", "stop or allow", "perhaps")
+wrong("reference nan", tool(AWAY + "reference 0 nan 0"), K, "reference", "nan")
+wrong("local ten", tool(AWAY + "local ten"), K, "local", "integer", "ten")
+wrong("vtk every 2.5 steps", tool(AWAY + "vtk 2.5 tool.*.vtk"), K, "vtk", "integer", "2.5")
+wrong("particles by name", tool(AWAY + "particles steel"), K, "particles", "atom type", "steel")
+wrong("effusivity -1", tool(AWAY + "effusivity -1"), K, "effusivity", "-1")
+wrong("friction/table with an odd count", tool(AWAY + "friction/table 300 0.2 500"), K, "friction/table", "1 value")
+wrong("friction/table with a negative coefficient", tool(AWAY + "friction/table 300 -0.2"), K, "friction/table", "-0.2")
 wrong("scale 0", tool("file @ascii.stl scale 0"), K, "scale", "0")
 wrong("scale nan", tool("file @ascii.stl scale nan"), K, "scale", "nan")
 wrong("scale a word", tool("file @ascii.stl scale small"), K, "scale", "small")
@@ -88,6 +103,7 @@ wrong("motion by no variable", tool(AWAY, "fix_modify tool move variable v_a NUL
 wrong("motion by an atom variable",
       tool(AWAY, "variable a atom x\nfix_modify tool move variable v_a NULL NULL NULL NULL NULL"),
       K, "variable a", "equal-style")
+wrong("ramp without value", tool(AWAY, "fix_modify tool move linear 1 0 0 ramp"), K, "move linear", "ramp", "1 value")
 wrong("ramp -1", tool(AWAY, "fix_modify tool move linear 1 0 0 ramp -1"), K, "ramp", "-1")
 wrong("tool before the state", dict(tool(AWAY), fix="", more="fix tool all contact/tri " + AWAY.replace("@", MESH)
                                     + "\nfix body all sph/tm"), K, "after fix body sph/tm")
@@ -123,6 +139,8 @@ wrong("cutting force of no tool", cut("body"), U, "body", "fix contact/tri")
 wrong("cutting force keyword", cut("tool depth 1"), U, "depth", "direction")
 wrong("cutting direction 0", cut("tool direction 0 0 0"), U, "direction", "zero")
 wrong("cutting direction nan", cut("tool direction 1 nan 0"), U, "direction", "nan")
+wrong("cutting away with two values", cut("tool away 0 1"), U, "away", "3 values")
+wrong("cutting width without value", cut("tool width"), U, "width", "1 value")
 wrong("cutting width -1", cut("tool width -1"), U, "width", "-1")
 
 run_all()

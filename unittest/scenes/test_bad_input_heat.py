@@ -19,6 +19,17 @@ wrong("heat fix temperature -5", heat_fix("temperature -5"), H, "temperature", "
 wrong("convection with one value", heat_fix("convection 100"), H, "convection", "Tinf")
 wrong("radiation emissivity 2", heat_fix("radiation 400 emissivity 2"), H, "emissivity", "2")
 wrong("heat fix unknown keyword", heat_fix("flux 100 colour red"), H, "colour", "facing")
+wrong("emissivity without radiation", heat_fix("flux 100 emissivity 0.5"), H + " flux", "emissivity", "facing")
+wrong("source with a keyword", heat_fix("source 100 area 1"), H + " source", "area", "none")
+for key, count in (("area", "1 value"), ("threshold", "1 value"), ("facing", "3 values")):
+    wrong("heat fix without the values of " + key, heat_fix("flux 100 " + key), H + " flux", key, count)
+for bad in ("-0.1", "1", "nan"):
+    wrong("heat fix threshold " + bad, heat_fix("flux 100 threshold " + bad), H + " flux threshold", bad)
+wrong("heat fix facing nowhere", heat_fix("flux 100 facing 0 0 0"), H + " flux facing", "outward direction", "0 0 0")
+wrong("heat fix facing out of the plane", heat_fix("flux 100 facing 0 0 1"), H + " flux facing", "xy plane")
+wrong("heat fix facing nan", heat_fix("flux 100 facing 1 nan 0"), H + " flux facing", "nan")
+wrong("convection of a negative coefficient", heat_fix("convection -5 300"), H + " convection hc", "-5")
+wrong("radiation to a negative temperature", heat_fix("radiation -5"), H + " radiation Tinf", "-5")
 wrong("heat fix area -1", heat_fix("flux 100 area -1"), H, "area", "-1")
 wrong("heat fix area nan", heat_fix("flux 100 area nan"), H, "area", "nan")
 wrong("heat fix without heat", dict(heat_fix("flux 100"), **fix("effects heat off")), H, "heat", "effects")
