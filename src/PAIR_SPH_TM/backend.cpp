@@ -249,6 +249,12 @@ void Backend::moments(int n, const tm_rates_args &a, unsigned effects)
   blocks(n, [&](int begin, int end) { loop(begin, end, &a); });
 }
 
+void Backend::hourglass(int n, const tm_rates_args &a, unsigned effects)
+{
+  const rate_loop_t loop = hourglass_loop(effects);
+  blocks(n, [&](int begin, int end) { loop(begin, end, &a); });
+}
+
 void Backend::round(int n, const tm_single_args &a, unsigned effects)
 {
   blocks(n, [&](int begin, int end) {

@@ -13,6 +13,7 @@
 #include "tm_drift.h"
 #include "tm_exchange.h"
 #include "tm_hold.h"
+#include "tm_hourglass.h"
 #include "tm_initial.h"
 #include "tm_moment.h"
 #include "tm_neighbors.h"
@@ -88,6 +89,7 @@ class Backend {
   virtual void drift(int n, const tm_drift_args &, unsigned effects, int *lost);    // the first one lost, or n
   virtual void predict(int n, const tm_predict_args &, unsigned effects);
   virtual void moments(int n, const tm_rates_args &, unsigned effects);
+  virtual void hourglass(int n, const tm_rates_args &, unsigned effects);    // after the rates
   virtual void round(int n, const tm_single_args &, unsigned effects);    // records to single
   virtual bool rates_in_single(int /*kernel*/) const { return true; }
   virtual void rates(int n, const tm_rates_args &, unsigned effects);

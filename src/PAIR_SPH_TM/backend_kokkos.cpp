@@ -35,6 +35,16 @@ template <unsigned EFFECTS> void run_moments(int n, const tm_rates_args &a)
   kokkos_each("sph/tm moments", n, Moments<EFFECTS>{a});
 }
 
+template <unsigned EFFECTS> struct Hourglass {
+  tm_rates_args a;
+  KOKKOS_FUNCTION void operator()(int i) const { tm_hourglass(i, &a, EFFECTS); }
+};
+
+template <unsigned EFFECTS> void run_hourglass(int n, const tm_rates_args &a)
+{
+  kokkos_each("sph/tm hourglass", n, Hourglass<EFFECTS>{a});
+}
+
 typedef void (*device_moment_loop_t)(int, const tm_rates_args &);
 
 constexpr unsigned moment_effects(int index)
@@ -45,6 +55,12 @@ template <int... INDEX>
 device_moment_loop_t find_moments(int index, std::integer_sequence<int, INDEX...>)
 {
   static const device_moment_loop_t table[] = {run_moments<moment_effects(INDEX)>...};
+  return table[index];
+}
+template <int... INDEX>
+device_moment_loop_t find_hourglass(int index, std::integer_sequence<int, INDEX...>)
+{
+  static const device_moment_loop_t table[] = {run_hourglass<moment_effects(INDEX)>...};
   return table[index];
 }
 
@@ -283,6 +299,11 @@ class DeviceBackend : public KokkosLists {
     const int index = 2 * tm_fx_kernel(fx) + ((fx & TM_FX_3D) ? 1 : 0);
     find_moments(index, std::make_integer_sequence<int, 2 * TM_KERNEL_COUNT>())(n, a);
   }
+  void hourglass(int n, const tm_rates_args &a, unsigned fx) override
+  {
+    const int index = 2 * tm_fx_kernel(fx) + ((fx & TM_FX_3D) ? 1 : 0);
+    find_hourglass(index, std::make_integer_sequence<int, 2 * TM_KERNEL_COUNT>())(n, a);
+  }
   void round(int n, const tm_single_args &a, unsigned fx) override
   {
     kokkos_each("sph/tm round", n, Round{a, fx});
@@ -306,7 +327,7 @@ class DeviceBackend : public KokkosLists {
   tm_update_result update(int n, const tm_update_args &a, unsigned fx) override
   {
     constexpr unsigned RARE = TM_FX_PLANE_STRESS | TM_FX_ENERGY | TM_FX_DAMAGE | TM_FX_BALSARA | TM_FX_XSPH |
-        TM_FX_SMOOTHING;
+        TM_FX_SMOOTHING | TM_FX_HOURGLASS;
     constexpr unsigned HEAT = TM_FX_HEAT | TM_FX_CONDUCTION, FLOW = TM_FX_PLASTICITY;
     if (fx & TM_FX_LEDGER)
       return kokkos_sum("sph/tm update", n, tm_update_nothing(), UpdateWithLedger{a, fx}, SumUpdate{1});

@@ -19,7 +19,8 @@ const Name NAMES[] = {{"viscosity", TM_FX_VISCOSITY},   {"artstress", TM_FX_ARTS
                       {"correction", TM_FX_CORRECTION}, {"balsara", TM_FX_BALSARA},
                       {"xsph", TM_FX_XSPH},             {"surface", TM_FX_SURFACE},
                       {"internal-energy", TM_FX_ENERGY}, {"bodies", TM_FX_BODIES},
-                      {"energy", TM_FX_LEDGER},         {"smoothing", TM_FX_SMOOTHING}};
+                      {"energy", TM_FX_LEDGER},         {"smoothing", TM_FX_SMOOTHING},
+                      {"hourglass", TM_FX_HOURGLASS}};
 }    // namespace
 
 unsigned effect_by_name(const std::string &name)
@@ -59,7 +60,7 @@ const std::vector<unsigned> &effects_in_loops()
   static const std::vector<unsigned> bits = [] {
     std::vector<unsigned> some;
     for (const auto &n : NAMES)
-      if (n.bit != TM_FX_BODIES) some.push_back(n.bit);
+      if (n.bit != TM_FX_BODIES && n.bit != TM_FX_HOURGLASS) some.push_back(n.bit);
     return some;
   }();
   return bits;
@@ -128,6 +129,7 @@ void Reasons::settings()
   if (set.art_eps > 0.0 && solid) on(TM_FX_ARTSTRESS, "pair_style artstress is not 0");
   if (set.correction) on(TM_FX_CORRECTION, "pair_style correction yes");
   if (set.balsara) on(TM_FX_BALSARA, "pair_style balsara yes");
+  if (set.hourglass > 0.0 && solid) on(TM_FX_HOURGLASS, "pair_style hourglass is not 0");
   if (set.xsph > 0.0) on(TM_FX_XSPH, "pair_style xsph is not 0");
   if (pair.has_contact_pairs()) on(TM_FX_BODIES, "pair_coeff contact");
 }

@@ -34,6 +34,7 @@ EffectProbe::EffectProbe(FixSPHTM &f, int particles) : fix(f), loops(f.loops()),
   room(main, true, TM_REC, 2);
   room(stress, fx & TM_FX_ARTSTRESS, TM_REC_STRESS, 2);
   plain(size, fx & TM_FX_SMOOTHING, TM_REC_SIZE);
+  plain(hourglass, fx & TM_FX_HOURGLASS, TM_REC_HOURGLASS);
   room(gradient, true, 9);
   plain(x, true, 3);
   plain(v, true, 3);
@@ -59,7 +60,7 @@ double EffectProbe::step(unsigned fx)
 
   const tm_state now = fix.state();
   tm_predict_args p = fix.pair()->predict_args(now);
-  p.rec = {main.loop_write(), stress.loop_write(), heat_record.loop_write(), nullptr, size.loop_write()};
+  p.rec = {main.loop_write(), stress.loop_write(), heat_record.loop_write(), nullptr, size.loop_write(), hourglass.loop_write()};
 
   tm_update_args u = fix.update_args();
   for (int id = 0; id < TM_F_COUNT; id++) {

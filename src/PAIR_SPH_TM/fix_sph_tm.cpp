@@ -312,6 +312,7 @@ tm_update_args FixSPHTM::update_args()
   a.gradient = rates.gradient;
   a.heat = rates.heat;
   a.xsph_v = rates.xsph_v;
+  a.hourglass_rate = rates.hourglass_rate;
   a.artificial = rates.artificial;
   a.share = pair_sph->tensile_shares();
   a.ratio = pair_sph->settings_in_use().ratio;
@@ -321,6 +322,7 @@ tm_update_args FixSPHTM::update_args()
   a.dt = dt;
   a.h = pair_sph->settings_in_use().h;
   a.visc_alpha = pair_sph->settings_in_use().visc_alpha;
+  a.hourglass = pair_sph->settings_in_use().hourglass;
   a.accel_unit = pair_sph->units().force;
   a.temperature = temperature0;
   a.heat_rate = pair_sph->fastest_heat_rate();

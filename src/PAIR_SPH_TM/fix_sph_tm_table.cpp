@@ -108,6 +108,7 @@ void FixSPHTM::post_run()
     const auto s = share.find(bit);
     if (s != share.end()) seconds += s->second * loops;
     if (bit == TM_FX_CORRECTION) seconds += part[RunClock::MOMENTS];
+    if (bit == TM_FX_HOURGLASS) seconds += part[RunClock::HOURGLASS];
     if (bit == TM_FX_CONDUCTION) seconds += part[RunClock::THERMAL];
     if (bit == TM_FX_BODIES) seconds += part[RunClock::BODIES];
     line(effect_name(bit), seconds, bytes[bit]);
@@ -144,7 +145,7 @@ double FixSPHTM::compute_array(int row, int column)
   if (!timing || steps <= 0) return 0.0;
   double mine = 0.0, sum;
   if (row == 0) mine = run_clock.total();
-  if (row == 1) mine = run_clock.of(C::RATES) + run_clock.of(C::MOMENTS);
+  if (row == 1) mine = run_clock.of(C::RATES) + run_clock.of(C::MOMENTS) + run_clock.of(C::HOURGLASS);
   if (row == 2) mine = run_clock.of(C::PREDICT) + run_clock.of(C::UPDATE) + run_clock.of(C::DRIFT);
   if (row == 3) mine = run_clock.of(C::ROWS);
   MPI_Allreduce(&mine, &sum, 1, MPI_DOUBLE, MPI_SUM, world);

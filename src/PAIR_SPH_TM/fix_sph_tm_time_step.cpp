@@ -33,7 +33,8 @@ void FixSPHTM::setup_dt()
     const tm_material &m = pair_sph->materials()[t];
     if (m.body != TM_BODY_SOLID) continue;
     limit = std::min(limit, tm_sound_time_step(h, tm_eos_sound_speed(&m, m.rho0, 0.0),
-                                               pair_sph->settings_in_use().visc_alpha, fx));
+                                               pair_sph->settings_in_use().visc_alpha,
+                                              pair_sph->settings_in_use().hourglass, fx));
   }
   dt = limit < 1e300 ? courant * limit : update->dt;
   if (dt_max > 0.0) dt = std::min(dt, dt_max);
@@ -108,7 +109,8 @@ double FixSPHTM::dt_of_size(int i, double h)
   const tm_material *m = pair_sph->materials() + atom->type[i];
   const double rho = field(TM_F_RHO)[i], *e = field(TM_F_ENERGY);
   double limit = courant * tm_sound_time_step(h, tm_eos_sound_speed(m, rho, e ? e[i] : 0.0),
-                                              pair_sph->settings_in_use().visc_alpha, fx);
+                                              pair_sph->settings_in_use().visc_alpha,
+                                              pair_sph->settings_in_use().hourglass, fx);
   const double k = has(TM_FX_CONDUCTION) ? tm_conductivity(m, temperature(i)) : 0.0;
   if (k > 0.0)
     limit = std::min(limit, tm_heat_time_step(rho, tm_capacity(m, temperature(i)), h, k, pair_sph->largest_conductivity(),

@@ -24,7 +24,7 @@ PairSPHTM::PairSPHTM(LAMMPS *lmp, Backend &loops) : Pair(lmp), backend(loops)
   rec_main.live_in(loops, TM_REC, 2);
   rec_stress.live_in(loops, TM_REC_STRESS, 2);
   gradient.live_in(loops, 9);
-  for (auto *a : {&rec_heat, &rec_correction, &rec_size, &heat, &correction, &xsph_v, &surface, &artificial, &near_count,
+  for (auto *a : {&rec_heat, &rec_correction, &rec_size, &rec_hourglass, &heat, &correction, &xsph_v, &hourglass_rate, &surface, &artificial, &near_count,
                   &tally, &force_internal})
     a->live_in(loops);
   single_main.live_in(loops, TM_REC, 4);
@@ -87,6 +87,7 @@ void PairSPHTM::fill_args(const tm_state &s)
   args.heat = heat.loop_write();
   args.correction = correction.loop_write();
   args.xsph_v = xsph_v.loop_write();
+  args.hourglass_rate = hourglass_rate.loop_write();
   args.surface = surface.loop_write();
   args.artificial = artificial.loop_write();
 }
@@ -99,6 +100,15 @@ void PairSPHTM::correct_gradients(int n, tm_rates_args &search)
   if (row_source) row_source->kept_moments(args, fix->effects());
   forward(rec_correction, TM_REC_CORRECTION);
   search.rec.correction = args.rec.correction = rec.correction = rec_correction.loop_write();
+}
+
+void PairSPHTM::resist_hourglass(const tm_rates_args &rates)
+{
+  forward(rec_hourglass, TM_REC_HOURGLASS);
+  const auto timed = fix->run_clock.timed(RunClock::HOURGLASS);
+  tm_rates_args a = rates;
+  a.rec.hourglass = rec_hourglass.loop_write();    // the host may have filled those of ghosts
+  backend.hourglass(atom->nlocal, a, fix->effects());
 }
 
 void PairSPHTM::compute(int eflag, int vflag)
@@ -151,6 +161,7 @@ void PairSPHTM::compute(int eflag, int vflag)
     backend.rates(searched, search, fx);
     if (row_source) row_source->kept_rates(args, fx);
   }
+  if (fx & TM_FX_HOURGLASS) resist_hourglass(args);
   if (meter) audit(apart);
   args.force = s.force;
   if (internal) backend.add(s.force, internal, 3 * (size_t) nlocal);

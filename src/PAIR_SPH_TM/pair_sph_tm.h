@@ -40,6 +40,7 @@ class PairSPHTM : public Pair {
     int art_n = 4;
     bool art_component = false, art_balanced = false;
     double xsph = 0.0;
+    double hourglass = 0.0;    // stiffness over that of longitudinal waves
     bool form_f14 = false, correction = false, balsara = false, plane_stress = false;
     bool mixed = false;    // pair arithmetic in single
   };
@@ -135,9 +136,9 @@ class PairSPHTM : public Pair {
   ptrdiff_t row_stride = 1;
 
   // records of owned and ghost particles; results of owned ones
-  SPHTM_NS::LoopArray<tm_real> rec_main, rec_stress, rec_heat, rec_correction, rec_size;
+  SPHTM_NS::LoopArray<tm_real> rec_main, rec_stress, rec_heat, rec_correction, rec_size, rec_hourglass;
   SPHTM_NS::LoopArray<float> single_main, single_more, single_correction, single_size;    // mixed precision
-  SPHTM_NS::LoopArray<tm_real> gradient, heat, correction, xsph_v, surface, artificial;
+  SPHTM_NS::LoopArray<tm_real> gradient, heat, correction, xsph_v, hourglass_rate, surface, artificial;
   SPHTM_NS::LoopArray<tm_real> near_count, tally;
   SPHTM_NS::LoopArray<double> force_internal;
   tm_records rec = {};
@@ -166,6 +167,7 @@ class PairSPHTM : public Pair {
   virtual void take_ghost_positions();    // into their records
   tm_near_args near_args(bool of_each);
   void correct_gradients(int, tm_rates_args &);
+  void resist_hourglass(const tm_rates_args &);
   void body_contact(const tm_rates_args &);
   void audit(SPHTM_NS::LoopArray<double> &);
   void tally_virial_energy();

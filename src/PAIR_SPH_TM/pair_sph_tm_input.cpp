@@ -71,13 +71,14 @@ void PairSPHTM::settings(int narg, char **arg)
       else if (k.take("principal")) set.art_component = false;
       if (k.take("balanced")) set.art_balanced = true;
     } else if (k.is("xsph")) set.xsph = k.share("epsilon");
+    else if (k.is("hourglass")) set.hourglass = k.share("xi");
     else if (k.is("form")) set.form_f14 = k.second("f15", "f14");
     else if (k.is("correction")) set.correction = k.yes();
     else if (k.is("plane")) set.plane_stress = k.second("strain", "stress");
     else if (k.is("precision")) set.mixed = k.second("double", "mixed");
     else
       error->all(FLERR, "Unknown pair style sph/tm keyword {}: known are spacing, viscosity, "
-                        "balsara, artstress, xsph, form, correction, plane, precision", k.name());
+                        "balsara, artstress, hourglass, xsph, form, correction, plane, precision", k.name());
   }
   if (set.spacing <= 0.0)
     error->all(FLERR, "Pair style sph/tm needs the keyword spacing with the particle spacing");

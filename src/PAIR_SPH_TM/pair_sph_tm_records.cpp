@@ -19,10 +19,12 @@ void PairSPHTM::resize_arrays()
   rec_heat.make_room(fix->has(TM_FX_HEAT), all * TM_REC_HEAT);
   rec_correction.make_room(fix->has(TM_FX_CORRECTION), all * TM_REC_CORRECTION);
   rec_size.make_room(fix->has(TM_FX_SMOOTHING), all * TM_REC_SIZE);
+  rec_hourglass.make_room(fix->has(TM_FX_HOURGLASS), all * TM_REC_HOURGLASS);
   gradient.make_room(true, own * 9);
   heat.make_room(fix->has(TM_FX_CONDUCTION), own);
   correction.make_room(fix->has(TM_FX_CORRECTION), own * 6);
   xsph_v.make_room(fix->has(TM_FX_XSPH), own * 3);
+  hourglass_rate.make_room(fix->has(TM_FX_HOURGLASS), own * 3);
   surface.make_room(fix->has(TM_FX_SURFACE), own * 3);
   artificial.make_room(fix->has(TM_FX_LEDGER) || fix->has(TM_FX_ENERGY), own);
   force_internal.make_room(fix->has(TM_FX_LEDGER), own * 3);
@@ -31,6 +33,7 @@ void PairSPHTM::resize_arrays()
   rec.heat = rec_heat.loop_write();
   rec.correction = rec_correction.loop_write();
   rec.size = rec_size.loop_write();
+  rec.hourglass = rec_hourglass.loop_write();
 }
 
 tm_records PairSPHTM::host_records()
@@ -41,6 +44,7 @@ tm_records PairSPHTM::host_records()
   r.heat = const_cast<tm_real *>(rec_heat.host_read());
   r.correction = const_cast<tm_real *>(rec_correction.host_read());
   r.size = const_cast<tm_real *>(rec_size.host_read());
+  r.hourglass = const_cast<tm_real *>(rec_hourglass.host_read());
   return r;
 }
 
@@ -61,6 +65,7 @@ tm_predict_args PairSPHTM::predict_args(const tm_state &s)
   a.art_component = set.art_component;
   a.share = tensile_shares();
   a.ratio = set.ratio;
+  a.hourglass = set.hourglass;
   a.gradient = tables.gradient.loop_read();
   return a;
 }

@@ -44,6 +44,7 @@ std::map<unsigned, double> PairSPHTM::bytes_by_effect() const
   bytes[TM_FX_CORRECTION] = rec_correction.bytes() + correction.bytes();
   bytes[TM_FX_SMOOTHING] = rec_size.bytes();
   bytes[TM_FX_XSPH] = xsph_v.bytes();
+  bytes[TM_FX_HOURGLASS] = rec_hourglass.bytes() + hourglass_rate.bytes();
   bytes[TM_FX_SURFACE] = surface.bytes();
   bytes[TM_FX_LEDGER] = force_internal.bytes();
   bytes[fix->has(TM_FX_LEDGER) ? TM_FX_LEDGER : TM_FX_ENERGY] += artificial.bytes();

@@ -67,6 +67,10 @@ rate_loop_t moment_loop(unsigned effects)
 {
   return loops().moments[2 * tm_fx_kernel(effects) + ((effects & TM_FX_3D) ? 1 : 0)];
 }
+rate_loop_t hourglass_loop(unsigned effects)
+{
+  return loops().hourglass[2 * tm_fx_kernel(effects) + ((effects & TM_FX_3D) ? 1 : 0)];
+}
 predict_loop_t predict_loop() { return loops().predict; }
 update_loop_t update_loop() { return loops().update; }
 

@@ -19,14 +19,15 @@ typedef tm_update_result (*update_loop_t)(int begin, int end, const tm_update_ar
 
 rate_loop_t rate_loop(unsigned effects);
 rate_loop_t moment_loop(unsigned effects);    // the correction, before the rate pass
+rate_loop_t hourglass_loop(unsigned effects);    // after it
 predict_loop_t predict_loop();
 update_loop_t update_loop();
 const char *rate_loop_isa();    // name of the instruction set in use
 
-// one table per instruction set; rates by rate_loop_index(), moments by kernel and dimension
+// one table per instruction set; rates by rate_loop_index(), moments and hourglass by kernel and dimension
 struct ParticleLoops {
   rate_loop_t rates[RATE_LOOPS];
-  rate_loop_t moments[2 * TM_KERNEL_COUNT];
+  rate_loop_t moments[2 * TM_KERNEL_COUNT], hourglass[2 * TM_KERNEL_COUNT];
   predict_loop_t predict;
   update_loop_t update;
 };

@@ -13,10 +13,15 @@ template <unsigned EFFECTS> void moments(int begin, int end, const tm_rates_args
   for (int i = begin; i < end; i++) tm_moment(args->which ? args->which[i] : i, args, EFFECTS);
 }
 
+template <unsigned EFFECTS> void hourglass(int begin, int end, const tm_rates_args *args)
+{
+  for (int i = begin; i < end; i++) tm_hourglass(i, args, EFFECTS);
+}
+
 // Prediction and update: scenes without the rare effects have loops for just their set; with one of
 // those all effects are tested at run time.
 constexpr unsigned RARE = TM_FX_DAMAGE | TM_FX_ENERGY | TM_FX_BALSARA | TM_FX_XSPH | TM_FX_PLANE_STRESS |
-    TM_FX_SMOOTHING | TM_FX_FORM_F14;
+    TM_FX_SMOOTHING | TM_FX_FORM_F14 | TM_FX_HOURGLASS;
 // of the correction update needs one constant, of the others prediction and update need nothing
 constexpr unsigned TESTED = TM_FX_CORRECTION | TM_FX_ARTSTRESS;
 
@@ -78,15 +83,17 @@ namespace SPHTM_ISA {
 #define TM_LOOPS_6(I) TM_LOOPS_2(I), TM_LOOPS_2(I + 2), TM_LOOPS_2(I + 4)
 #define TM_LOOPS_26(I) TM_LOOPS_6(I), TM_LOOPS_6(I + 6), TM_LOOPS_6(I + 12), TM_LOOPS_6(I + 18), TM_LOOPS_2(I + 24)
 
-#define TM_MOMENTS(K)                                      \
-  moments<(unsigned) TM_KERNEL_##K << TM_FX_KERNEL_SHIFT>, \
-      moments<(unsigned) TM_KERNEL_##K << TM_FX_KERNEL_SHIFT | (unsigned) TM_FX_3D>
+#define TM_OF_KERNEL(F, K)                           \
+  F<(unsigned) TM_KERNEL_##K << TM_FX_KERNEL_SHIFT>, \
+      F<(unsigned) TM_KERNEL_##K << TM_FX_KERNEL_SHIFT | (unsigned) TM_FX_3D>
+#define TM_OF_ALL(F)                                                                                    \
+  TM_OF_KERNEL(F, HYPERBOLIC), TM_OF_KERNEL(F, CUBIC), TM_OF_KERNEL(F, QUINTIC), TM_OF_KERNEL(F, WENDLAND_C2), \
+      TM_OF_KERNEL(F, WENDLAND_C4)
 
 extern const ParticleLoops loops;
 const ParticleLoops loops = {
     {TM_LOOPS_26(0), TM_LOOPS_26(26), TM_LOOPS_26(52), TM_LOOPS_26(78), TM_LOOPS_26(104)},
-    {TM_MOMENTS(HYPERBOLIC), TM_MOMENTS(CUBIC), TM_MOMENTS(QUINTIC), TM_MOMENTS(WENDLAND_C2),
-     TM_MOMENTS(WENDLAND_C4)},
+    {TM_OF_ALL(moments)}, {TM_OF_ALL(hourglass)},
     predict, update};
 
 }    // namespace SPHTM_ISA

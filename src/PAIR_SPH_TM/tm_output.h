@@ -33,7 +33,8 @@
   VALUE(TM_OUT_NEIGHBORS, "neighbors")      \
   VALUE(TM_OUT_ADAPTNODE, "adaptnode")      \
   VALUE(TM_OUT_SEARCHES, "searches")        \
-  VALUE(TM_OUT_AREA, "surface/area")
+  VALUE(TM_OUT_AREA, "surface/area")        \
+  VALUE(TM_OUT_HOURGLASS, "hourglass")
 
 #define TM_OUTPUT_ID(id, name) id,
 enum tm_output_id { TM_OUTPUT_TABLE(TM_OUTPUT_ID) TM_OUT_COUNT };
@@ -105,6 +106,9 @@ TM_FN tm_real tm_output_value(int which, int i, const tm_output_args *a)
     case TM_OUT_ADAPTNODE: return a->lists ? a->lists[(ptrdiff_t) i * TM_K + TM_K_MARK] : 1.0;
     case TM_OUT_SEARCHES: return a->lists ? a->lists[(ptrdiff_t) i * TM_K + TM_K_SEARCHES] : 0.0;
     case TM_OUT_AREA: return tm_output_area(i, a);
+    case TM_OUT_HOURGLASS:
+      return tm_vec_norm(tm_vec(tm_output_state(i, a, TM_F_HOURGLASS, TM_G_W, 0.0), tm_output_state(i, a, TM_F_HOURGLASS, TM_G_W + 1, 0.0),
+                                tm_output_state(i, a, TM_F_HOURGLASS, TM_G_W + 2, 0.0)));
     default: return 0.0;    /* level: fix adapt/neigh knows it, on the host */
   }
 }

@@ -9,6 +9,7 @@
 #include "tm_damage.h"
 #include "tm_eos.h"
 #include "tm_heat.h"
+#include "tm_hourglass.h"
 #include "tm_size.h"
 #include "tm_state.h"
 #include "tm_transpose.h"
@@ -25,6 +26,7 @@ typedef struct {
   const tm_real *gradient;  /* tm_gradient_table, with particles of their own size */
   int art_component;     /* nonzero: F14 (18) per component instead of principal axes */
   const tm_real *share;  /* tm_tensile_table where the artificial stress is balanced, else NULL */
+  tm_real hourglass;     /* xi, stiffness of the hourglass resistance over rho c^2 */
   tm_real ratio;         /* h over spacing, of particles without a size of their own */
 } tm_predict_args;
 
@@ -93,6 +95,12 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
   if (effects & TM_FX_SMOOTHING)
     tm_size_record(tm_field_row(s, TM_F_SIZE, i), r[tm_part(TM_REC_M)] / rho_sum, a->gradient, tm_fx_kernel(effects),
                    (effects & TM_FX_3D) != 0, a->rec.size + (ptrdiff_t) i * TM_REC_SIZE);
+  if (effects & TM_FX_HOURGLASS) {
+    const int failed = (effects & TM_FX_DAMAGE) && tm_field_row(s, TM_F_DAMAGE, i)[tm_column(1)] > 0.5;
+    const int strong = m->body == TM_BODY_SOLID && m->strength != TM_STRENGTH_NONE && !failed;
+    tm_hourglass_record(tm_field_row(s, TM_F_HOURGLASS, i), a->dt_ahead, strong ? a->hourglass * rho_sum * c * c : 0.0,
+                        a->rec.hourglass + (ptrdiff_t) i * TM_REC_HOURGLASS);
+  }
   if (effects & TM_FX_HEAT) {
     const tm_real *t = tm_field_row(s, TM_F_TEMP, i);
     const tm_real T = t[0] + c1 * t[tm_column(1)] + c2 * t[tm_column(2)];

@@ -76,6 +76,7 @@ typedef struct {
   tm_real *heat;           /* conduction, power per volume, or NULL */
   tm_real *correction;     /* 6, K of tm_moment.h, with correction; read by the rate pass */
   tm_real *xsph_v;         /* 3, with XSPH */
+  tm_real *hourglass_rate; /* 3, with the hourglass resistance: tm_hourglass.h */
   tm_real *surface;        /* 3, with surface */
   tm_real *artificial;     /* heating by artificial terms, power, or NULL */
 } tm_rates_args;

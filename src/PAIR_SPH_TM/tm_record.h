@@ -29,12 +29,16 @@ enum { TM_REC_CORRECTION = 9 };                        /* P K, row major */
    stress over W(0)'s norm, edge of the particle; see tm_size.h */
 enum { TM_SIZE_INV_H = 0, TM_SIZE_FACTOR = 1, TM_SIZE_TENSILE = 2, TM_SIZE_DP = 3, TM_REC_SIZE = 4 };
 
+/* displacement against the neighbourhood x y z, stiffness of its resistance (pressure); see tm_hourglass.h */
+enum { TM_HOURGLASS_K = 3, TM_REC_HOURGLASS = 4 };
+
 typedef struct {
   tm_real *main;        /* TM_REC per particle, owned and ghost */
   tm_real *stress;      /* TM_REC_STRESS, or NULL */
   tm_real *heat;        /* TM_REC_HEAT, or NULL */
   tm_real *correction;  /* TM_REC_CORRECTION, or NULL */
   tm_real *size;        /* TM_REC_SIZE, or NULL: all particles have the size of the pair style */
+  tm_real *hourglass;   /* TM_REC_HOURGLASS, or NULL */
 } tm_records;
 
 /* The same for pair arithmetic in single, see tm_single.h. */

@@ -16,6 +16,7 @@
 #include "tm_eigen.h"
 #include "tm_eos.h"
 #include "tm_heat.h"
+#include "tm_hourglass.h"
 #include "tm_state.h"
 #include "tm_strength.h"
 
@@ -36,13 +37,14 @@ enum tm_dt_cause {
 typedef struct {
   tm_state state;
   tm_records rec;
-  const tm_real *gradient, *heat, *xsph_v, *artificial;
+  const tm_real *gradient, *heat, *xsph_v, *hourglass_rate, *artificial;
   const tm_real *share;          /* of the balanced artificial stress, see tm_predict.h */
   tm_real ratio;
   const double *force_internal;  /* force of the pair style alone, with the ledger */
   tm_real *source;               /* heat given to the particle by contact and fluxes (power); emptied */
   int group;                     /* x and v are integrated for these */
   tm_real dt, visc_alpha;
+  tm_real hourglass;             /* xi of the hourglass resistance, 0: none */
   tm_real h;                     /* smoothing length of all, where particles have none of their own */
   tm_real accel_unit;            /* force of the unit style / mass -> acceleration */
   tm_real temperature;           /* of every particle where heat is off */
@@ -92,10 +94,12 @@ typedef struct {
 
 /* h/c, less what correction and viscosity take. The shortest waves of a lattice turn by 1.1 (most
    kernels; C4 1.3) in h/c, with corrected gradients at free corners by 2.2 (C4 2.6), and viscosity
-   damps them by 2 alpha; tm_state.h bears turns of 0.77 and damping of 0.67 per step. */
-TM_FN tm_real tm_sound_time_step(tm_real h, tm_real c, tm_real visc_alpha, unsigned effects)
+   damps them by 2 alpha; the hourglass resistance adds at most 3.6 xi to the square of the turn (the kernel C4 in two
+   dimensions; most below 2.8); tm_state.h bears turns of 0.77 and damping of 0.67 per step. */
+TM_FN tm_real tm_sound_time_step(tm_real h, tm_real c, tm_real visc_alpha, tm_real hourglass, unsigned effects)
 {
-  const tm_real turn = (effects & TM_FX_CORRECTION) ? 2.2 : 1.0;
+  tm_real turn = (effects & TM_FX_CORRECTION) ? 2.2 : 1.0;
+  if (effects & TM_FX_HOURGLASS) turn = sqrt(turn * turn + 3.0 * hourglass);
   return h / (c * tm_max(turn, 2.0 * visc_alpha));
 }
 
@@ -302,6 +306,9 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       *tm_field_row(s, TM_F_BALSARA, i) =
           tm_balsara(tm_mat_trace(L), tm_vec_norm(curl), rec[tm_part(TM_REC_C)], h);
     }
+    if (effects & TM_FX_HOURGLASS)
+      tm_hourglass_step(tm_field_row(s, TM_F_HOURGLASS, i), a->hourglass_rate + 3 * (ptrdiff_t) i, L, a->dt,
+                        failed || m->strength == TM_STRENGTH_NONE);
     if (effects & TM_FX_HEAT)
       out.heat = tm_update_temperature(i, a, m, q.rho, q.yield * q.d_eps * inv_dt, effects);
     if (effects & TM_FX_LEDGER) {
@@ -311,7 +318,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       out.artificial = artificial;
     }
 
-    out.dt[TM_DT_SOUND] = tm_sound_time_step(h, rec[tm_part(TM_REC_C)], a->visc_alpha, effects);
+    out.dt[TM_DT_SOUND] = tm_sound_time_step(h, rec[tm_part(TM_REC_C)], a->visc_alpha, a->hourglass, effects);
     const tm_real a2 = tm_vec_dot(acc, acc);
     if (a2 > 0.0) out.dt[TM_DT_FORCE] = sqrt(h / sqrt(a2));
     const double *v = s->v + 3 * (ptrdiff_t) i;

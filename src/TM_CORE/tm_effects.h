@@ -32,6 +32,7 @@ enum tm_effect {
   TM_FX_LEDGER = 1 << 16,       /* energy bookkeeping */
   TM_FX_SMOOTHING = 1 << 17,    /* smoothing length and size of each particle of its own */
   TM_FX_MIXED = 1 << 18,        /* pair arithmetic in single */
+  TM_FX_HOURGLASS = 1 << 19,    /* resistance to patterns that no gradient sees */
 
   TM_FX_KERNEL_SHIFT = 20       /* three bits of enum tm_kernel */
 };
@@ -50,7 +51,8 @@ enum tm_effect {
   ((unsigned) (TM_FX_MINIMAL) |                                                                    \
    ~((unsigned) (TM_FX_VISCOSITY | TM_FX_ARTSTRESS | TM_FX_CONDUCTION | TM_FX_CORRECTION |         \
                  TM_FX_BALSARA | TM_FX_XSPH | TM_FX_SURFACE | TM_FX_HEAT | TM_FX_PLASTICITY |      \
-                 TM_FX_DAMAGE | TM_FX_ENERGY | TM_FX_BODIES | TM_FX_LEDGER | TM_FX_SMOOTHING)))
+                 TM_FX_DAMAGE | TM_FX_ENERGY | TM_FX_BODIES | TM_FX_LEDGER | TM_FX_SMOOTHING |          \
+                 TM_FX_HOURGLASS)))
 #else
 #define TM_FX_PRESENT (~0u)
 #endif

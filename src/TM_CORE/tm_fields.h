@@ -13,6 +13,9 @@ enum { TM_H_V = 0, TM_H_RHO = 3, TM_H_S = 4, TM_H_STEP = 10, TM_H_COLUMNS = 20 }
 /* columns of the size */
 enum { TM_S_H = 0, TM_S_DP = 1, TM_S_RATIO = 2, TM_S_TARGET = 3, TM_S_COLUMNS = 4 };
 
+/* columns of the hourglass */
+enum { TM_G_W = 0, TM_G_RATE = 3, TM_G_COLUMNS = 6 };
+
 /*  stress       deviatoric Cauchy stress xx yy zz xy xz yz
     history      rates of the last two steps: v(3) rho(1) s(6), newer first
     pstrain      equivalent plastic strain, its rate, and the last flow stress
@@ -23,7 +26,8 @@ enum { TM_S_H = 0, TM_S_DP = 1, TM_S_RATIO = 2, TM_S_TARGET = 3, TM_S_COLUMNS = 
     xsph         XSPH velocity of the last step
     thickness    plane stress: thickness over initial thickness
     size         smoothing length; edge (m/rho0)^(1/d) of the particle without stress; smoothing length
-                 over spacing it was made with; target n_h of its neighbourhood (0: not known yet) */
+                 over spacing it was made with; target n_h of its neighbourhood (0: not known yet)
+    hourglass    displacement against the neighbourhood, see tm_hourglass.h, and its rate in the last step */
 #define TM_FIELD_TABLE(FIELD)                                       \
   FIELD(TM_F_RHO, "density", 1, 0)                                  \
   FIELD(TM_F_STRESS, "stress", 6, 0)                                \
@@ -35,7 +39,8 @@ enum { TM_S_H = 0, TM_S_DP = 1, TM_S_RATIO = 2, TM_S_TARGET = 3, TM_S_COLUMNS = 
   FIELD(TM_F_BALSARA, "balsara", 1, TM_FX_BALSARA)                  \
   FIELD(TM_F_XSPH, "xsph", 3, TM_FX_XSPH)                           \
   FIELD(TM_F_THICKNESS, "thickness", 1, TM_FX_PLANE_STRESS)         \
-  FIELD(TM_F_SIZE, "size", TM_S_COLUMNS, TM_FX_SMOOTHING)
+  FIELD(TM_F_SIZE, "size", TM_S_COLUMNS, TM_FX_SMOOTHING)           \
+  FIELD(TM_F_HOURGLASS, "hourglass", TM_G_COLUMNS, TM_FX_HOURGLASS)
 
 #define TM_FIELD(id, name, columns, effects) id,
 enum tm_field_id { TM_FIELD_TABLE(TM_FIELD) TM_F_COUNT };

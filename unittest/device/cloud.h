@@ -9,6 +9,7 @@
 #include "tm_drift.h"
 #include "tm_exchange.h"
 #include "tm_hold.h"
+#include "tm_hourglass.h"
 #include "tm_initial.h"
 #include "tm_moment.h"
 #include "tm_neighbors.h"
@@ -43,6 +44,7 @@ typedef struct {
   double x[3 * CLOUD], v[3 * CLOUD], force[3 * CLOUD], force_internal[3 * CLOUD], source[CLOUD];
   double rho[CLOUD], stress[6 * CLOUD], history[TM_H_COLUMNS * CLOUD], pstrain[3 * CLOUD], temperature[3 * CLOUD];
   double size[TM_S_COLUMNS * CLOUD], energy[CLOUD], damage[2 * CLOUD], balsara[CLOUD], xsph[3 * CLOUD], thickness[CLOUD];
+  double hourglass[TM_G_COLUMNS * CLOUD], rec_hourglass[TM_REC_HOURGLASS * CLOUD], hourglass_rate[3 * CLOUD];
   __attribute__((aligned(16))) double rec_main[TM_REC * CLOUD], rec_stress[TM_REC_STRESS * CLOUD], rec_heat[TM_REC_HEAT * CLOUD];
   double rec_correction[TM_REC_CORRECTION * CLOUD], rec_size[TM_REC_SIZE * CLOUD];
   double gradient[9 * CLOUD], heat[CLOUD], correction[6 * CLOUD], xsph_v[3 * CLOUD], surface[3 * CLOUD];
@@ -55,7 +57,8 @@ typedef struct {
   ARRAY(x, 3) ARRAY(v, 3) ARRAY(force, 3) ARRAY(source, 1) ARRAY(rho, 1) ARRAY(stress, 6) ARRAY(history, 20)         \
   ARRAY(pstrain, 3) ARRAY(temperature, 3) ARRAY(energy, 1) ARRAY(damage, 2) ARRAY(balsara, 1) ARRAY(xsph, 3)         \
   ARRAY(thickness, 1) ARRAY(rec_main, TM_REC) ARRAY(rec_stress, 6) ARRAY(rec_heat, 2) ARRAY(rec_correction, 9)       \
-  ARRAY(size, TM_S_COLUMNS) ARRAY(rec_size, TM_REC_SIZE)                                                             \
+  ARRAY(size, TM_S_COLUMNS) ARRAY(rec_size, TM_REC_SIZE) ARRAY(hourglass, TM_G_COLUMNS)                              \
+  ARRAY(rec_hourglass, TM_REC_HOURGLASS) ARRAY(hourglass_rate, 3)                                                            \
   ARRAY(gradient, 9) ARRAY(heat, 1) ARRAY(correction, 6) ARRAY(xsph_v, 3) ARRAY(surface, 3) ARRAY(artificial, 1)     \
   ARRAY(near, 1) ARRAY(tally, TM_TALLY) ARRAY(tool_heat, 1) ARRAY(result, POINTS_MOST)
 
@@ -65,7 +68,7 @@ TM_FN tm_state cloud_state(cloud *w)
   s.field[TM_F_RHO] = w->rho; s.field[TM_F_STRESS] = w->stress; s.field[TM_F_HISTORY] = w->history;
   s.field[TM_F_PSTRAIN] = w->pstrain; s.field[TM_F_TEMP] = w->temperature; s.field[TM_F_ENERGY] = w->energy;
   s.field[TM_F_DAMAGE] = w->damage; s.field[TM_F_BALSARA] = w->balsara; s.field[TM_F_XSPH] = w->xsph;
-  s.field[TM_F_THICKNESS] = w->thickness; s.field[TM_F_SIZE] = w->size;
+  s.field[TM_F_THICKNESS] = w->thickness; s.field[TM_F_SIZE] = w->size; s.field[TM_F_HOURGLASS] = w->hourglass;
   s.x = w->x; s.v = w->v; s.force = w->force;
   s.type = w->type; s.mask = w->mask;
   s.material = w->material;
@@ -78,6 +81,7 @@ TM_FN tm_records cloud_records(cloud *w)
   tm_records r;
   r.main = w->rec_main; r.stress = w->rec_stress; r.heat = w->rec_heat; r.correction = w->rec_correction;
   r.size = (w->effects & TM_FX_SMOOTHING) ? w->rec_size : NULL;
+  r.hourglass = w->rec_hourglass;
   return r;
 }
 TM_FN tm_row_args cloud_row_args(cloud *w)
@@ -119,6 +123,7 @@ TM_FN tm_rates_args cloud_rates(cloud *w)
   a.ntypes = TYPES;
   a.force = w->force; a.force_begins = 0;
   a.gradient = w->gradient; a.heat = w->heat; a.correction = w->correction;
+  a.hourglass_rate = w->hourglass_rate;
   a.xsph_v = w->xsph_v; a.surface = w->surface; a.artificial = w->artificial;
   return a;
 }
@@ -128,6 +133,7 @@ TM_FN tm_update_args cloud_update(cloud *w)
   a.state = cloud_state(w);
   a.rec = cloud_records(w);
   a.gradient = w->gradient; a.heat = w->heat; a.xsph_v = w->xsph_v; a.artificial = w->artificial;
+  a.hourglass_rate = w->hourglass_rate; a.hourglass = 0.1;
   a.force_internal = w->force_internal;
   a.source = w->source;
   a.group = 1;
@@ -167,7 +173,7 @@ STAGE(predict)
   a.state = cloud_state(w);
   a.rec = cloud_records(w);
   a.dt_ahead = 0.5 * w->dt;
-  a.art_eps = 0.3;
+  a.art_eps = 0.3; a.hourglass = 0.1;
   a.art_component = w->dim == 2;
   a.gradient = w->factor;
   a.share = NULL; a.ratio = w->h / w->spacing;
@@ -185,6 +191,12 @@ STAGE(rates)
 {
   const tm_rates_args a = cloud_rates(w);
   tm_rates(i, &a, w->effects | (unsigned) TM_FX_EXTENDED);
+  (void) out;
+}
+STAGE(hourglass)
+{
+  const tm_rates_args a = cloud_rates(w);
+  tm_hourglass(i, &a, w->effects);
   (void) out;
 }
 STAGE(thermal)
@@ -334,7 +346,8 @@ STAGE(initial)
 
 #define CLOUD_STAGES(CASE)                                                                              \
   CASE(drift, POINTS_ARITHMETIC) CASE(predict, POINTS_TRANSCENDENTAL) CASE(moment, POINTS_ARITHMETIC)     \
-  CASE(rates, POINTS_ARITHMETIC) CASE(thermal, POINTS_ARITHMETIC) CASE(body_contact, POINTS_ARITHMETIC)   \
+  CASE(rates, POINTS_ARITHMETIC) CASE(hourglass, POINTS_ARITHMETIC) CASE(thermal, POINTS_ARITHMETIC)      \
+  CASE(body_contact, POINTS_ARITHMETIC)                                                                   \
   CASE(contact_tri, POINTS_TRANSCENDENTAL) CASE(exchange, POINTS_ARITHMETIC) CASE(drive, POINTS_ARITHMETIC) \
   CASE(update, POINTS_TRANSCENDENTAL) CASE(hold, POINTS_ARITHMETIC) CASE(tally, POINTS_ARITHMETIC)        \
   CASE(near, POINTS_ARITHMETIC) CASE(carry, POINTS_ARITHMETIC) CASE(initial_limits, POINTS_ARITHMETIC)    \

@@ -247,7 +247,8 @@ int main()
   POINT_CASES(COMPARE_POINTS)
 
   const unsigned basic = TM_FX_VISCOSITY | TM_FX_ARTSTRESS | TM_FX_CONDUCTION | TM_FX_HEAT | TM_FX_PLASTICITY | TM_FX_BODIES;
-  const unsigned more = TM_FX_BALSARA | TM_FX_XSPH | TM_FX_SURFACE | TM_FX_DAMAGE | TM_FX_ENERGY | TM_FX_LEDGER;
+  const unsigned more = TM_FX_BALSARA | TM_FX_XSPH | TM_FX_SURFACE | TM_FX_DAMAGE | TM_FX_ENERGY | TM_FX_LEDGER |
+      TM_FX_HOURGLASS;
   compare_cloud("3d", 3, TM_KERNEL_HYPERBOLIC, 1.2, basic);
   compare_cloud("3d_every_effect", 3, TM_KERNEL_WENDLAND_C4, 1.2, basic | more | TM_FX_CORRECTION);
   compare_cloud("2d_plane_stress_f14", 2, TM_KERNEL_QUINTIC, 1.1, basic | more | TM_FX_FORM_F14 | TM_FX_PLANE_STRESS);
