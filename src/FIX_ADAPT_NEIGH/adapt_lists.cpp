@@ -88,7 +88,6 @@ void AdaptLists::check_effects()
   const struct { unsigned effect; const char *what; } without[] = {
       {TM_FX_FORM_F14, "pair_style form f14; use form f15"},
       {TM_FX_XSPH, "pair_style xsph; use xsph 0"},
-      {TM_FX_HOURGLASS, "pair_style hourglass; use hourglass 0"},
       {TM_FX_BALSARA, "pair_style balsara yes; use balsara no"},
       {TM_FX_SURFACE, "the surface of particles (fix sph/tm/heat, surface/area)"},
       {TM_FX_SMOOTHING, "particles with a smoothing length of their own"},
