@@ -61,6 +61,7 @@ EFFECTS = {
     "damage": ("more", {"material": "strength plastic 400e6 1e9 heat 0 477 0.9 damage strain 10"}),
     "balsara": ("more", {"options": "viscosity 1 1 artstress 0 4 balsara yes"}),
     "correction": ("bare", {"options": "viscosity 0 0 artstress 0 4 correction yes"}),
+    "hourglass": ("bare", {"options": "viscosity 0 0 artstress 0 4 hourglass 0.02"}),
     "xsph": ("bare", {"options": "viscosity 0 0 artstress 0 4 xsph 0.1"}),
     "surface": ("bare", {"fix": "effects surface on"}),
     "internal-energy": ("shock", {"fix": ""}),

@@ -33,7 +33,7 @@ fix             body all sph/tm temperature 293 {fix}
 """
 
 CUT = lattice_block("0 0.016 -0.008 0 0 0.008", "-0.02 0.03 -0.02 0.02 -0.02 0.02", dim=3) + """
-pair_style      sph/tm hyperbolic 1.2 spacing 1e-3 balsara yes xsph 0.1 correction yes
+pair_style      sph/tm hyperbolic 1.2 spacing 1e-3 balsara yes xsph 0.1 correction yes hourglass 0.02
 pair_coeff      1 1 materials.sphtm c45e damage johnson/cook 0.5 1.0 -3.0 0.01 1.0
 region          base block INF INF INF -0.006 INF INF units box
 group           base region base

@@ -62,7 +62,7 @@ def fly(name, scene, all_ranks, open_box=False):
         same_bits(checks, what + ", device loops", run_way("device", scene, ranks=ranks, options=ON_DEVICE), default)
 
 
-RARE = "balsara yes xsph 0.05 correction yes"
+RARE = "balsara yes xsph 0.05 correction yes hourglass 0.02"
 KEPT = "fix lists all adapt/neigh threshold 1e-3"
 fly("lists of LAMMPS", SCENE.format(boundary="p p p", style=RARE, fix=""), (1, 2, 4))
 fly("kept rows", SCENE.format(boundary="p p p", style="", fix=KEPT), (1, 2))

@@ -26,6 +26,7 @@ wrong("artstress exponent 0", style("hyperbolic 1.2 spacing 1e-3 artstress 0.3 0
       "0")
 wrong("artstress exponent 2.5", style("hyperbolic 1.2 spacing 1e-3 artstress 0.3 2.5"), "2.5", "integer")
 wrong("artstress with a wrong form", style("hyperbolic 1.2 spacing 1e-3 artstress 0.3 4 principle"), S, "principle")
+wrong("hourglass 2", style("hyperbolic 1.2 spacing 1e-3 hourglass 2"), S, "hourglass", "0 to 1", "2")
 wrong("xsph 1.5", style("hyperbolic 1.2 spacing 1e-3 xsph 1.5"), S, "xsph", "0 to 1", "1.5")
 wrong("precision single", style("hyperbolic 1.2 spacing 1e-3 precision single"), S, "precision", "double or mixed",
       "single")

@@ -30,7 +30,7 @@ YIELDS = "strength plastic 400e6 100e6"
 STEEL = "strength johnson/cook 792e6 510e6 0.26 0.014 1.03 298 1793 1"
 HEAT = "heat 38 477 0.9"
 ALL = ("viscosity artstress heat conduction plasticity damage correction balsara xsph surface internal-energy bodies energy "
-       "smoothing").split()
+       "smoothing hourglass").split()
 STEP = "dt 5e-8 "    # the coefficient of the viscosity, on or off, is part of the automatic step
 checks = Checks()
 
@@ -80,8 +80,8 @@ checks.true("Johnson-Cook: the reason of heat", "plastic work" in lines["heat"][
 expect("no conductivity", scene(STEEL + " heat 0 477 0.9"), plain | {"plasticity", "heat"})
 expect("damage, shock", scene(STEEL + " eos shock 4570 1.49 1.9 damage strain 1.0"),
        plain | {"plasticity", "damage", "internal-energy"})
-expect("all settings", scene("strength elastic", "balsara yes xsph 0.1 correction yes", "energy yes"),
-       plain | {"balsara", "xsph", "correction", "energy"})
+expect("all settings", scene("strength elastic", "balsara yes xsph 0.1 correction yes hourglass 0.02", "energy yes"),
+       plain | {"balsara", "xsph", "correction", "energy", "hourglass"})
 expect("nothing artificial", scene("strength elastic", "viscosity 0 0 artstress 0 4"), set())
 
 # --- forced off: a warning where the scene needs it, and the results of a scene that never asks
@@ -94,7 +94,8 @@ for effect, scene_with, scene_without, warns in (
         ("artstress", (YIELDS, ""), (YIELDS, "artstress 0 4"), False),
         ("balsara", (YIELDS, "balsara yes"), (YIELDS, ""), False),
         ("xsph", (YIELDS, "xsph 0.1"), (YIELDS, ""), False),
-        ("correction", (YIELDS, "correction yes"), (YIELDS, ""), False)):
+        ("correction", (YIELDS, "correction yes"), (YIELDS, ""), False),
+        ("hourglass", (YIELDS, "hourglass 0.02"), (YIELDS, ""), False)):
     asked = scene(*scene_with, STEP)
     off = scene(*scene_with, STEP + "effects %s off" % effect)
     without = scene(*scene_without, STEP)
@@ -131,6 +132,7 @@ for name, columns, arguments in (
         ("correction", 9 + 6, ("strength elastic", "viscosity 0 0 artstress 0 4 correction yes")),
         ("balsara", 1, ("strength elastic", "viscosity 1 1 artstress 0 4 balsara yes")),
         ("xsph", 3, ("strength elastic", "viscosity 0 0 artstress 0 4 xsph 0.1")),
+        ("hourglass", 6 + 4 + 3, ("strength elastic", "viscosity 0 0 artstress 0 4 hourglass 0.02")),
         ("surface", 3, ("strength elastic", "viscosity 0 0 artstress 0 4", "effects surface on")),
         ("internal-energy", 1, ("strength elastic eos shock 4570 1.49 1.9", "viscosity 0 0 artstress 0 4"))):
     on = scene(*arguments, text=BIG)

@@ -14,7 +14,7 @@ import numpy as np
 from sphtm_scene import SOURCE, Checks, lattice_block, new_folder, run
 
 HEAD = lattice_block("0 0.008 0 0.006", "-0.02 0.02 -0.02 0.02", more="atom_modify     map array\n") + """
-pair_style      sph/tm hyperbolic 1.2 spacing 1e-3 balsara yes xsph 0.1 {plane}
+pair_style      sph/tm hyperbolic 1.2 spacing 1e-3 balsara yes xsph 0.1 hourglass 0.02 {plane}
 pair_coeff      1 1 density 7830 elastic 200e9 0.29 strength johnson/cook 792e6 510e6 0.26 0.014 1.03 298 1793 1 &
                 heat 38 477 0.9 damage johnson/cook 0.5 1.0 -3.0 0.01 1.0 {eos}
 velocity        all ramp vx 0 100 x 0 0.008 units box
@@ -50,7 +50,7 @@ def go_on(data, name, **more):
 # --- a restart file whose values are damaged: every column of the state, on 48 particles
 make_mesh()
 COLUMNS = {"density": 1, "stress": 6, "history": 20, "plastic strain": 3, "temperature": 3, "energy": 1, "damage": 2,
-           "balsara": 1, "xsph": 3, "thickness": 1}
+           "balsara": 1, "xsph": 3, "thickness": 1, "hourglass": 6}
 for plane, eos, missing in (("", "eos shock 4570 1.49 1.9", ("thickness",)), ("plane stress", "", ("energy",))):
     run(HEAD.format(plane=plane, eos=eos) + FIXES.format(tool="") + "run 20\nwrite_restart good.restart\n",
         folder=folder)

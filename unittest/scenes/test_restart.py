@@ -63,7 +63,7 @@ def difference(a, b):
 
 def main():
     checks = Checks()
-    for options, ranks in (("", 1), ("balsara yes xsph 0.1 correction yes", 1), ("", 2)):
+    for options, ranks in (("", 1), ("balsara yes xsph 0.1 correction yes hourglass 0.05", 1), ("", 2)):
         whole, again = scene(options, ranks)
         one = text(whole, "whole.dump")
         label = f"{options or 'plain'}, {ranks} rank{'s' if ranks > 1 else ''}"

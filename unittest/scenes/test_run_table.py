@@ -37,7 +37,7 @@ full = scene(JC, fix="energy yes", more="fix warm all sph/tm/heat convection 100
 lines = table(full)
 on = {"viscosity", "artstress", "heat", "conduction", "plasticity", "surface", "energy"}
 ALL = ("viscosity artstress heat conduction plasticity damage correction balsara xsph surface internal-energy bodies "
-       "energy").split()
+       "energy hourglass").split()
 checks.true("a line for every effect that is on, none for others", {e for e in lines if e in ALL} == on,
             " ".join(lines))
 checks.true("a line for the other fix", "fix warm sph/tm/heat" in lines)

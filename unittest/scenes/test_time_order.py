@@ -46,7 +46,7 @@ def wave(dt, steps, dim=2, kernel="hyperbolic 1.2", options="", amplitude=1.0, s
 
 
 # --- order: one passage of the pressure wave through the block
-for dim, options in ((2, ""), (2, "form f14"), (2, "correction yes"), (2, "xsph 0.1"), (3, "")):
+for dim, options in ((2, ""), (2, "form f14"), (2, "correction yes"), (2, "xsph 0.1"), (2, "hourglass 0.05"), (3, "")):
     parts = 2 if "correction" in options else 1    # its limit is less than half as large
     dt, steps = 0.5 * LIMIT / parts, 48 * parts
     finest = wave(dt / 16, 16 * steps, dim, options=options).dump("end.dump")[-1]
