@@ -19,7 +19,7 @@ def known(lines, after="known are|choose|known is"):
     head = lattice_block("0 4e-3 0 4e-3", "-5e-3 9e-3 -5e-3 9e-3")
     error = (run(head + lines + "\nrun 0\n", expect_error=True).errors() or "none").splitlines()[0]
     words = re.split("(?:%s):? ?" % after, error)[-1]
-    return set(re.sub(r", | or | and ", " ", re.sub(r"; got.*|, got.*| \(src.*", "", words)).split())
+    return set(re.sub(r", | or | and ", " ", re.sub(r"; .*|, got.*| \(src.*", "", words)).split())
 
 
 def syntax(page):
@@ -80,6 +80,11 @@ adapt, refine = syntax("fix_adapt_neigh"), syntax("fix_adapt_neigh_refine")
 inner = keywords(part(adapt, r"keyword = \*every", r"\Z"))
 same("fix adapt/neigh: keywords", known(READY + "fix ad all adapt/neigh nonsense 1"),
      keywords(adapt) - inner | {"refine", "coarsen"})
+same("fix adapt/neigh asph: options",
+     known(READY + "fix ad all adapt/neigh asph psi nonsense 1", "options of asph are"), inner)
+options = starred(part(refine, r"\*refine\* pattern", "pattern =") + part(refine, "options =", r"\*coarsen"))
+same("fix adapt/neigh refine: options", known(READY + REFINE + "nonsense 1", "options of refine are"),
+     options - {"refine", "parent", "linear"})
 same("fix adapt/neigh refine: patterns", known(READY + REFINE.replace("square", "nonsense")),
      starred(part(refine, "pattern =", "E =")))
 
