@@ -16,9 +16,11 @@ def reached(run):
 
 
 def by(**more):
-    rows = {label: dict(more, adapt=adapt)
-            for label, adapt in dict(scene.ROWS, **{"rows kept": "threshold inf"}).items()}
-    return dict(rows, balanced=dict(more, options="plane stress artstress 0.3 4 balanced"))
+    """Settings of fix adapt/neigh with those of the scene's resistance, and constant h with other means, or with none."""
+    resisted = dict(more, options=scene.RESISTED)
+    rows = {label: dict(resisted, **variables) for label, variables in scene.LENGTHS.items()}
+    rows["rows kept"] = dict(more, **scene.PATH)
+    return dict(rows, bare=dict(more, options=scene.BARE), balanced=dict(more, options=scene.BALANCED))
 
 
 SWEEPS = [
