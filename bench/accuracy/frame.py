@@ -59,7 +59,7 @@ def module(path):
         spec.loader.exec_module(answer)
         return answer
     finally:
-        sys.path.pop(0)
+        sys.path.remove(os.path.dirname(path))    # a scene may have put more before it
 
 
 def changed(path, *changes):

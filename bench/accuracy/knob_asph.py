@@ -23,11 +23,12 @@ def by(**more):
     return dict(rows, bare=dict(more, options=scene.BARE), balanced=dict(more, options=scene.BALANCED))
 
 
-SWEEPS = [
-    Sweep(name="tension", quantity="strain reached by the flat specimen, shortfall",
-          reference="0.15, the plastic path of S13",
-          kind="published SPH",
-          also=[("stress", "engineering stress at strain 0.02 to 0.05", "flow curve of the material", CLOSED,
-                                       "stress_off")], script=example("flat_tensile_c45e"), measure=reached,
-          settings={"quick": by(rows=8, speed=20), "full": by(rows=14, speed=20), "large": by(rows=28, speed=20)}),
-]
+def tension(settings):
+    return Sweep(name="tension", quantity="strain reached by the flat specimen, shortfall",
+                 reference="0.15, the plastic path of S13", kind="published SPH", measure=reached, settings=settings,
+                 script=example("flat_tensile_c45e"),
+                 also=[("stress", "engineering stress at strain 0.02 to 0.05", "flow curve of the material", CLOSED,
+                        "stress_off")])
+
+
+SWEEPS = [tension({"quick": by(rows=8, speed=20), "full": by(rows=14, speed=20), "large": by(rows=28, speed=20)})]
