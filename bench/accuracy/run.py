@@ -152,7 +152,7 @@ def main():
         knobs[name] = knob(name, modules[name], options)
         write(knobs, options, time.time() - began)
     try:
-        import plot
+        plot = frame.module(os.path.join(frame.HERE, "plot.py"))
     except ImportError as missing:
         print("no pictures: %s" % missing)
     else:
