@@ -7,7 +7,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-from measure import measure
+from measure import END_FORCE, finite_elements, measure
 from sphtm_scene import read_dump
 
 folder = sys.argv[1] if len(sys.argv) > 1 else "."
@@ -17,9 +17,12 @@ end = read_dump(folder + "/end.dump")[-1]
 
 plt.rcParams.update({"font.size": 9})
 figure, (left, right) = plt.subplots(1, 2, figsize=(8.4, 3.3), gridspec_kw={"width_ratios": [1, 1.25]})
-left.axhspan(2.82, 2.91, color="0.85", lw=0, label="largest force, finite elements")
-left.plot(1e3 * m["moved"], 1e-6 * m["force of moved"], "k-", lw=1, label="force")
-left.set(xlabel="moved (mm)", ylabel="force (MN)", xlim=(0, 7.5), ylim=(0, 3.2))
+elements = finite_elements()
+left.plot([6.6, 7.5, 7.5, 6.6, 6.6], 1e-6 * np.take(END_FORCE, [0, 0, 1, 1, 0]), "-", color="tab:green", lw=1,
+          label="known at the end")
+left.plot(1e3 * elements[0], 1e-6 * elements[1], "--", color="tab:orange", lw=1.5, label="finite elements")
+left.plot(1e3 * m["moved"], 1e-6 * m["force of moved"], "k-", lw=1, label="here")
+left.set(xlabel="moved (mm)", ylabel="force (MN)", xlim=(0, 7.6), ylim=(0, 3.4))
 left.legend(frameon=False, loc="lower right")
 
 cut = np.abs(end["z"]) < 0.05 / n

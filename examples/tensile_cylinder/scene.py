@@ -1,17 +1,18 @@
 #!/usr/bin/python3
-"""The tensile cylinder with every kind of list: force, neck, largest strain, time. ./sphtm scenes tensile_cylinder"""
+"""The tensile cylinder with every kind of list: forces, neck, largest strain, pattern, time. ./sphtm scenes tensile_cylinder"""
 import os
 import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [HERE, os.path.join(HERE, "..", "..", "bench")]
-from measure import measure                                                            # noqa: E402
+from measure import measure, within                                                    # noqa: E402
 from study import Study                                                                # noqa: E402
 
 ROWS = {"skin": {}, "every_step": {"adapt": "threshold 0"}, "margin": {"adapt": "threshold 0 margin 0.15"},
         "1e-4": {"adapt": "threshold 1e-4"}, "1e-5": {"adapt": "threshold 1e-5"}, "once": {"adapt": "threshold inf"},
-        "skin_plain": {"options": "correction no"}}
-FORCE, RADIUS, STRAIN = (2.82e6, 2.91e6), (45.6e-3, 46.2e-3), (0.281, 0.286)    # F14 and finite elements
+        "artificial_stress": {"options": "correction yes"}, "neither": {"options": "correction yes artstress 0 4"},
+        "plain": {"options": "correction no"}}
+STRAIN = (0.281, 0.286)    # F14: finite elements and SPH
 
 
 def main():
@@ -25,9 +26,8 @@ def main():
             continue
         result = study.run(row, dict(study.size, **variables), repeats=study.options.repeats)
         m, t = measure(result.folder, float(study.size["n"])), result.thermo[-1]
-        rows[row] = {"force": float(m["force"]), "radius": float(m["radius"]), "strain": float(m["strain"]),
-                     "force_within": bool(FORCE[0] <= m["force"] <= FORCE[1]),
-                     "radius_within": bool(RADIUS[0] <= m["radius"] <= RADIUS[1]),
+        rows[row] = {"largest_force": float(m["force"]), "end_force": float(m["last force"]), "radius": float(m["radius"]),
+                     "strain": float(m["strain"]), "chessboard": float(m["chessboard"]), "within": within(m),
                      "ends_apart": float(m["ends apart"]), "processor": result.processor, "wall": result.wall}
         if "f_lists[2]" in t and t["f_lists[2]"][-1] > 0:      # threshold 0 counts no searches
             rows[row]["searched"] = float(t["f_lists[2]"][-1] / t["Step"][-1])
