@@ -47,6 +47,7 @@ void AdaptLists::init()
                   &names, &holder, &other_holder})
     a->move_to(*backend);
   for (auto &a : cells.column) a.move_to(*backend);
+  for (auto &a : cells.look) a.move_to(*backend);
   for (auto *a : {&memory, &shown, &told, &next, &correction}) a->move_to(*backend);
   for (auto *a : {&meets, &marks, &was, &now, &dirty}) a->move_to(*backend);
   fresh_first.move_to(*backend);
@@ -149,8 +150,8 @@ void AdaptLists::search_others()
   search(other, TM_MEETS_THERMAL | TM_MEETS_CONTACT, within, own());
 }
 
-// reaches: of each particle, none wider than the cells; or nullptr
-void AdaptLists::make_grid(double width, const double *x, const double *reaches)
+// reaches: of each particle; or nullptr: all `widest`
+void AdaptLists::make_grid(double widest, const double *x, const double *reaches)
 {
   LAMMPS *lmp = fix.host();
   const int n = lmp->atom->nlocal + lmp->atom->nghost;
@@ -158,12 +159,14 @@ void AdaptLists::make_grid(double width, const double *x, const double *reaches)
   g.n = n;
   g.x = x;
   g.reach = reaches;
-  tm_cells_make(&g, backend->bounds(n, g.x), width, lmp->domain->dimension == 3, 4 * n + 4096);
+  const double width = reaches ? 0.5 * widest : widest;
+  tm_cells_make(&g, backend->bounds(n, g.x), widest, width, lmp->domain->dimension == 3, 4 * n + 4096);
   cells.cell.make_room(true, n + 1);
   cells.begin.make_room(true, tm_cells_number(&g) + 1);
   cells.index.make_room(true, n + TM_COLUMN_MOST);
   cells.marked.make_room(margin > 0.0, n + 1);
   for (int d = 0; d < 4; d++) cells.column[d].make_room(d < 3 || reaches, n + TM_COLUMN_MOST);
+  for (auto &a : cells.look) a.make_room(reaches, tm_cells_number(&g));
 }
 
 void AdaptLists::sort_into_cells(const double *x)
@@ -175,6 +178,7 @@ void AdaptLists::sort_into_cells(const double *x)
   g.index = cells.index.loop_write();
   g.marked = cells.marked.loop_write();
   for (int d = 0; d < 4; d++) g.column[d] = cells.column[d].loop_write();
+  for (int k = 0; k < 2; k++) g.look[k] = cells.look[k].loop_write();
   backend->bin(g);
 }
 
@@ -235,6 +239,7 @@ double AdaptLists::bytes() const
                         &names, &holder, &other_holder})
     sum += a->bytes();
   for (const auto &c : cells.column) sum += c.bytes();
+  for (const auto &c : cells.look) sum += c.bytes();
   for (const auto *a : {&memory, &shown, &told, &next, &correction}) sum += a->bytes();
   for (const auto *a : {&meets, &marks, &was, &now, &dirty}) sum += a->bytes();
   return sum;

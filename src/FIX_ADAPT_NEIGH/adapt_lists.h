@@ -77,7 +77,7 @@ class AdaptLists : public AdaptPart, public RowSource {
   bool all_mechanical = true; // all types share one continuum
   struct Cells {
     LoopArray<int> cell, begin, index, marked;
-    LoopArray<tm_real> column[4];
+    LoopArray<tm_real> column[4], look[2];
     tm_cells grid = {};
   } cells;
   LoopArray<unsigned char> meets;
@@ -115,7 +115,7 @@ class AdaptLists : public AdaptPart, public RowSource {
   bool same_places();
   int room_for_names(int);
   void tell_searched();
-  void make_grid(double width, const double *x, const double *reaches = nullptr);
+  void make_grid(double widest, const double *x, const double *reaches = nullptr);
   void sort_into_cells(const double *x);
   tm_search_args search_args(int segments, double within);
   void search(RowTable &, int segments, double within, int n, const int *of = nullptr);

@@ -114,9 +114,9 @@ TM_FN int tm_selected(int i, const tm_select_args *a)
   if (a->kind == TM_SELECT_SEARCHED) return a->border.now[i];
   if (a->kind == TM_SELECT_BORDER)
     return !a->border.now[i] && (a->border.rows.fresh[i] > 0 || a->border.rows.kept[i] == 0);
-  for (int k = 0; k < 9; k++) {
-    int begin, end;
-    tm_search_cells(&a->cells, a->cells.x + 3 * (ptrdiff_t) i, k, &begin, &end);
+  tm_around around = tm_cells_around(&a->cells, a->cells.x + 3 * (ptrdiff_t) i);
+  int begin, end;
+  while (tm_around_next(&around, &a->cells, &begin, &end)) {
     if (a->cells.marked[begin] != a->cells.marked[end]) {
       a->border.dirty[i] = 1;
       return 1;

@@ -68,18 +68,6 @@ TM_FN int tm_search_run(const tm_search_args *a, int begin, int end, const doubl
   return n;
 }
 
-/* The run of cells number k = 0..8 around a particle: its first and last entry of the order. */
-TM_FN void tm_search_cells(const tm_cells *c, const double *x, int k, int *begin, int *end)
-{
-  const int cx = tm_cells_of_axis(c, 0, x[0]);
-  const int cy = tm_cells_of_axis(c, 1, x[1]) + k % 3 - 1, cz = tm_cells_of_axis(c, 2, x[2]) + k / 3 - 1;
-  *begin = *end = 0;
-  if (cy < 0 || cy >= c->cells[1] || cz < 0 || cz >= c->cells[2]) return;
-  const int row = (cz * c->cells[1] + cy) * c->cells[0];
-  *begin = c->begin[row + (cx > 0 ? cx - 1 : 0)];
-  *end = c->begin[row + (cx + 1 < c->cells[0] ? cx + 1 : cx) + 1];
-}
-
 /* ---- by threads of the host, whole rows */
 
 /* Places of the n entries in order of tag, then of memory, by counting those before each. */
@@ -121,10 +109,9 @@ TM_HOST_FN int tm_search(int i, const tm_search_args *a)
   int *row = a->index + a->first[i];
   int begin, end, total = 0;
   int found[TM_SEARCH_MOST + TM_COLUMN], place[TM_SEARCH_MOST + TM_COLUMN], n = 0, kept = 0;
-  for (int r = 0; r < 9 && n <= TM_SEARCH_MOST; r++) {
-    tm_search_cells(&a->cells, x, r, &begin, &end);
+  tm_around around = tm_cells_around(&a->cells, x);
+  while (n <= TM_SEARCH_MOST && tm_around_next(&around, &a->cells, &begin, &end))
     n = tm_search_run(a, begin, end, x, reach, n, TM_SEARCH_MOST, found);
-  }
   if (n > TM_SEARCH_MOST) return n;
   for (int k = 0; k < n; k++) {
     found[kept] = found[k];

@@ -43,7 +43,7 @@ AuditSearch::AuditSearch(FixSPHTM &f, const tm_records &r) : fix(f), rec(r), mee
   tm_cells &c = args.cells;
   c.n = n;
   c.x = x.data();
-  tm_cells_make(&c, host.bounds(n, c.x), farthest, dim == 3, 4 * n + 4096);
+  tm_cells_make(&c, host.bounds(n, c.x), farthest, farthest, dim == 3, 4 * n + 4096);
   cell.resize(n);
   begin.resize(tm_cells_number(&c) + 1);
   index.resize(n + TM_COLUMN_MOST);

@@ -44,6 +44,17 @@ struct PutInCell {
     tm_cells_put(&c, i, Kokkos::atomic_fetch_add(c.begin + c.cell[i] + 1, 1));
   }
 };
+struct CellReach {
+  tm_cells c;
+  KOKKOS_FUNCTION void operator()(int cell) const { c.look[1][cell] = tm_cells_reach(&c, cell); }
+};
+struct CellLook {
+  tm_cells c;
+  int axis;
+  const tm_real *from;
+  tm_real *to;
+  KOKKOS_FUNCTION void operator()(int cell) const { to[cell] = tm_cells_look(&c, cell, axis, from); }
+};
 // the threads of a warp search for one particle; what they find stands in their scratch memory
 struct Search {
   using Team = Kokkos::TeamPolicy<LMPDeviceType>;
@@ -66,9 +77,9 @@ struct Search {
       if (!(a.segments >> s & 1)) continue;
       Kokkos::single(Kokkos::PerThread(team), [&] { *found_of_all = 0; });
       const int room = a.capacity - total;
-      for (int r = 0; r < 9; r++) {
-        int begin, end;
-        tm_search_cells(&a.cells, x, r, &begin, &end);
+      tm_around around = tm_cells_around(&a.cells, x);
+      int begin, end;
+      while (tm_around_next(&around, &a.cells, &begin, &end)) {
         Kokkos::parallel_for(Kokkos::ThreadVectorRange(team, begin, end), [&](int k) {
           if (!tm_search_takes(i, k, s, x, reach, &a)) return;
           const int at = Kokkos::atomic_fetch_add(found_of_all, 1);
@@ -253,6 +264,10 @@ void KokkosLists::bin(const tm_cells &c)
   kokkos_each("sph/tm count in cells", c.n, CountCell{c, cells});
   Kokkos::parallel_scan("sph/tm place cells", Kokkos::RangePolicy<LMPDeviceType>(0, cells + 1), PlaceCells{c});
   kokkos_each("sph/tm put in cells", c.n, PutInCell{c});
+  if (!c.reach) return;
+  kokkos_each("sph/tm reach of cells", cells, CellReach{c});
+  for (int axis = 0; axis < 3; axis++)
+    kokkos_each("sph/tm look from cells", cells, CellLook{c, axis, c.look[1 - axis % 2], c.look[axis % 2]});
 }
 int KokkosLists::search(int n, const tm_search_args &a)
 {

@@ -1,4 +1,5 @@
-/* Rows from the cells against all pairs: two and three dimensions, one reach and one each, types, rows that are full;
+/* Rows from the cells against all pairs: two and three dimensions, one reach and one each, types, rows that are full, cells
+   as wide as the largest reach and, where each has its own, narrower; how far a particle has to look;
    which rows one that has moved is near to; rows with a margin where each has its own reach, which grows. */
 #include "tm_border.h"
 #include "ut.h"
@@ -10,13 +11,13 @@ enum { N = 600, OWN = 500, TYPES = 3, ROOM = 400 };
 static double x[N][3];
 static tm_real reach[N];
 static int type[N], tag[N], cell[N], order[N + TM_COLUMN], begin[100000], marked[N + 1];
-static tm_real column[4][N + TM_COLUMN];
+static tm_real column[4][N + TM_COLUMN], look[2][100000];
 static int row[N * ROOM], count[TM_SEGMENTS][N];
 static ptrdiff_t first[N];
 static unsigned char meets[(TYPES + 1) * (TYPES + 1)], moved[N], marks[N], dirty[N];
 static double was_at[N][3];
 
-static void sort(tm_cells *c, int dim3, tm_real width)
+static void sort(tm_cells *c, int dim3, tm_real widest, tm_real width)
 {
   tm_bounds b = tm_bounds_nothing();
   for (int i = 0; i < N; i++) {
@@ -25,7 +26,7 @@ static void sort(tm_cells *c, int dim3, tm_real width)
   }
   c->n = N;
   c->x = x[0];
-  tm_cells_make(c, b, width, dim3, 99000);
+  tm_cells_make(c, b, widest, width, dim3, 99000);
   c->cell = cell;
   c->begin = begin;
   c->index = order;
@@ -39,6 +40,11 @@ static void sort(tm_cells *c, int dim3, tm_real width)
   }
   begin[cells] = k;
   UT_TRUE(k == N);
+  for (int d = 0; d < 2; d++) c->look[d] = look[d];
+  if (!c->reach) return;
+  for (int q = 0; q < cells; q++) look[1][q] = tm_cells_reach(c, q);
+  for (int axis = 0; axis < 3; axis++)
+    for (int q = 0; q < cells; q++) look[axis % 2][q] = tm_cells_look(c, q, axis, look[1 - axis % 2]);
 }
 
 /* what should be entry k of segment s of row i; -1 behind the last */
@@ -70,8 +76,8 @@ static int search_by_many(int i, const tm_search_args *a)
   for (int s = 0; s < TM_SEGMENTS; s++) {
     if (!(a->segments >> s & 1)) continue;
     int n = 0;
-    for (int q = 8; q >= 0; q--) {
-      tm_search_cells(&a->cells, x[i], q, &begin, &end);
+    tm_around around = tm_cells_around(&a->cells, x[i]);
+    while (tm_around_next(&around, &a->cells, &begin, &end)) {
       for (int k = end - 1; k >= begin; k--)
         if (tm_search_takes(i, k, s, x[i], r, a)) found[n++] = a->cells.index[k];
     }
@@ -102,7 +108,7 @@ static void check(const tm_search_args *a, int by_many)
   }
 }
 
-static void run(int dim3, int own_reach, int types, ptrdiff_t stride)
+static void run(int dim3, int own_reach, int types, ptrdiff_t stride, tm_real width)
 {
   const tm_real side = dim3 ? 8.0 : 24.0;
   for (int i = 0; i < N; i++) {
@@ -122,7 +128,7 @@ static void run(int dim3, int own_reach, int types, ptrdiff_t stride)
   tm_search_args a;
   memset(&a, 0, sizeof a);
   a.cells.reach = own_reach ? reach : NULL;
-  sort(&a.cells, dim3, 2.4);
+  sort(&a.cells, dim3, 2.4, width);
   for (int k = 0; k < N; k++) marked[k + 1] = marked[k] + moved[order[k]];
   a.cells.marked = marked;
   a.reach = 2.4;
@@ -157,7 +163,8 @@ static void run(int dim3, int own_reach, int types, ptrdiff_t stride)
     int neighbor = 0;
     for (int j = 0; j < N; j++) {
       const tm_real dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], dz = x[i][2] - x[j][2];
-      neighbor |= moved[j] && dx * dx + dy * dy + dz * dz < 2.4 * 2.4;
+      const tm_real r = own_reach ? tm_max(reach[i], reach[j]) : 2.4;
+      neighbor |= moved[j] && dx * dx + dy * dy + dz * dz < r * r;
     }
     UT_TRUE(is_near >= neighbor && dirty[i] == is_near);
     some += is_near;
@@ -177,13 +184,13 @@ static void run(int dim3, int own_reach, int types, ptrdiff_t stride)
   }
 }
 
-static tm_search_args search_of(int dim3, tm_real width, const tm_real *reaches)
+static tm_search_args search_of(int dim3, tm_real widest, tm_real width, const tm_real *reaches)
 {
   tm_search_args a;
   memset(&a, 0, sizeof a);
   a.cells.reach = reaches;
-  sort(&a.cells, dim3, width);
-  a.reach = width;
+  sort(&a.cells, dim3, widest, width);
+  a.reach = widest;
   a.segments = 1;
   a.tag = tag;
   a.capacity = ROOM;
@@ -203,6 +210,21 @@ static int in_row(int i, int j)
   for (int k = 0; k < count[0][i]; k++)
     if (row[first[i] + k] == j) return 1;
   return 0;
+}
+
+/* A particle looks as far as the reach of those that reach it, and no further than that of those that reach to within two
+   cells of it. */
+static void check_look(int i, const tm_cells *c)
+{
+  const tm_real found = look[0][tm_cells_of(c, x[i])];
+  tm_real least = reach[i], most = reach[i];
+  for (int j = 0; j < N; j++) {
+    const tm_real dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], dz = x[i][2] - x[j][2], r = reach[j];
+    if (dx * dx + dy * dy + dz * dz < r * r) least = tm_max(least, r);
+    if (fabs(dx) < r + 2 * c->width[0] && fabs(dy) < r + 2 * c->width[1] && fabs(dz) < r + 2 * c->width[2])
+      most = tm_max(most, r);
+  }
+  UT_TRUE(least <= found && found <= (1.0 + 1e-8) * most);
 }
 
 /* A third of the particles is small and lies close. Rows of the small ones hold what is near them, not what the large
@@ -226,9 +248,11 @@ static void own_reaches(int dim3)
     UT_TRUE(tm_moved(i, &m) == 1 && place[i][0] == x[i][0]);
     UT_NEAR(reach[i], 1.2 * 2.0 / size[i][TM_SIZE_INV_H], 1e-15);
   }
+  const tm_real widest = 1.2 * 2.0 * 1.2;
   for (int own = 0; own < 2; own++) {
-    search_of(dim3, 1.2 * 2.0 * 1.2, own ? reach : NULL);
+    const tm_search_args a = search_of(dim3, widest, own ? 0.5 * widest : widest, own ? reach : NULL);
     for (int i = 0; i < N / 3; i++) mean[own] += count[0][i] / (N / 3.0);
+    for (int i = 0; own && i < N; i++) check_look(i, &a.cells);
   }
   UT_TRUE(mean[1] < (dim3 ? 0.35 : 0.45) * mean[0]);    /* (1/2)^3 and (1/2)^2 but for those at the border of the two */
 
@@ -280,7 +304,8 @@ int main(void)
     printf("this processor cannot run these loops: skipped\n");
     return 77;
   }
-  for (int c = 0; c < 8; c++) run(c & 1, c >> 1 & 1, c >> 2 & 1, c == 5 ? 32 : 1);
+  for (int c = 0; c < 8; c++) run(c & 1, c >> 1 & 1, c >> 2 & 1, c == 5 ? 32 : 1, 2.4);
+  for (int c = 0; c < 4; c++) run(c & 1, 1, 0, 1, c & 2 ? 1.2 : 0.7);
   own_reaches(0);
   own_reaches(1);
   return ut_summary();
