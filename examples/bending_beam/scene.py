@@ -14,11 +14,19 @@ from sphtm_scene import read_dump                                               
 L, W = 0.05, 12.5e-3
 # S13: edge of the square 0.5 of the spacing; the keyword takes smoothing lengths, 1.2 spacings
 REFINE = "refine square epsilon 0.41667 alpha 0.6 velocity linear when f_strain[1] above 0.04 every 200"
-ELASTIC = {"options": "viscosity 0.5 0.5 correction yes artstress 0 4", "sag": 0}
-BARE = {"ramp": 100e-6, "options": "viscosity 1 1 artstress 0 4"}
-ROWS = {"elastic": ELASTIC, "unrefined": {"ramp": 100e-6}, "refined": {"ramp": 100e-6, "adapt": REFINE},
-        "unrefined_artstress_0": BARE,
-        "refined_artstress_0": dict(BARE, adapt=REFINE)}
+BARE, SOFT = "viscosity 1 1 artstress 0 4", "viscosity 0.5 0.5 correction yes artstress "
+RESISTED = "viscosity 1 1 artstress 0.3 4 balanced hourglass 0.02"
+ELASTIC = {"options": SOFT + "0 4", "sag": 0}
+ELASTIC_RESISTED = {"options": SOFT + "0.3 4 balanced hourglass 0.02", "sag": 0}
+
+
+def bent(options, **more):
+    return dict({"ramp": 100e-6, "options": options}, **more)
+
+
+ROWS = {"elastic": ELASTIC, "elastic_resisted": ELASTIC_RESISTED,
+        "unrefined_bare": bent(BARE), "refined_bare": bent(BARE, adapt=REFINE),
+        "unrefined": bent(RESISTED), "refined": bent(RESISTED, adapt=REFINE)}
 
 
 def elastic_profile(result, rows, at=0.5):
@@ -91,6 +99,26 @@ def breaks(result, rows):
     return whole, None
 
 
+def opening(frame, first, rows):
+    """Largest distance between neighbors in a row of the stretched half near the clamp, less what their plastic strain makes of
+    it (plane strain: exp(sqrt(3)/2 eps)), in spacings. A parent's ID goes to one of its children."""
+    start, now, worst = places(first), places(frame), 0.0
+    strain = {int(k): e for k, e in zip(frame["id"], frame["c_p[1]"])}
+    for k, (x, y) in start.items():
+        pair = k, k + 1
+        if y > 0 and 0 < x < L / 2 and all(e in start and e in now for e in pair) and abs(start[k + 1][1] - y) < 0.5 * W / rows:
+            length = [np.hypot(*np.subtract(p[k + 1], p[k])) for p in (start, now)]
+            worst = max(worst, length[1] / length[0] - np.exp(np.sqrt(0.75) * max(strain[e] for e in pair)))
+    return float(worst)
+
+
+def opens(result, first, rows, wide=1.0):
+    """How far down the end is where first a gap is wider than a spacing (None: nowhere), and the widest gap at 30 mm, and of all."""
+    found = [(tip_at(result, frame), opening(frame, first, rows)) for frame in read_dump(result.path("beam.dump"))]
+    return {"opens_at": next((tip for tip, gap in found if gap > wide), None), "widest_gap": max(gap for _, gap in found),
+            "gap_at_30_mm": max([gap for tip, gap in found if tip > -0.031], default=None)}
+
+
 def tip_at(result, frame):
     h = result.columns("history.dat")
     return float(np.interp(frame["step"], h[:, 0], h[:, 4]))
@@ -120,13 +148,17 @@ def main():
         if not os.path.exists(result.path("end.dump")):
             table[row] = {"stopped": result.errors()}
             continue
-        if row == "elastic":
+        if row.startswith("elastic"):
             error, slope = profile_error(*elastic_profile(result, rows))
             table[row] = {"profile_error": error, "profile_slope": slope, "processor": result.processor}
             continue
         first = read_dump(result.path("elastic.dump"))[-1]
         h, table[row] = result.columns("history.dat"), {}
         table[row]["whole_until"], table[row]["in_pieces_at"] = breaks(result, rows)
+        if row == "unrefined_bare":
+            frame, tip = at_sag(result, -(table[row]["in_pieces_at"] or -1.0))
+            frames["bare, %.0f mm down" % (-1e3 * tip)] = frame
+        table[row].update(opens(result, first, rows))
         if row == "unrefined":
             straight, lattice = result, first
         for name, sag in (("25_mm", 0.025), ("end", 1.0)) if row in ("unrefined", "refined") else ():
@@ -145,7 +177,7 @@ def draw(frames, study):
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
     plt.rcParams.update({"font.size": 9})
-    figure, axes = plt.subplots(1, max(1, len(frames)), figsize=(2.6 * max(1, len(frames)), 4), squeeze=False, sharey=True)
+    figure, axes = plt.subplots(1, max(1, len(frames)), figsize=(2.3 * max(1, len(frames)), 4), squeeze=False, sharey=True)
     for ax, (row, frame) in zip(axes[0], frames.items()):
         dots = ax.scatter(1e3 * frame["x"], 1e3 * frame["y"], c=frame["c_p[1]"], s=0.8, cmap="viridis", vmin=0, vmax=0.6, lw=0)
         ax.set(aspect="equal", title=row.replace(", ", "\n"), xlabel="x (mm)", xlim=(-6, 50), ylim=(-58, 12))
