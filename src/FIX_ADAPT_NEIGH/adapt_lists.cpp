@@ -49,7 +49,7 @@ void AdaptLists::init()
   for (auto &a : cells.column) a.move_to(*backend);
   for (auto &a : cells.look) a.move_to(*backend);
   for (auto *a : {&memory, &shown, &told, &next, &correction}) a->move_to(*backend);
-  for (auto *a : {&meets, &marks, &was, &now, &dirty}) a->move_to(*backend);
+  for (auto *a : {&meets, &marks, &was, &now, &dirty, &gone}) a->move_to(*backend);
   fresh_first.move_to(*backend);
   weight.move_to(*backend);
   place.move_to(*backend);
@@ -241,7 +241,7 @@ double AdaptLists::bytes() const
   for (const auto &c : cells.column) sum += c.bytes();
   for (const auto &c : cells.look) sum += c.bytes();
   for (const auto *a : {&memory, &shown, &told, &next, &correction}) sum += a->bytes();
-  for (const auto *a : {&meets, &marks, &was, &now, &dirty}) sum += a->bytes();
+  for (const auto *a : {&meets, &marks, &was, &now, &dirty, &gone}) sum += a->bytes();
   return sum;
 }
 

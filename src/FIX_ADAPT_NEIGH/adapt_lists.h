@@ -26,7 +26,7 @@ class AdaptLists : public AdaptPart, public RowSource {
   void setup_pre_force() override { stepping = false; }
   void pre_force() override { stepping = true; }
   void end_of_step() override;
-  void post_run() override { to_tags(); }
+  void post_run() override;
 
   bool has_values() const override { return keeps(); }
   void grow(int) override;
@@ -93,6 +93,8 @@ class AdaptLists : public AdaptPart, public RowSource {
   LoopArray<int> holder, other_holder;    // see tm_places.h
   LoopArray<int> names;       // tags of what entries of kept rows mean, while particles get new places
   int n_names = 0;
+  LoopArray<unsigned char> gone;    // of each name: the particle is nowhere near
+  double dropped = 0.0;       // pairs of such in this run, on this rank
   bool any_dirty = false, rows_good = false;
   int active = 0, at_border = 0;
 
@@ -111,7 +113,8 @@ class AdaptLists : public AdaptPart, public RowSource {
   bool corrects() const;
   tm_rates_args border_rates(const tm_rates_args &);
   void to_tags();
-  void to_indices(bool same);
+  int to_indices(bool same);
+  void drop_gone(int pairs);
   bool same_places();
   int room_for_names(int);
   void tell_searched();

@@ -117,11 +117,12 @@ void AdaptLists::search_again(bool renumbered)
   if (renumbered) {
     make_room(fix.host()->atom->nmax);
     const bool same = same_places();
-    to_indices(same);
-    const int mine = !same || (int) now.size() < all();
-    int tell;    // all ranks tell, or none
-    MPI_Allreduce(&mine, &tell, 1, MPI_INT, MPI_MAX, fix.host()->world);
-    if (tell) {
+    const int lost = to_indices(same);
+    const int mine[2] = {!same || (int) now.size() < all(), lost > 0};
+    int any[2];    // all ranks tell and drop, or none
+    MPI_Allreduce(mine, any, 2, MPI_INT, MPI_MAX, fix.host()->world);
+    if (any[1]) drop_gone(lost);
+    if (any[0]) {
       rows_good = false;
       dirty.make_room(true, all() + 1);
       for (auto *a : {&which, &which_border}) a->make_room(true, own() + 1);

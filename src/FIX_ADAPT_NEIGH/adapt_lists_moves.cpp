@@ -8,18 +8,34 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "domain.h"
 #include "error.h"
 #include "lammps.h"
+#include "output.h"
+#include "thermo.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 
 using namespace LAMMPS_NS;
 
 namespace SPHTM_NS {
 
 /* ---------------------------------------------------------------------- places in memory */
+
+// those of all ranks
+static void gather(const std::vector<int> &mine, std::vector<int> &all, MPI_Comm world)
+{
+  int ranks, n = (int) mine.size();
+  MPI_Comm_size(world, &ranks);
+  std::vector<int> count(ranks), first(ranks + 1, 0);
+  MPI_Allgather(&n, 1, MPI_INT, count.data(), 1, MPI_INT, world);
+  std::partial_sum(count.begin(), count.end(), first.begin() + 1);
+  all.resize(first[ranks]);
+  MPI_Allgatherv(mine.data(), n, MPI_INT, all.data(), count.data(), first.data(), MPI_INT, world);
+}
 
 // room for so many more; where they begin
 int AdaptLists::room_for_names(int n)
@@ -45,11 +61,12 @@ bool AdaptLists::same_places()
   return by_tag && all() == own() && n_names == own() && backend->equal(own(), names.loop_read(), fix.pair().loop_tags());
 }
 
-void AdaptLists::to_indices(bool same)
+// how many entries of this rank are of particles that are nowhere near
+int AdaptLists::to_indices(bool same)
 {
   const bool was_by_tag = by_tag;
   by_tag = false;
-  if (!keeps() || !was_by_tag || same) return;
+  if (!keeps() || !was_by_tag || same) return 0;
   tm_places_args a = {};
   a.store = kept_store();
   a.name = names.loop_read();
@@ -62,12 +79,68 @@ void AdaptLists::to_indices(bool same)
   a.other = other_holder.loop_write();
   backend->zero(a.holder, ((size_t) a.most + 1) * sizeof(int));
   backend->hold_tags(all(), a);
-  a.forgets = std::isfinite(approach);
+  a.forgets = std::isfinite(approach);    // deleted, or far away: not a neighbor any more
+  gone.make_room(!a.forgets, n_names + 1);
+  a.gone = gone.loop_write();
+  if (a.gone) backend->fill(a.gone, 0, n_names);
+  const tm_rates_args &rates = fix.pair().rate_args();
+  a.rec = rates.rec;
+  a.slope_norm = rates.slope_norm;
+  a.corrected = fix.body().has(TM_FX_CORRECTION) && !corrects();
+  a.dim3 = fix.host()->domain->dimension == 3;
   const int lost = backend->places(own(), a);
-  if (lost == own() || a.forgets) return;    // deleted, or far away: not a neighbor any more
-  fix.body().host_particles();
-  fix.host()->error->one(FLERR, "Fix adapt/neigh threshold {}: a neighbor that particle {} keeps is gone or beyond the "
-                                "ghosts; a larger neighbor skin, or 'approach 0.01'", threshold, fix.host()->atom->tag[lost]);
+  return a.forgets ? 0 : lost;
+}
+
+// All ranks together: pairs of which this rank found so many without their other end are dropped, where that particle
+// is gone for good and may be; one that is somewhere has only left the reach of the ghosts.
+void AdaptLists::drop_gone(int pairs)
+{
+  LAMMPS *lmp = fix.host();
+  std::vector<int> mine, tags;
+  if (pairs) {
+    const unsigned char *is_gone = gone.host_read();
+    const int *name = names.host_read();
+    for (int k = 0; k < n_names; k++)
+      if (is_gone[k]) mine.push_back(name[k]);
+  }
+  gather(mine, tags, lmp->world);
+  std::sort(tags.begin(), tags.end());
+  tags.erase(std::unique(tags.begin(), tags.end()), tags.end());
+
+  LoopArray<int> owned(*backend);
+  owned.resize(own() + 1);
+  backend->copy(owned.loop_write(), fix.pair().loop_tags(), own() * sizeof(int));
+  std::vector<int> here(tags.size(), 0), there(tags.size());
+  const int *tag = owned.host_read();
+  for (int i = 0; i < own(); i++) {
+    const auto t = std::lower_bound(tags.begin(), tags.end(), tag[i]);
+    if (t != tags.end() && *t == tag[i]) here[t - tags.begin()] = 1;
+  }
+  MPI_Allreduce(here.data(), there.data(), (int) tags.size(), MPI_INT, MPI_MAX, lmp->world);
+  for (size_t k = 0; k < tags.size(); k++)
+    if (there[k])
+      lmp->error->all(FLERR, "Fix adapt/neigh threshold {}: particle {} is beyond the ghosts of others that keep it as a "
+                             "neighbor; a larger neighbor skin, or 'approach 0.01'", threshold, tags[k]);
+  const bigint count = own();
+  bigint total;
+  MPI_Allreduce(&count, &total, 1, MPI_LMP_BIGINT, MPI_SUM, lmp->world);
+  if (lmp->output->thermo->lostflag == Thermo::ERROR && total != lmp->atom->natoms)
+    lmp->error->all(FLERR, "Fix adapt/neigh threshold {}: particle {} is gone, that others keep as a neighbor; write "
+                           "'thermo_modify lost ignore' (or warn) to go on without it", threshold, tags[0]);
+  dropped += pairs;
+}
+
+void AdaptLists::post_run()
+{
+  to_tags();
+  if (!keeps()) return;
+  double sum;
+  MPI_Allreduce(&dropped, &sum, 1, MPI_DOUBLE, MPI_SUM, fix.host()->world);
+  dropped = 0.0;
+  if (sum > 0.0 && fix.host()->comm->me == 0)
+    fix.host()->error->warning(FLERR, "Fix adapt/neigh threshold {}: {} pairs of kept rows were dropped in this run, their "
+                                      "other particles are gone", threshold, (bigint) sum);
 }
 
 void AdaptLists::grow(int nmax)

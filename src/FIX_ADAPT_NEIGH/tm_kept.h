@@ -157,6 +157,24 @@ TM_FN tm_mat3 tm_mat_inverse(tm_mat3 a, int dim3, int *good)
   return b;
 }
 
+/* G of a row as it is now. */
+TM_FN tm_mat3 tm_kept_stretch(int i, const tm_kept_rows *r, const tm_records *rec, tm_real slope_norm, int dim3)
+{
+  const tm_real *ri = tm_main_record(rec, i);
+  const int *row = r->index + r->first[i];
+  const float *w = tm_weight(r, i);
+  tm_real G[9] = {0, 0, 0, 0, 0, 0, 0, 0, 0};
+  for (int k = 0; k < r->kept[i]; k++) {
+    const tm_real *rj = tm_main_record(rec, row[k * r->stride]);
+    const tm_real m = rj[tm_part(TM_REC_M)];
+    for (int c = 0; c < (dim3 ? 3 : 2); c++) {
+      const tm_real mw = m * (tm_real) w[tm_weight_place(r, TM_W_OWN + c, k)];
+      for (int d = 0; d < (dim3 ? 3 : 2); d++) G[3 * d + c] += (rj[tm_part(d)] - ri[tm_part(d)]) * mw;
+    }
+  }
+  return tm_mat_scale(slope_norm, tm_mat_load(G));
+}
+
 /* A symmetric tensor from columns c on of a record. */
 TM_FN tm_sym3 tm_kept_sym(const tm_real *r, int c)
 {

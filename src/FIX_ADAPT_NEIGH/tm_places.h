@@ -94,35 +94,45 @@ typedef struct {
   int most;                    /* the largest tag */
   int *holder;                 /* by tag, to most: the place + 1 of a particle that has it, 0: none */
   int *other;                  /* of each place: the same for another particle of its tag */
-  int forgets;                 /* entries that are nowhere are dropped */
+  int forgets;                 /* who loses an entry is searched for a while; if not, he goes on with those left */
+  unsigned char *gone;         /* of each name: 1 where an entry is nowhere. NULL: nobody asks */
+  tm_records rec;              /* of this force point */
+  tm_real slope_norm;          /* as in tm_rates_args */
+  int corrected, dim3;         /* gradients are: Q = 1 */
 } tm_places_args;
 
-/* Entries of row i become places. Returns whether a particle was nowhere: its entry goes, if entries are forgotten,
-   and the particle is searched for a while. */
+/* Place of the image of tag `name` that is closest to particle i, or -1. */
+TM_FN int tm_place_of(int name, int i, const tm_places_args *a)
+{
+  const double *xi = a->x + 3 * (ptrdiff_t) i;
+  tm_real least = 1e300;
+  int found = -1;
+  for (int next = name <= a->most ? a->holder[name] : 0; next; next = a->other[next - 1]) {
+    const int j = next - 1;
+    const double *y = a->x + 3 * (ptrdiff_t) j;
+    const tm_real dx = xi[0] - y[0], dy = xi[1] - y[1], dz = xi[2] - y[2], r2 = dx * dx + dy * dy + dz * dz;
+    if (j == i || r2 > least || (r2 == least && j > found)) continue;
+    least = r2;
+    found = j;
+  }
+  return found;
+}
+
+/* Entries of row i become places; those of particles that are nowhere go. Returns how many. Without them B of a kept
+   particle stays what it is: G is that of the entries left, Q follows. */
 TM_FN int tm_places(int i, const tm_places_args *a)
 {
   const tm_kept_rows *r = &a->store.rows;
-  const double *xi = a->x + 3 * (ptrdiff_t) i;
-  int *row = r->index + r->first[i], n = r->kept[i], lost = 0;
+  int *row = r->index + r->first[i], n = r->kept[i];
   float *w = tm_weight(r, i);
+  tm_real *k = a->store.memory + (ptrdiff_t) i * TM_K;
   for (int e = 0; e < n; e++) {
-    const int name = a->name[row[e * r->stride]];
-    tm_real least = 1e300;
-    int found = -1;
-    for (int next = name <= a->most ? a->holder[name] : 0; next; next = a->other[next - 1]) {
-      const int j = next - 1;
-      const double *y = a->x + 3 * (ptrdiff_t) j;
-      const tm_real dx = xi[0] - y[0], dy = xi[1] - y[1], dz = xi[2] - y[2], r2 = dx * dx + dy * dy + dz * dz;
-      if (j == i || r2 > least || (r2 == least && j > found)) continue;
-      least = r2;
-      found = j;
-    }
-    if (found >= 0) {
-      row[e * r->stride] = found;
+    const int entry = row[e * r->stride], j = tm_place_of(a->name[entry], i, a);
+    if (j >= 0) {
+      row[e * r->stride] = j;
       continue;
     }
-    lost = 1;
-    if (!a->forgets) return 1;
+    if (a->gone) a->gone[entry] = 1;
     n--;
     row[e * r->stride] = row[n * r->stride];
     for (int c = 0; c < TM_WEIGHTS; c++) {
@@ -131,11 +141,16 @@ TM_FN int tm_places(int i, const tm_places_args *a)
     }
     e--;
   }
-  if (lost) {
-    r->kept[i] = n;
-    a->store.memory[(ptrdiff_t) i * TM_K + TM_K_NEAR] = TM_NEAR_HOLD;
-  }
+  const int lost = r->kept[i] - n;
+  r->kept[i] = n;
   for (int e = n; e < tm_kept_places(n); e++) row[e * r->stride] = i;
+  if (lost && a->forgets) k[TM_K_NEAR] = TM_NEAR_HOLD;
+  else if (lost) {
+    const tm_mat3 G = tm_kept_stretch(i, r, &a->rec, a->slope_norm, a->dim3);
+    if (!a->corrected) tm_mat_store(k + TM_K_Q, tm_mat_mul(tm_mat_transposed(G), tm_mat_load(k + TM_K_B)));
+    tm_mat_store(k + TM_K_G, G);
+    tm_kept_turn(k, tm_mat_scale(0.0, G), 0.0, a->dim3);
+  }
   return lost;
 }
 

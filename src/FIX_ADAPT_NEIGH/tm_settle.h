@@ -110,25 +110,6 @@ TM_FN int tm_settle_pair(int i, int j, int to, const tm_settle_args *a, int kern
   return (mixed ? TM_ROW_MIXED : 0) | (f > 0.0 ? TM_ROW_TENSE : 0);
 }
 
-/* G of a row as it is now. */
-TM_FN tm_mat3 tm_settle_stretch(int i, const tm_settle_args *a, int dim3)
-{
-  const tm_real *ri = tm_main_record(&a->rec, i);
-  const ptrdiff_t stride = a->rows.stride;
-  const int *row = a->rows.index + a->rows.first[i];
-  const float *w = tm_weight(&a->rows, i);
-  tm_real G[9] = {0, 0, 0, 0, 0, 0, 0, 0, 0};
-  for (int k = 0; k < a->rows.kept[i]; k++) {
-    const tm_real *rj = tm_main_record(&a->rec, row[k * stride]);
-    const tm_real m = rj[tm_part(TM_REC_M)];
-    for (int c = 0; c < (dim3 ? 3 : 2); c++) {
-      const tm_real mw = m * (tm_real) w[tm_weight_place(&a->rows, TM_W_OWN + c, k)];
-      for (int r = 0; r < (dim3 ? 3 : 2); r++) G[3 * r + c] += (rj[tm_part(r)] - ri[tm_part(r)]) * mw;
-    }
-  }
-  return tm_mat_scale(a->slope_norm, tm_mat_load(G));
-}
-
 /* The row of particle i, which is not searched next: out go pairs of those that are, in come those of which
    one end has come to rest. Returns whether anything did. */
 TM_FN int tm_settle_row(int i, const tm_settle_args *a, int kernel, int dim3)
@@ -199,7 +180,8 @@ TM_FN void tm_settle(int i, const tm_settle_args *a, unsigned effects)
   const int changed = (was || a->dirty[i]) && tm_settle_row(i, a, kernel, dim3);
   if (changed || a->measures) {
     /* G of these positions, and as the next ones will have it */
-    const tm_mat3 G = tm_settle_stretch(i, a, dim3), ahead = tm_mat_add(G, tm_mat_scale(a->dt, tm_mat_mul(L, G)));
+    const tm_mat3 G = tm_kept_stretch(i, &a->rows, &a->rec, a->slope_norm, dim3);
+    const tm_mat3 ahead = tm_mat_add(G, tm_mat_scale(a->dt, tm_mat_mul(L, G)));
     if (changed && !a->corrected)
       tm_mat_store(k + TM_K_Q, tm_mat_mul(tm_mat_transposed(was ? G : ahead), tm_mat_load(k + TM_K_B)));
     else if (changed) tm_mat_store(k + TM_K_Q, tm_mat_identity());

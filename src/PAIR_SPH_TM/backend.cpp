@@ -62,10 +62,9 @@ void Backend::searched(int n, const tm_real *memory, tm_real *next)
 
 int Backend::places(int n, const tm_places_args &a)
 {
-  int first = n;
-  for (int i = n - 1; i >= 0; i--)
-    if (tm_places(i, &a)) first = i;
-  return first;
+  int lost = 0;
+  for (int i = 0; i < n; i++) lost += tm_places(i, &a);
+  return lost;
 }
 
 void Backend::reorder(int n, const tm_kept_store &from, const int *order, const tm_kept_store &to)

@@ -80,7 +80,7 @@ class Backend {
   virtual int largest(int n, const int *);    // at least 0
   virtual void hold_tags(int n, const tm_places_args &);
   virtual void searched(int n, const tm_real *memory, tm_real *next);
-  virtual int places(int n, const tm_places_args &);    // the first particle with entries that are nowhere, or n
+  virtual int places(int n, const tm_places_args &);    // how many entries are nowhere
   virtual void reorder(int n, const tm_kept_store &from, const int *order, const tm_kept_store &to);
   virtual void kept_send(int n, const tm_kept_send_args &);
   virtual void kept_receive(int n, const tm_kept_send_args &);

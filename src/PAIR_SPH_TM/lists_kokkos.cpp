@@ -211,9 +211,6 @@ struct Int {
 struct Larger {
   KOKKOS_FUNCTION void operator()(int *most, const int *v) const { *most = *v > *most ? *v : *most; }
 };
-struct Smaller {
-  KOKKOS_FUNCTION void operator()(int *least, const int *v) const { *least = *v < *least ? *v : *least; }
-};
 struct HoldTags {
   tm_places_args a;
   KOKKOS_FUNCTION void operator()(int j) const { a.other[j] = Kokkos::atomic_exchange(a.holder + a.tag[j], j + 1); }
@@ -225,8 +222,7 @@ struct Searched {
 };
 struct Places {
   tm_places_args a;
-  int n;
-  KOKKOS_FUNCTION int operator()(int i) const { return tm_places(i, &a) ? i : n; }
+  KOKKOS_FUNCTION int operator()(int i) const { return tm_places(i, &a); }
 };
 struct Reorder {
   tm_kept_store from, to;
@@ -356,7 +352,7 @@ void KokkosLists::searched(int n, const tm_real *memory, tm_real *next)
 }
 int KokkosLists::places(int n, const tm_places_args &a)
 {
-  return kokkos_sum("sph/tm places", n, n, Places{a, n}, Smaller());
+  return kokkos_sum("sph/tm places", n, 0, Places{a}, SumInt());
 }
 void KokkosLists::reorder(int n, const tm_kept_store &from, const int *order, const tm_kept_store &to)
 {

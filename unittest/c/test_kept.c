@@ -1,6 +1,7 @@
 /* Rows that are kept: a block that turns and stretches. Exact gradients of linear velocities where corrected,
-   objective ones where not; forces without resultant, work conjugate to the strain rates; one end searched. */
+   objective ones where not; forces without resultant, work conjugate to the strain rates; one end searched; one end gone. */
 #include "tm_border.h"
+#include "tm_places.h"
 #include "ut.h"
 
 #include <stdlib.h>
@@ -266,6 +267,62 @@ static void both_ends_agree(int i)
   }
 }
 
+/* The last particle is gone: pairs with it go, B of the others stays and goes on to turn with them. */
+static void one_gone(tm_settle_args *a, int corrected, unsigned fx)
+{
+  static int name[MOST], holder[MOST + 1], other[MOST];
+  static unsigned char gone[MOST];
+  static tm_real before[MOST * 9];
+  tm_places_args p;
+  memset(&p, 0, sizeof p);
+  p.store.rows = rows();
+  p.store.memory = memory;
+  p.name = p.tag = name;
+  p.x = x[0];
+  p.most = N;
+  p.holder = holder;
+  p.other = other;
+  p.gone = gone;
+  p.rec.main = main_rec;
+  p.slope_norm = a->slope_norm;
+  p.corrected = corrected;
+  p.dim3 = in_3d;
+  memset(gone, 0, sizeof gone);
+  for (int i = 0; i < N; i++) {
+    name[i] = i + 1;
+    holder[i + 1] = i < N - 1 ? i + 1 : 0;
+    for (int k = 0; k < 9; k++) before[9 * i + k] = memory[i * TM_K + TM_K_B + k];
+  }
+  int pairs = 0;
+  N--;
+  for (int i = 0; i < N; i++) {
+    const int all = kept[i], lost = tm_places(i, &p);
+    pairs += lost;
+    UT_TRUE(kept[i] == all - lost && lost <= 1);
+    for (int e = 0; e < tm_kept_places(kept[i]); e++) UT_TRUE(row[first[i] + e] < N);
+    for (int k = 0; k < 9 && !corrected; k++)
+      UT_WITHIN(memory[i * TM_K + TM_K_B + k] * 2700, before[9 * i + k] * 2700, 1e-12);
+  }
+  UT_TRUE(pairs == kept[N] && pairs > 5);
+  for (int i = 0; i < N; i++) UT_TRUE(!gone[i]);
+  UT_TRUE(gone[N]);
+  memset(gradient, 0, sizeof gradient);
+  rates(fx);
+  check_conservation(fx, 0.0);
+  const tm_mat3 L = velocity_gradient(), R = turn(0.4), all = turn(1.5);
+  for (int i = 0; i < N && corrected; i++) check_gradient(i, L, 1e-10);
+  if (corrected) return;
+  memcpy(before, gradient, sizeof before);
+  place(all, tm_mat_mul(tm_mat_mul(all, L), tm_mat_transposed(all)));
+  for (int i = 0; i < N; i++) search(i);
+  rates(fx);
+  settle(a, fx);
+  rates(fx);
+  check_conservation(fx, 0.0);
+  for (int i = 0; i < N; i++)
+    check_gradient(i, tm_mat_mul(tm_mat_mul(R, tm_mat_load(before + i * 9)), tm_mat_transposed(R)), 1e-7);
+}
+
 static void run(int corrected, unsigned fx)
 {
   in_3d = (fx & TM_FX_3D) != 0;
@@ -284,6 +341,7 @@ static void run(int corrected, unsigned fx)
   one_searched(&a, fx);
   for (int i = 0; i < N; i++) both_ends_agree(i);
   for (int i = 0; i < N && corrected; i++) check_gradient(i, L, 1e-10);
+  one_gone(&a, corrected, fx);
 }
 
 int main(void)

@@ -1,7 +1,7 @@
 """Particles that cross from rank to rank keep every value: two blocks fly diagonally through a periodic box, past each
 other and across all borders, turn and are deformed on the way. One, two and four ranks give the same bits, whether
 particles are exchanged and sorted by LAMMPS's host code or where the loops run, in their own memory or the host's. The
-same with rows of neighbors that are kept, and with walls that let particles go for ever."""
+same with rows of neighbors that are kept, also for ever, and with walls that let particles go for ever."""
 import numpy as np
 from kokkos_scene import Checks, run_way, same_bits
 
@@ -63,9 +63,10 @@ def fly(name, scene, all_ranks, open_box=False):
 
 
 RARE = "balsara yes xsph 0.05 correction yes hourglass 0.02"
-KEPT = "fix lists all adapt/neigh threshold 1e-3"
+KEPT, ONCE = ("fix lists all adapt/neigh threshold " + t for t in ("1e-3", "inf"))
 fly("lists of LAMMPS", SCENE.format(boundary="p p p", style=RARE, fix=""), (1, 2, 4))
 fly("kept rows", SCENE.format(boundary="p p p", style="", fix=KEPT), (1, 2))
 fly("walls", SCENE.format(boundary="f f f", style=RARE, fix=""), (1,), open_box=True)
 fly("walls, kept rows", SCENE.format(boundary="f f f", style="", fix=KEPT), (1,), open_box=True)
+fly("walls, rows searched once", SCENE.format(boundary="f f f", style="", fix=ONCE), (1, 2), open_box=True)
 checks.end()
