@@ -68,5 +68,5 @@ fly("lists of LAMMPS", SCENE.format(boundary="p p p", style=RARE, fix=""), (1, 2
 fly("kept rows", SCENE.format(boundary="p p p", style="", fix=KEPT), (1, 2))
 fly("walls", SCENE.format(boundary="f f f", style=RARE, fix=""), (1,), open_box=True)
 fly("walls, kept rows", SCENE.format(boundary="f f f", style="", fix=KEPT), (1,), open_box=True)
-fly("walls, rows searched once", SCENE.format(boundary="f f f", style="", fix=ONCE), (1, 2), open_box=True)
+fly("walls, rows searched once", SCENE.format(boundary="f f f", style="", fix=ONCE), (2,), open_box=True)
 checks.end()
