@@ -1,7 +1,8 @@
 #!/usr/bin/python3
-"""Bullet through a plate: time, residual velocity and searched fraction with every kind of list. ./sphtm scenes bullet_plate
+"""Bullet through a plate: time, residual velocity and searched fraction with every kind of list.
 
-SPHTM_ROUND=2 in the environment: only round 2 of several that run side by side; --look --repeats 3 takes their medians."""
+./sphtm scenes bullet_plate; SPHTM_ROUND=2 in the environment: only round 2 of several that run side by side;
+--look --repeats 3 takes their medians."""
 import os
 import statistics
 import sys
@@ -13,8 +14,8 @@ from study import Study                                                         
 
 ROWS = {"every step": {"adapt": "threshold 0"}, "every step, rows with a margin": {"adapt": "threshold 0 margin 0.15"},
         "every step, lists of LAMMPS": {"search": "every"},
-        "search once": {"adapt": "threshold inf rows 400"}, "1e-4": {"adapt": "threshold 1e-4"}, "1e-5": {"adapt": "threshold 1e-5"},
-        "1e-6": {"adapt": "threshold 1e-6"}, "skin list": {}}
+        "search once": {"adapt": "threshold inf rows 400"}, "1e-4": {"adapt": "threshold 1e-4"},
+        "1e-5": {"adapt": "threshold 1e-5"}, "1e-6": {"adapt": "threshold 1e-6"}, "skin list": {}}
 
 
 def measure(result):
@@ -31,7 +32,8 @@ def measure(result):
 
 
 def main():
-    sizes = {"small": {"n": 3, "thick": 9e-3, "end": 1.5e-4, "width": 72e-3}, "default": {"n": 5}, "large": {"n": 10, "sample": 20}}
+    sizes = {"small": {"n": 3, "thick": 9e-3, "end": 1.5e-4, "width": 72e-3}, "default": {"n": 5},
+             "large": {"n": 10, "sample": 20}}
     study = Study(__file__, sizes, __doc__)
     table, results = {}, {}
     for repeat in range(study.options.repeats):         # round by round, so that a busy spell hits all rows alike
@@ -54,7 +56,8 @@ def main():
             for row in table.values():
                 if "processor" in row:
                     row["speed_up_over_" + reference.replace(" ", "_")] = table[reference][clock] / row[clock]
-                    row["residual_off_" + reference.replace(" ", "_")] = row["residual"] / table[reference]["residual"] - 1
+                    off = row["residual"] / table[reference]["residual"] - 1
+                    row["residual_off_" + reference.replace(" ", "_")] = off
     study.end({"rows": table})
     try:
         draw({row: all_of_it[-1] for row, all_of_it in results.items() if not all_of_it[-1].errors()}, study)
@@ -78,8 +81,8 @@ def draw(results, study):
     frames = read_dump(list(results.values())[0].path("bullet.dump"))
     for ax, frame in zip(axes[1:], frames[1:4]):
         thin = np.abs(frame["y"]) < 2e-3
-        ax.scatter(1e3 * frame["x"][thin], 1e3 * frame["z"][thin], c=frame["c_p[1]"][thin], s=2, cmap="inferno", vmin=0, vmax=1,
-                   lw=0)
+        ax.scatter(1e3 * frame["x"][thin], 1e3 * frame["z"][thin], c=frame["c_p[1]"][thin], s=2, cmap="inferno", vmin=0,
+                   vmax=1, lw=0)
         ax.set(aspect="equal", xlim=(-45, 45), ylim=(-40, 80), xlabel="x (mm)")
     figure.tight_layout()
     figure.savefig(study.path("bullet_plate.png"), dpi=150)

@@ -27,7 +27,8 @@ def measure(result):
     late = (done > 0.5 * done[-1]) & (done < done[-1] - 0.2)
     start = done < 0.5 * done[-1]
     c = result.columns("force.dat")
-    return {"cutting": cutting[late].mean(), "passive": passive[late].mean(), "swing": cutting[late].std() / cutting[late].mean(),
+    return {"cutting": cutting[late].mean(), "passive": passive[late].mean(),
+            "swing": cutting[late].std() / cutting[late].mean(),
             "first_peak": cutting[start].max() / cutting[late].mean(), "over_kienzle": cutting[late].mean() / KIENZLE,
             "deepest": c[:, 5].max(), "particles_end": int(result.thermo[-1]["Atoms"][-1]),
             "processor": result.processor, "wall": result.wall}
@@ -36,7 +37,8 @@ def measure(result):
 def main():
     sizes = {"small": {"cut": 3e-3, "length": 8e-3}, "default": {}, "large": {"speed": 5}}
     study = Study(__file__, sizes, __doc__)
-    rows = {"coarse": {}, "refined": {"adapt": REFINE}, "adaptive": {"adapt": "asph psi " + REFINE}, "fine": {"dx": 0.15e-3}}
+    rows = {"coarse": {}, "refined": {"adapt": REFINE}, "adaptive": {"adapt": "asph psi " + REFINE},
+            "fine": {"dx": 0.15e-3}}
     table, results = {}, {}
     for row, variables in rows.items():
         if study.wants(row):
@@ -65,7 +67,8 @@ def draw(results, study):
     axes[0].legend(frameon=False)
     row = "adaptive" if "adaptive" in results else list(results)[0]
     frame = read_dump(results[row].path("end.dump"))[-1]
-    dots = axes[1].scatter(1e3 * frame["x"], 1e3 * frame["y"], c=frame["c_p[2]"], s=2, cmap="inferno", vmin=0, vmax=3, lw=0)
+    dots = axes[1].scatter(1e3 * frame["x"], 1e3 * frame["y"], c=frame["c_p[2]"], s=2, cmap="inferno", vmin=0, vmax=3,
+                           lw=0)
     axes[1].set(aspect="equal", title="plastic strain, " + row, xlabel="x (mm)", ylabel="y (mm)")
     figure.colorbar(dots, ax=axes[1])
     figure.tight_layout()

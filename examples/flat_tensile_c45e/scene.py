@@ -71,8 +71,9 @@ def main():
         result = study.run(row, dict(study.size, **variables))
         curves[row] = strain, stress, most = curve(result)
         top, gone = fracture(strain, stress)
-        table[row] = {"largest_stress": stress.max(), "strain_of_it": top, "fracture_strain": gone, "last_stress": stress[-1],
-                      "largest_plastic_strain": most[-1], "processor": result.processor, "wall": result.wall}
+        table[row] = {"largest_stress": stress.max(), "strain_of_it": top, "fracture_strain": gone,
+                      "last_stress": stress[-1], "largest_plastic_strain": most[-1], "processor": result.processor,
+                      "wall": result.wall}
     for row in table:
         path = curves.get("path_far" if row.endswith("_far") else "path")
         if path:

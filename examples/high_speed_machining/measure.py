@@ -218,7 +218,8 @@ class Run:
         x, y = f["x"] - self.tool_x(f["time"]), f["y"]
         up = x * TOOL.up[0] + y * TOOL.up[1]
         out = x * TOOL.rake_normal[0] + y * TOOL.rake_normal[1]
-        band = (up > 1.2 * self.depth) & (up < 1.8 * self.depth) & (np.abs(f["z"]) < 0.25 * self.width) & (out > -self.dp)
+        middle = np.abs(f["z"]) < 0.25 * self.width
+        band = (up > 1.2 * self.depth) & (up < 1.8 * self.depth) & middle & (out > -self.dp)
         return float(out[band].max() - out[band].min() + self.dp) if band.any() else 0.0
 
     def curve(self, window_mm=0.2):
@@ -240,7 +241,8 @@ class Run:
         error = abs(h["energy_sum"][-1] - h["energy_sum"][0]) / abs(h["external"][-1])
         sweep = np.diff(h["cut"], prepend=h["cut"][0])
         out = {
-            "particles": self.created[0], "tool_particles": self.created[1], "steps": self.steps, "ranks": self.ranks, "wall_seconds": round(self.wall, 1),
+            "particles": self.created[0], "tool_particles": self.created[1], "steps": self.steps, "ranks": self.ranks,
+            "wall_seconds": round(self.wall, 1),
             "microseconds_per_particle_step": 1e6 * self.wall * self.ranks / self.steps / sum(self.created),
             "cut_mm": 1e3 * h["cut"][-1],
             "mean_normal_force_N": fx, "std_normal_force_N": sx,
@@ -277,7 +279,8 @@ def summary(runs):
         "mean_tangential_force_N": {v: s[v]["mean_tangential_force_N"] for v in runs},
         "force_ratio_heat_over_no_heat": ratio("mean_normal_force_N"),
         "force_ratio_to_1.75_mm": ratio("mean_normal_force_to_1.75_mm_N"),
-        "tangential_force_heat_minus_no_heat_N": float("%.4g" % (h["mean_tangential_force_N"] - n["mean_tangential_force_N"])),
+        "tangential_force_heat_minus_no_heat_N":
+            float("%.4g" % (h["mean_tangential_force_N"] - n["mean_tangential_force_N"])),
         "chip_thickness_ratio_heat_over_no_heat": ratio("chip_thickness_mm"),
         "max_interface_temperature_C": h["max_interface_temperature_C"],
         "energy_error_fraction": max(h["energy_error_fraction"], n["energy_error_fraction"]),

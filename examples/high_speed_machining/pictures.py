@@ -38,7 +38,8 @@ def section(ax, run, key, cmap, lo, hi, scale=lambda v: v):
     ax.set_xlim(-1.2, 7.4)
     ax.set_ylim(-3.1, 3.9)
     ax.set_xlabel("x (mm)")
-    ax.annotate("", (1e3 * x0 + 1.9, 3.1), (1e3 * x0 + 3.2, 3.1), arrowprops=dict(arrowstyle="->", lw=1.6, color="#222222"))
+    ax.annotate("", (1e3 * x0 + 1.9, 3.1), (1e3 * x0 + 3.2, 3.1),
+                arrowprops=dict(arrowstyle="->", lw=1.6, color="#222222"))
     ax.text(1e3 * x0 + 2.55, 3.25, "tool, %.0f m/s" % run.speed, ha="center", fontsize=10)
     return c
 
@@ -89,8 +90,9 @@ def solid(path, run, key, title, label, cmap, lo, hi, scale=lambda v: v):
 def energy(path, runs):
     """Where the work of the tool goes, as shares of it."""
     names = [("heat", "heat of plastic work and friction", "#d9352b"), ("plastic", "plastic work kept", "#8e7cc3"),
-             ("friction", "friction, not as heat of particles", "#f89540"), ("artificial", "artificial terms", "#7f8c8d"),
-             ("elastic", "elastic", "#4bb5a0"), ("kinetic", "kinetic", "#2c5d8f"), ("contact", "contact", "#c8a951")]
+             ("friction", "friction, not as heat of particles", "#f89540"),
+             ("artificial", "artificial terms", "#7f8c8d"), ("elastic", "elastic", "#4bb5a0"),
+             ("kinetic", "kinetic", "#2c5d8f"), ("contact", "contact", "#c8a951")]
     fig, axes = plt.subplots(1, len(runs), figsize=(11, 4.4), sharey=True, constrained_layout=True)
     for ax, (v, r) in zip(axes, runs.items()):
         cut, work = 1e3 * r.h["cut"], -r.h["external"]
@@ -130,8 +132,8 @@ def forces(path, runs, s):
         ax.set_ylabel(name)
         ax.legend(loc="best")
     axes[1].axhline(0, color="#888888", lw=0.6)
-    axes[0].set_title("Forces on the tool; thin: every 20 steps, thick: mean over 0.2 mm of cut, dashed: mean of the shaded part",
-                      fontsize=10)
+    axes[0].set_title("Forces on the tool; thin: every 20 steps, thick: mean over 0.2 mm of cut, dashed: mean of the "
+                      "shaded part", fontsize=10)
     axes[2].set_xlabel("length of cut (mm)")
     axes[2].set_xlim(0, cut[-1])
     fig.savefig(path)

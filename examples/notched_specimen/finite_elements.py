@@ -2,9 +2,9 @@
 """Von Mises stress of the notched specimen by finite elements: finite_elements.py [folder for the files of the runs]
 
 Needs CalculiX (Debian package calculix-ccx) and numpy; installs nothing. Linear elastic, plane strain, a quarter of the
-specimen with symmetry, the end clamped and moved along the axis. Quadratic quadrilaterals in a mesh of its own: rays from
-the notch to the outer border, graded towards the notch. Three meshes, each twice as fine as the last; the profile along
-the ligament of the finest goes to ligament.csv, over the mean axial stress of the ligament."""
+specimen with symmetry, the end clamped and moved along the axis. Quadratic quadrilaterals in a mesh of its own: rays
+from the notch to the outer border, graded towards the notch. Three meshes, each twice as fine as the last; the profile
+along the ligament of the finest goes to ligament.csv, over the mean axial stress of the ligament."""
 import os
 import subprocess
 import sys
@@ -106,8 +106,8 @@ def main():
         nominal = np.trapz(s[:, 1], position) / position[-1]
         profiles.append(np.interp(x, position, mises(s) / nominal))
         root = s[-1, 1] / nominal
-        print("%6d nodes: mean stress of the ligament %.6g MPa (from the reaction %.6g), at the root: axial %.4f, von Mises "
-              "%.4f times that" % (nodes, nominal * 1e-6, 1e-6 * pull / position[-1], root, profiles[-1][-1]))
+        print("%6d nodes: mean stress of the ligament %.6g MPa (from the reaction %.6g), at the root: axial %.4f, von "
+              "Mises %.4f times that" % (nodes, nominal * 1e-6, 1e-6 * pull / position[-1], root, profiles[-1][-1]))
         axial = np.interp(x, position, s[:, 1] / nominal)
     change = [np.abs(a - b).max() for a, b in zip(profiles, profiles[1:])]
     print("largest change of the profile from mesh to mesh:", " ".join("%.2g" % c for c in change))

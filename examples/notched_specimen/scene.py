@@ -1,5 +1,7 @@
 #!/usr/bin/python3
-"""The notched specimen, uniform and refined, against finite elements along the ligament. ./sphtm scenes notched_specimen"""
+"""The notched specimen, uniform and refined, against finite elements along the ligament.
+
+./sphtm scenes notched_specimen"""
 import os
 import sys
 
@@ -22,7 +24,8 @@ def finite_elements():
 
 
 def profile(result, columns):
-    """Distance from the axis and von Mises stress of the particles along the ligament, over the mean axial stress there."""
+    """Distance from the axis and von Mises stress of the particles along the ligament, over the mean axial stress
+    there."""
     frame = read_dump(result.path("end.dump"))[-1]
     force = result.columns("force.dat")
     nominal = force[force[:, 1] > force[-1, 1] - 2e-6][:, 2].mean() / LIGAMENT
@@ -46,7 +49,8 @@ def smooth(x, s, at, width):
 
 
 def main():
-    sizes = {"small": {"fine": 44, "coarse": 23}, "default": {"fine": 86, "coarse": 45}, "large": {"fine": 344, "coarse": 173}}
+    sizes = {"small": {"fine": 44, "coarse": 23}, "default": {"fine": 86, "coarse": 45},
+             "large": {"fine": 344, "coarse": 173}}
     study = Study(__file__, sizes, __doc__)
     fine, coarse = study.size["fine"], study.size["coarse"]
     rows = {"uniform_fine": (fine, None), "uniform_coarse": (coarse, None),
@@ -60,7 +64,8 @@ def main():
         inner, rms, whole = errors(x, s)
         table[row] = {"particles_start": int(result.thermo[-1]["Atoms"][0]), "particles_end": len(frame["x"]),
                       "error_inner": inner, "error_inner_rms": rms, "error_whole": whole,
-                      "mean_stress_over_E_strain": nominal / (205e9 * 1e-5), "processor": result.processor, "wall": result.wall}
+                      "mean_stress_over_E_strain": nominal / (205e9 * 1e-5), "processor": result.processor,
+                      "wall": result.wall}
     if "uniform_fine" in profiles:
         at = np.linspace(0.3e-3, 3.1e-3, 15)
         reference = smooth(*profiles["uniform_fine"][:2], at, 20e-3 / coarse)
@@ -86,7 +91,8 @@ def draw(profiles, path):
     left.legend(frameon=False)
     row = "refined" if "refined" in profiles else list(profiles)[-1]
     frame = profiles[row][3]
-    dots = right.scatter(1e3 * frame["x"], 1e3 * frame["y"], c=frame["c_p[1]"] / profiles[row][2], s=1.5, cmap="viridis", lw=0)
+    dots = right.scatter(1e3 * frame["x"], 1e3 * frame["y"], c=frame["c_p[1]"] / profiles[row][2], s=1.5, lw=0,
+                         cmap="viridis")
     right.set(aspect="equal", title=row.replace("_", " "), xlabel="x (mm)", ylabel="y (mm)")
     figure.colorbar(dots, ax=right, label="von Mises / mean axial stress")
     figure.tight_layout()

@@ -25,7 +25,8 @@ atoms = dict(zip(names, np.array([row.split() for row in lines[9:]], float).T))
 with open("log.lammps") as f:                                          # steps and times of the thermo table
     clock = np.array(re.findall(r"^ +(\d+) +(\S+) +\S+e-\d\d ", f.read(), re.M), float)
 seconds = lambda step: np.interp(step, clock[:, 0], clock[:, 1])
-profile = hull(read_stl(os.path.join(os.path.dirname(os.path.abspath(__file__)), "insert.stl"))[:, :, :2].reshape(-1, 2))
+here = os.path.dirname(os.path.abspath(__file__))
+profile = hull(read_stl(os.path.join(here, "insert.stl"))[:, :, :2].reshape(-1, 2))
 profile += [1.201 - 8.33e3 * seconds(number(last)), -0.1]              # mm
 dx = 20e-3                                                            # spacing in mm
 force = np.loadtxt("force.dat")

@@ -35,7 +35,8 @@ top.plot(time, 1e3 * height.max() * np.sin(2 * np.pi * time / FACES), "--", colo
 top.set(xlabel="time (s)", ylabel="height of the tip (mm)", xlim=(0, time[-1]))
 top.legend(frameon=False, loc="lower left")
 end = read_dump(folder + "/end.dump")[-1]
-dots = low.scatter(1e3 * end["x"], 1e3 * end["y"], c=1e3 * np.hypot(end["vx"], end["vy"]), s=5, cmap="viridis", linewidths=0)
+dots = low.scatter(1e3 * end["x"], 1e3 * end["y"], c=1e3 * np.hypot(end["vx"], end["vy"]), s=5, cmap="viridis",
+                   linewidths=0)
 low.set(xlabel="x (mm)", ylabel="y (mm)", aspect="equal", title="speed at the end (mm/s)")
 figure.colorbar(dots, ax=low, shrink=0.8)
 figure.tight_layout()

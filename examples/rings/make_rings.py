@@ -18,7 +18,8 @@ def make_rings(path):
             angle = 2 * np.pi * (np.arange(n) + 0.5 * (k % 2)) / n
             points += [(kind, x + r * np.cos(a) * (1 if kind == 2 else -1), r * np.sin(a)) for a in angle]
     with open(path, "w") as f:
-        f.write("two rings\n\n%d atoms\n2 atom types\n-0.14 0.14 xlo xhi\n-0.1 0.1 ylo yhi\n-0.0005 0.0005 zlo zhi\n" % len(points))
+        f.write("two rings\n\n%d atoms\n2 atom types\n" % len(points))
+        f.write("-0.14 0.14 xlo xhi\n-0.1 0.1 ylo yhi\n-0.0005 0.0005 zlo zhi\n")
         f.write("\nAtoms # atomic\n\n")
         f.writelines("%d %d %.9g %.9g 0\n" % ((i + 1,) + p) for i, p in enumerate(points))
 

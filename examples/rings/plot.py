@@ -19,8 +19,8 @@ plt.rcParams.update({"font.size": 8})
 figure, axes = plt.subplots(2, 3, figsize=(8.4, 4.4), sharex=True, sharey=True, constrained_layout=True)
 for axis, frame in zip(axes.flat, frames):
     time = frame["step"] * table["Time"][-1] / table["Step"][-1]
-    dots = axis.scatter(1e3 * frame["x"], 1e3 * frame["y"], c=1e-6 * frame["c_p"], s=1.2, cmap="coolwarm", vmin=-0.8, vmax=0.8,
-                        linewidths=0)
+    dots = axis.scatter(1e3 * frame["x"], 1e3 * frame["y"], c=1e-6 * frame["c_p"], s=1.2, cmap="coolwarm", vmin=-0.8,
+                        vmax=0.8, linewidths=0)
     axis.set(aspect="equal", title="%.1f ms" % (1e3 * time), xlim=(-95, 95), ylim=(-62, 62))
 for axis in axes[1]:
     axis.set_xlabel("x (mm)")

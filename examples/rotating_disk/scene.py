@@ -25,7 +25,8 @@ def measure(result):
 
 
 def main():
-    study = Study(__file__, {"small": {"n": 6, "rim": 0.04}, "default": {"n": 15, "rim": 0.04}, "large": {"n": 100}}, __doc__)
+    sizes = {"small": {"n": 6, "rim": 0.04}, "default": {"n": 15, "rim": 0.04}, "large": {"n": 100}}
+    study = Study(__file__, sizes, __doc__)
     rows, results = {}, {}
     for row, adapt in ROWS.items():
         if study.wants(row):

@@ -26,4 +26,5 @@ def shape(frame, dx):
 if __name__ == "__main__":
     folder = sys.argv[1] if len(sys.argv) > 1 else "."
     dx = float(sys.argv[2]) if len(sys.argv) > 2 else float(open(folder + "/spacing").read())
-    print("length %.2f mm, radius %.2f mm (%.2f to %.2f)" % tuple(1e3 * v for v in shape(read_dump(folder + "/end.dump")[-1], dx)))
+    end = read_dump(folder + "/end.dump")[-1]
+    print("length %.2f mm, radius %.2f mm (%.2f to %.2f)" % tuple(1e3 * v for v in shape(end, dx)))

@@ -82,7 +82,8 @@ def measure(folder, n):
     dx = RADIUS / n
     frames = read_dump(os.path.join(folder, "neck.dump"))
     end = read_dump(os.path.join(folder, "end.dump"))[-1]
-    lattice = (np.floor(frames[0]["x"] / dx) == 0).sum() / (np.pi * n * n)    # area of a section over that of the circle
+    # area of a section over that of the circle
+    lattice = (np.floor(frames[0]["x"] / dx) == 0).sum() / (np.pi * n * n)
     force = np.loadtxt(os.path.join(folder, "force.dat"))
     width = max(1, len(force) // 20)
     mean = np.convolve(force[:, 2], np.ones(width) / width, "valid") / lattice

@@ -27,12 +27,13 @@ left.legend(frameon=False, loc="lower right")
 
 cut = np.abs(end["z"]) < 0.05 / n
 order = np.argsort(end["c_p[2]"][cut])
-dots = right.scatter(1e3 * end["x"][cut][order], 1e3 * end["y"][cut][order], c=end["c_p[2]"][cut][order], s=36, cmap="inferno",
-                     vmin=0, marker="o", linewidths=0)
+dots = right.scatter(1e3 * end["x"][cut][order], 1e3 * end["y"][cut][order], c=end["c_p[2]"][cut][order], s=36,
+                     cmap="inferno", vmin=0, marker="o", linewidths=0)
 middle = 1e3 * 0.5 * (end["x"].min() + end["x"].max())
 for sign in (-1, 1):
     right.plot([middle - 12, middle + 12], [sign * 1e3 * m["radius"]] * 2, "-", color="tab:green", lw=1.5)
-right.set(xlabel="x (mm)", ylabel="y (mm)", title="plastic strain; least radius %.2f mm" % (1e3 * m["radius"]), aspect="equal")
+right.set(xlabel="x (mm)", ylabel="y (mm)", title="plastic strain; least radius %.2f mm" % (1e3 * m["radius"]),
+          aspect="equal")
 figure.colorbar(dots, ax=right, shrink=0.9)
 figure.tight_layout()
 figure.savefig("tensile_cylinder.png", dpi=150)

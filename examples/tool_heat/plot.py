@@ -14,7 +14,8 @@ e1, e2 = effusivity.values()
 
 def history(tool):
     time, power, T, work, heat = np.loadtxt("history_%s.dat" % tool)[:, 1:].T
-    print("%s: heat of both bodies over friction work %.6f" % (tool, (work + heat)[-1] / np.trapz(np.r_[0, power], np.r_[0, time])))
+    friction = np.trapz(np.r_[0, power], np.r_[0, time])
+    print("%s: heat of both bodies over friction work %.6f" % (tool, (work + heat)[-1] / friction))
     return time, T - 300, work, heat, (work + heat)[-1] / AREA / time[-1]
 
 
@@ -43,7 +44,8 @@ left.legend(frameon=False)
 time, T, work, heat, q = history("lumped")
 x = (e1 / C_TOOL) ** 2 * time
 exact = q * C_TOOL / e1 ** 2 * (erfcx(np.sqrt(x)) - 1 + 2 * np.sqrt(x / np.pi))
-print("    rise of the tool after 1 ms %.3f K, closed form %.3f K; largest difference %.3f K" % (T[-1], exact[-1], abs(T - exact).max()))
+print("    rise of the tool after 1 ms %.3f K, closed form %.3f K; largest difference %.3f K"
+      % (T[-1], exact[-1], abs(T - exact).max()))
 right.plot(1e3 * time, exact, "k-", lw=1, label="closed form")
 right.plot(1e3 * time[::40], T[::40], "o", ms=3, mfc="none", color="tab:blue", label="tool")
 right.set(xlabel="time (ms)", ylabel="rise of temperature (K)", title="tool with one temperature")

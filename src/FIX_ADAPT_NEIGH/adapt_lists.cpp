@@ -67,8 +67,8 @@ void AdaptLists::init()
 
 bool AdaptLists::own_reach() const { return fix.body().has(TM_FX_SMOOTHING); }
 
-// Rows reach a little further than the rates take: which pairs are within reach they decide. Refinement looks at rows at
-// the end of the step, half a step and perhaps a change of h later
+// Rows reach a little further than the rates take: which pairs are within reach they decide. Refinement looks at rows
+// at the end of the step, half a step and perhaps a change of h later
 double AdaptLists::spare() const { return fix.uses("refine") ? 1.02 : 1.0 + 1e-9; }
 
 // the largest
@@ -98,8 +98,8 @@ void AdaptLists::check_effects()
       error->all(FLERR, "Fix adapt/neigh threshold {}: rows that are kept do not support {}; or use threshold 0",
                  threshold, w.what);
   if (fix.pair().settings_in_use().art_balanced && body.has(TM_FX_ARTSTRESS))
-    error->all(FLERR, "Fix adapt/neigh threshold {}: pair_style artstress balanced needs threshold 0: kept rows have no "
-                      "artificial stress; leave balanced away", threshold);
+    error->all(FLERR, "Fix adapt/neigh threshold {}: pair_style artstress balanced needs threshold 0: kept rows have "
+                      "no artificial stress; leave balanced away", threshold);
 }
 
 /* ---------------------------------------------------------------------- search */
@@ -235,8 +235,8 @@ double AdaptLists::bytes() const
 {
   double sum = table.bytes() + quiet.bytes() + other.bytes() + fresh_first.bytes() + weight.bytes() + place.bytes() +
       reaches.bytes();
-  for (const auto *a : {&cells.cell, &cells.begin, &cells.index, &cells.marked, &kept, &which, &which_border, &which_near,
-                        &names, &holder, &other_holder})
+  for (const auto *a : {&cells.cell, &cells.begin, &cells.index, &cells.marked, &kept, &which, &which_border,
+                        &which_near, &names, &holder, &other_holder})
     sum += a->bytes();
   for (const auto &c : cells.column) sum += c.bytes();
   for (const auto &c : cells.look) sum += c.bytes();

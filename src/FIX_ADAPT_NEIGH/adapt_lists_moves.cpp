@@ -2,6 +2,7 @@
    restart. */
 #include "adapt_lists.h"
 
+#include "all_ranks.h"
 #include "fix_adapt_neigh.h"
 #include "fix_sph_tm.h"
 #include "pair_sph_tm.h"
@@ -17,25 +18,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <numeric>
 
 using namespace LAMMPS_NS;
 
 namespace SPHTM_NS {
 
 /* ---------------------------------------------------------------------- places in memory */
-
-// those of all ranks
-static void gather(const std::vector<int> &mine, std::vector<int> &all, MPI_Comm world)
-{
-  int ranks, n = (int) mine.size();
-  MPI_Comm_size(world, &ranks);
-  std::vector<int> count(ranks), first(ranks + 1, 0);
-  MPI_Allgather(&n, 1, MPI_INT, count.data(), 1, MPI_INT, world);
-  std::partial_sum(count.begin(), count.end(), first.begin() + 1);
-  all.resize(first[ranks]);
-  MPI_Allgatherv(mine.data(), n, MPI_INT, all.data(), count.data(), first.data(), MPI_INT, world);
-}
 
 // room for so many more; where they begin
 int AdaptLists::room_for_names(int n)
@@ -58,7 +46,8 @@ void AdaptLists::to_tags()
 // the places are those they were before, of particles without images
 bool AdaptLists::same_places()
 {
-  return by_tag && all() == own() && n_names == own() && backend->equal(own(), names.loop_read(), fix.pair().loop_tags());
+  return by_tag && all() == own() && n_names == own() &&
+      backend->equal(own(), names.loop_read(), fix.pair().loop_tags());
 }
 
 // how many entries of this rank are of particles that are nowhere near
@@ -97,14 +86,14 @@ int AdaptLists::to_indices(bool same)
 void AdaptLists::drop_gone(int pairs)
 {
   LAMMPS *lmp = fix.host();
-  std::vector<int> mine, tags;
+  std::vector<int> mine;
   if (pairs) {
     const unsigned char *is_gone = gone.host_read();
     const int *name = names.host_read();
     for (int k = 0; k < n_names; k++)
       if (is_gone[k]) mine.push_back(name[k]);
   }
-  gather(mine, tags, lmp->world);
+  std::vector<int> tags = of_all_ranks(mine, lmp->world);
   std::sort(tags.begin(), tags.end());
   tags.erase(std::unique(tags.begin(), tags.end()), tags.end());
 
@@ -120,8 +109,8 @@ void AdaptLists::drop_gone(int pairs)
   MPI_Allreduce(here.data(), there.data(), (int) tags.size(), MPI_INT, MPI_MAX, lmp->world);
   for (size_t k = 0; k < tags.size(); k++)
     if (there[k])
-      lmp->error->all(FLERR, "Fix adapt/neigh threshold {}: particle {} is beyond the ghosts of others that keep it as a "
-                             "neighbor; a larger neighbor skin, or 'approach 0.01'", threshold, tags[k]);
+      lmp->error->all(FLERR, "Fix adapt/neigh threshold {}: particle {} is beyond the ghosts of others that keep it as "
+                             "a neighbor; a larger neighbor skin, or 'approach 0.01'", threshold, tags[k]);
   const bigint count = own();
   bigint total;
   MPI_Allreduce(&count, &total, 1, MPI_LMP_BIGINT, MPI_SUM, lmp->world);
@@ -139,8 +128,8 @@ void AdaptLists::post_run()
   MPI_Allreduce(&dropped, &sum, 1, MPI_DOUBLE, MPI_SUM, fix.host()->world);
   dropped = 0.0;
   if (sum > 0.0 && fix.host()->comm->me == 0)
-    fix.host()->error->warning(FLERR, "Fix adapt/neigh threshold {}: {} pairs of kept rows were dropped in this run, their "
-                                      "other particles are gone", threshold, (bigint) sum);
+    fix.host()->error->warning(FLERR, "Fix adapt/neigh threshold {}: {} pairs of kept rows were dropped in this run, "
+                                      "their other particles are gone", threshold, (bigint) sum);
 }
 
 void AdaptLists::grow(int nmax)

@@ -55,8 +55,8 @@ class AdaptPart {
   virtual int most_packed() const { return 0; }    // values of one particle, at most
   virtual int pack(int /*i*/, double *) { return 0; }
   virtual int unpack(int /*i*/, const double *) { return 0; }
-  // the same where the loops run, with Kokkos: particle order[i] to place i; those that go to another rank, with who takes
-  // their places (or -1), and those that come from one, to a place (or -1), as most_packed() values each
+  // the same where the loops run, with Kokkos: particle order[i] to place i; those that go to another rank, with who
+  // takes their places (or -1), and those that come from one, to a place (or -1), as most_packed() values each
   virtual void reorder(int /*n*/, const int * /*order*/) {}
   virtual void send(int /*n*/, const int * /*sent*/, const int * /*filled_by*/, double *) {}
   virtual void receive(int /*n*/, const int * /*place*/, double *) {}

@@ -17,7 +17,8 @@ template <class ORDER> struct ToInt {
 
 }    // namespace
 
-FixAdaptNeighKokkos::FixAdaptNeighKokkos(LAMMPS *lmp, int narg, char **arg) : OnLoopsKokkos<FixAdaptNeigh>(lmp, narg, arg)
+FixAdaptNeighKokkos::FixAdaptNeighKokkos(LAMMPS *lmp, int narg, char **arg) :
+    OnLoopsKokkos<FixAdaptNeigh>(lmp, narg, arg)
 {
   exchange_comm_device = sort_device = !on_host();
 }
@@ -27,7 +28,8 @@ int FixAdaptNeighKokkos::pack_exchange_kokkos(const int &n, DAT::tdual_xfloat_2d
 {
   sent.sync<LMPDeviceType>();
   filled_by.sync<LMPDeviceType>();
-  send_arrays(n, sent.view<LMPDeviceType>().data(), filled_by.view<LMPDeviceType>().data(), buf.view<LMPDeviceType>().data());
+  send_arrays(n, sent.view<LMPDeviceType>().data(), filled_by.view<LMPDeviceType>().data(),
+              buf.view<LMPDeviceType>().data());
   if (space == Host) {
     buf.modify<LMPDeviceType>();
     buf.sync<LMPHostType>();

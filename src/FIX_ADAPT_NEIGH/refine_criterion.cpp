@@ -29,7 +29,8 @@ RefineCriteria::~RefineCriteria()
 {
   Modify *modify = fix.host()->modify;
   for (const Source &s : sources)
-    if (!s.compute_id.empty() && modify && modify->get_compute_by_id(s.compute_id)) modify->delete_compute(s.compute_id);
+    if (!s.compute_id.empty() && modify && modify->get_compute_by_id(s.compute_id))
+      modify->delete_compute(s.compute_id);
 }
 
 /* ---------------------------------------------------------------------- reading */

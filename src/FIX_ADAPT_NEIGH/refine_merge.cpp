@@ -135,8 +135,8 @@ void Refinement::plan_leaving()
   double mine[2] = {(double) merges.size() * (pattern.n - 1), (double) leaving.size()}, all[2];
   MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, lmp()->world);
   if (all[0] != all[1])
-    lmp()->error->all(FLERR, "Fix adapt/neigh coarsen: {} particles were to leave, {} do: ghosts do not reach a smoothing "
-                             "length; make the neighbor skin larger", all[0], all[1]);
+    lmp()->error->all(FLERR, "Fix adapt/neigh coarsen: {} particles were to leave, {} do: ghosts do not reach a "
+                             "smoothing length; make the neighbor skin larger", all[0], all[1]);
 }
 
 void Refinement::make_merged()

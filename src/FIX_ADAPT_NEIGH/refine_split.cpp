@@ -1,4 +1,5 @@
 /* SPH-TM: refinement, one particle into several. */
+#include "all_ranks.h"
 #include "fix_adapt_neigh.h"
 #include "fix_sph_tm.h"
 #include "pair_sph_tm.h"
@@ -162,7 +163,8 @@ bool Refinement::inside_box(const Split &s) const
 void Refinement::drop_outside()
 {
   const size_t before = splits.size();
-  splits.erase(std::remove_if(splits.begin(), splits.end(), [&](const Split &s) { return !inside_box(s); }), splits.end());
+  const auto outside = [&](const Split &s) { return !inside_box(s); };
+  splits.erase(std::remove_if(splits.begin(), splits.end(), outside), splits.end());
   n_outside += (double) (before - splits.size());
 }
 
@@ -179,17 +181,12 @@ std::vector<tagint> Refinement::new_tags()
 
   std::vector<tagint> tags, first;
   for (const Split &s : splits) tags.push_back(s.tag);
-  const int n = (int) tags.size(), ranks = lmp->comm->nprocs;
-  std::vector<int> counts(ranks), starts(ranks, 0);
-  MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, lmp->world);
-  for (int r = 1; r < ranks; r++) starts[r] = starts[r - 1] + counts[r - 1];
-  std::vector<tagint> all(starts.back() + counts.back() + 1);
-  MPI_Allgatherv(tags.data(), n, MPI_LMP_TAGINT, all.data(), counts.data(), starts.data(), MPI_LMP_TAGINT, lmp->world);
-  all.pop_back();
+  std::vector<tagint> all = of_all_ranks(tags, lmp->world);
   std::sort(all.begin(), all.end());
   const int extra = pattern.n - 1;
   if (next_tag + (double) all.size() * extra >= (double) MAXTAGINT)
-    lmp->error->all(FLERR, "Fix adapt/neigh refine: the IDs of new particles pass {}; use reset_atoms id between runs", MAXTAGINT);
+    lmp->error->all(FLERR, "Fix adapt/neigh refine: the IDs of new particles pass {}; use reset_atoms id between runs",
+                    MAXTAGINT);
   for (tagint t : tags)
     first.push_back((tagint) next_tag + (tagint) (std::lower_bound(all.begin(), all.end(), t) - all.begin()) * extra);
   next_tag += (double) all.size() * extra;
@@ -255,8 +252,8 @@ void Refinement::report_levels()
   if ((int) all[0] <= levels_told) return;
   levels_told = (int) all[0];
   if (lmp()->comm->me == 0)
-    utils::logmesg(lmp(), "adapt/neigh: first split to level {} at step {}: smallest h from {:.6g} to {:.6g}; where sound "
-                          "limits the time step, {:.3g} times as many steps for the same time\n",
+    utils::logmesg(lmp(), "adapt/neigh: first split to level {} at step {}: smallest h from {:.6g} to {:.6g}; where "
+                          "sound limits the time step, {:.3g} times as many steps for the same time\n",
                    levels_told, lmp()->update->ntimestep, before, after, before / after);
 }
 

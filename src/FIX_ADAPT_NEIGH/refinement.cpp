@@ -129,7 +129,8 @@ void Refinement::init()
   for (Fix *f : lmp()->modify->get_fix_by_style("^contact/tri"))
     if (auto *tool = (ContactProbe *) f->extract(ContactProbe::NAME, dim)) tools.push_back(tool);
   settle_at = apply_at = -1;
-  fix.pair().make_room_for(pow(*std::min_element(pattern.mass, pattern.mass + pattern.n), (double) most_level / pattern.dim));
+  const double least = *std::min_element(pattern.mass, pattern.mass + pattern.n);
+  fix.pair().make_room_for(pow(least, (double) most_level / pattern.dim));
   const bigint now = lmp()->update->ntimestep;
   lmp()->modify->addstep_compute_all(now % every == 0 ? now : next_check());
 }
@@ -328,8 +329,8 @@ void Refinement::restore(const double *s, size_t n)
 
 std::vector<std::string> Refinement::outputs() const
 {
-  std::vector<std::string> names = {"splits",         "merges",          "kept at the box", "smallest h",    "mass error",
-                                    "momentum error", "angular momentum error", "kinetic energy error", "elastic energy error"};
+  std::vector<std::string> names = {"splits", "merges", "kept at the box", "smallest h", "mass error", "momentum error",
+                                    "angular momentum error", "kinetic energy error", "elastic energy error"};
   for (int l = 0; l <= most_level; l++) names.push_back(fmt::format("particles of level {}", l));
   return names;
 }
@@ -349,8 +350,9 @@ void Refinement::sum_outputs()
   std::vector<double> count(most_level + 1, 0.0), all(most_level + 1);
   for (int i = 0; i < atom->nlocal; i++) count[(int) level[i]] += 1.0;
   MPI_Allreduce(count.data(), all.data(), most_level + 1, MPI_DOUBLE, MPI_SUM, lmp()->world);
-  summed = {s[SPLITS], s[MERGES], s[OUTSIDE], fix.body().sizes().smallest_h, s[MASS], tm_vec_norm(tm_vec(s[PX], s[PY], s[PZ])),
-            tm_vec_norm(tm_vec(s[LX], s[LY], s[LZ])), s[KINETIC] / unit.energy, s[ELASTIC] / unit.energy};
+  const tm_vec3 momentum = tm_vec(s[PX], s[PY], s[PZ]), angular = tm_vec(s[LX], s[LY], s[LZ]);
+  summed = {s[SPLITS], s[MERGES], s[OUTSIDE], fix.body().sizes().smallest_h, s[MASS], tm_vec_norm(momentum),
+            tm_vec_norm(angular), s[KINETIC] / unit.energy, s[ELASTIC] / unit.energy};
   summed.insert(summed.end(), all.begin(), all.end());
 }
 

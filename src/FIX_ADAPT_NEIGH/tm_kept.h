@@ -14,8 +14,9 @@
    F follows from the positions of the neighbours,
      G_i = sum_j m_j (x_j - x_i) (x) a_i,   B_i = G_i^-T Q_i
    where Q holds B as it was when the row last changed; with corrected gradients that are never searched Q = 1 and the
-   gradient of a linear field is exact. Those that are searched again have tm_kept_moment.h. G is measured when the row changes and every few steps; between it goes
-   on with its rate, the sum with v_j - v_i that L is made of, which costs nothing.
+   gradient of a linear field is exact. Those that are searched again have tm_kept_moment.h. G is measured when the row
+   changes and every few steps; between it goes on with its rate, the sum with v_j - v_i that L is made of, which costs
+   nothing.
 
    Viscosity and conduction take the frozen W'/r and the current x_i - x_j, viscosity also the distance,
    densities and speeds of sound of the search. Artificial stress acts on pairs that have been searched

@@ -82,8 +82,8 @@ TM_FN void tm_kept_send(int k, const tm_kept_send_args *a)
 TM_FN void tm_kept_receive(int k, const tm_kept_send_args *a)
 {
   if (a->place[k] >= 0)
-    tm_kept_unpack(a->place[k], &a->store, a->buf + (ptrdiff_t) k * a->width, a->first_name + k * a->store.rows.capacity,
-                   a->name);
+    tm_kept_unpack(a->place[k], &a->store, a->buf + (ptrdiff_t) k * a->width,
+                   a->first_name + k * a->store.rows.capacity, a->name);
 }
 
 typedef struct {

@@ -100,7 +100,7 @@ TM_HOST_FN void tm_search_order(const int *found, int n, const int *tag, int *pl
     for (int l = 0; l < n; l++) place[k] += key[l] == key[k] && found[l] < found[k];
 }
 
-/* Row i by one thread; returns the entries it has then, which may be more than its room: then nothing was stored beyond. */
+/* Row i by one thread; returns the entries it has then, which may be more than its room: nothing is stored beyond. */
 TM_HOST_FN int tm_search(int i, const tm_search_args *a)
 {
   const double *x = a->cells.x + 3 * (ptrdiff_t) i;

@@ -137,15 +137,17 @@ void FixContactTriKokkos::run_collect(const tm_spread_args &a)
   else kokkos_each("contact/tri collect heat", atom->nlocal, Collect{a});
 }
 
-int FixContactTriKokkos::pack_forward_comm_kokkos(int n, DAT::tdual_int_1d k_sendlist, DAT::tdual_xfloat_1d &buf, int, int *)
+int FixContactTriKokkos::pack_forward_comm_kokkos(int n, DAT::tdual_int_1d k_sendlist, DAT::tdual_xfloat_1d &buf, int,
+                                                  int *)
 {
-  kokkos_each("contact/tri send heat", n,
-              PackHeat{tool_heat.loop_read(), k_sendlist.view<LMPDeviceType>().data(), buf.view<LMPDeviceType>().data()});
+  kokkos_each("contact/tri send heat", n, PackHeat{tool_heat.loop_read(), k_sendlist.view<LMPDeviceType>().data(),
+                                                   buf.view<LMPDeviceType>().data()});
   return n;
 }
 
 void FixContactTriKokkos::unpack_forward_comm_kokkos(int n, int first, DAT::tdual_xfloat_1d &buf)
 {
-  kokkos_each("contact/tri receive heat", n, UnpackHeat{tool_heat.loop_write() + first, buf.view<LMPDeviceType>().data()});
+  kokkos_each("contact/tri receive heat", n,
+              UnpackHeat{tool_heat.loop_write() + first, buf.view<LMPDeviceType>().data()});
 }
 #endif

@@ -96,7 +96,8 @@ bool FixContactTri::parse_heat(Keywords &k)
     } else if (k.take("perfect")) request.conductance = -1.0;
     else if (k.take("conductance")) request.conductance = k.positive("conductance");
     else
-      error->all(FLERR, "{} must be none, perfect or conductance hc, got {}", k.what(), k.rest() ? k.value() : "nothing");
+      error->all(FLERR, "{} must be none, perfect or conductance hc, got {}", k.what(),
+                 k.rest() ? k.value() : "nothing");
   } else if (k.is("temperature")) {
     temperature_given = true;
     k.need(1);

@@ -7,6 +7,7 @@
 
 #include "fix_sph_tm.h"
 #include "pair_sph_tm.h"
+#include "restart_sum.h"
 
 #include "atom.h"
 #include "atom_masks.h"
@@ -146,17 +147,6 @@ double FixSPHTMDrive::compute_vector(int n)
   return n == 3 ? all * u.force / u.energy : all;
 }
 
-void FixSPHTMDrive::write_restart(FILE *fp)
-{
-  double all = 0.0;
-  MPI_Reduce(&sum[3], &all, 1, MPI_DOUBLE, MPI_SUM, 0, world);
-  if (comm->me) return;
-  const int size = sizeof(double);
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&all, sizeof(double), 1, fp);
-}
+void FixSPHTMDrive::write_restart(FILE *fp) { write_restart_sum(sum[3], world, comm->me, fp); }
 
-void FixSPHTMDrive::restart(char *buf)
-{
-  if (comm->me == 0) memcpy(&sum[3], buf, sizeof(double));
-}
+void FixSPHTMDrive::restart(char *buf) { read_restart_sum(sum[3], comm->me, buf); }

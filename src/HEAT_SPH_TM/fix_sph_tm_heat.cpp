@@ -5,6 +5,7 @@
 #include "fix_sph_tm.h"
 #include "material_constants.h"
 #include "pair_sph_tm.h"
+#include "restart_sum.h"
 
 #include "atom.h"
 #include "atom_masks.h"
@@ -15,8 +16,6 @@
 #include "modify.h"
 #include "update.h"
 #include "utils.h"
-
-#include <cstring>
 
 using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
@@ -150,8 +149,9 @@ void FixSPHTMHeat::check_group()
 {
   if (mode != RADIATION || emissivity > 0.0) return;
   int dark = 0, worst = 0;
+  const tm_material *material = body->pair()->materials();
   for (int i = 0; i < atom->nlocal; i++)
-    if ((atom->mask[i] & groupbit) && !(body->pair()->materials()[atom->type[i]].emissivity > 0.0)) dark = atom->type[i];
+    if ((atom->mask[i] & groupbit) && !(material[atom->type[i]].emissivity > 0.0)) dark = atom->type[i];
   MPI_Allreduce(&dark, &worst, 1, MPI_INT, MPI_MAX, world);
   if (worst)
     error->all(FLERR, "Fix sph/tm/heat radiation: type {} ({}) has no emissivity; add 'emissivity e' to its "
@@ -257,17 +257,6 @@ double FixSPHTMHeat::compute_vector(int n)
   return n < 2 ? all / body->pair()->units().energy : all;
 }
 
-void FixSPHTMHeat::write_restart(FILE *fp)
-{
-  double all = 0.0;
-  MPI_Reduce(&energy, &all, 1, MPI_DOUBLE, MPI_SUM, 0, world);
-  if (comm->me) return;
-  const int size = sizeof(double);
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&all, sizeof(double), 1, fp);
-}
+void FixSPHTMHeat::write_restart(FILE *fp) { write_restart_sum(energy, world, comm->me, fp); }
 
-void FixSPHTMHeat::restart(char *buf)
-{
-  if (comm->me == 0) memcpy(&energy, buf, sizeof(double));
-}
+void FixSPHTMHeat::restart(char *buf) { read_restart_sum(energy, comm->me, buf); }

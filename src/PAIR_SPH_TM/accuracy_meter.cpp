@@ -1,5 +1,6 @@
 #include "accuracy_meter.h"
 
+#include "all_ranks.h"
 #include "fix_sph_tm.h"
 #include "pair_sph_tm.h"
 #include "run_clock.h"
@@ -40,19 +41,6 @@ uint64_t draw(uint64_t tag, uint64_t step)
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
   z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
   return z ^ (z >> 31);
-}
-
-// the values of all ranks, one rank after the other
-template <class T> std::vector<T> of_all_ranks(const std::vector<T> &mine, MPI_Comm world, int ranks)
-{
-  if (ranks == 1) return mine;
-  std::vector<int> bytes(ranks), begin(ranks, 0);
-  const int my_bytes = (int) (mine.size() * sizeof(T));
-  MPI_Allgather(&my_bytes, 1, MPI_INT, bytes.data(), 1, MPI_INT, world);
-  for (int r = 1; r < ranks; r++) begin[r] = begin[r - 1] + bytes[r - 1];
-  std::vector<T> all((begin.back() + bytes.back()) / sizeof(T));
-  MPI_Allgatherv(mine.data(), my_bytes, MPI_BYTE, all.data(), bytes.data(), begin.data(), MPI_BYTE, world);
-  return all;
 }
 }    // namespace
 
@@ -112,7 +100,7 @@ std::vector<int> AccuracyMeter::choose() const
       candidate.push_back({k, i});
       number.push_back(k);
     }
-    std::vector<uint64_t> numbers = of_all_ranks(number, fix.world, fix.comm->nprocs);
+    std::vector<uint64_t> numbers = of_all_ranks(number, fix.world);
     if (numbers.size() < wanted && !everybody) continue;
     std::sort(numbers.begin(), numbers.end());
     std::sort(candidate.begin(), candidate.end());
@@ -190,7 +178,8 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::of_centers(AuditPatch &p, unsi
 }
 
 // of all members: those of other ranks and images of periodic boxes are asked for by tag
-std::vector<AccuracyMeter::Around> AccuracyMeter::surroundings(AuditSearch &search, const AuditPatch &p, unsigned effects)
+std::vector<AccuracyMeter::Around> AccuracyMeter::surroundings(AuditSearch &search, const AuditPatch &p,
+                                                               unsigned effects)
 {
   const Atom &atom = *fix.atom;
   SmoothingRule rule;
@@ -206,7 +195,7 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::surroundings(AuditSearch &sear
   for (const int i : p.member)
     if (i < atom.nlocal) own.push_back(i);
     else asked.push_back(atom.tag[i]);
-  std::vector<int> all = of_all_ranks(asked, fix.world, fix.comm->nprocs);
+  std::vector<int> all = of_all_ranks(asked, fix.world);
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   const size_t mine = own.size();
@@ -214,11 +203,11 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::surroundings(AuditSearch &sear
     if (std::binary_search(all.begin(), all.end(), (int) atom.tag[i])) own.push_back(i);
 
   AuditPatch wider;
-  if ((effects & TM_FX_CORRECTION) || rule.table) wider = search.around(own, rule.table ? search.farthest : search.reach);
+  if ((effects & TM_FX_CORRECTION) || rule.table)
+    wider = search.around(own, rule.table ? search.farthest : search.reach);
   else wider = search.alone(own);
   std::vector<Around> known = of_centers(wider, effects, rule);
-  std::vector<Around> given = of_all_ranks(std::vector<Around>(known.begin() + mine, known.end()), fix.world,
-                                           fix.comm->nprocs);
+  std::vector<Around> given = of_all_ranks(std::vector<Around>(known.begin() + mine, known.end()), fix.world);
   const auto before = [](const Around &a, const Around &b) { return a.tag < b.tag; };
   std::sort(given.begin(), given.end(), before);
   std::vector<Around> out;
@@ -345,7 +334,8 @@ void AccuracyMeter::audit(const InUse &in_use)
 }
 
 // each cause by itself, from the rates of a fresh search in double with the effects in use
-void AccuracyMeter::add_differences(const AuditPatch &p, const InUse &in_use, const Rates *const of[], const bool shown[])
+void AccuracyMeter::add_differences(const AuditPatch &p, const InUse &in_use, const Rates *const of[],
+                                    const bool shown[])
 {
   const unsigned used = fix.effects();
   // sums of squares: of the rates in use, of the best ones, of the differences
@@ -417,9 +407,10 @@ std::string AccuracyMeter::report(double rates, double lists, bigint steps)
   MPI_Allreduce(&times, &all, sizeof(Times) / sizeof(double), MPI_DOUBLE, MPI_SUM, fix.world);
   const double base = all.cause[measured[PRECISION] ? PRECISION : ROWS];
   const bool keeps = fix.pair()->keeps_rows();
-  std::string text = fmt::format("\n  audits: {} of {} particles; root mean square of the difference to a fresh search in "
-                                 "double with all effects\n  {:<26} {:>10} {:>10} {:>10} {:>10} {:>10} {:>10}\n",
-                                 audits, sample, "cause", "accel.", "vel.grad.", "heat", "motion", "largest", "saves s");
+  std::string text = fmt::format(
+      "\n  audits: {} of {} particles; root mean square of the difference to a fresh search in double with all "
+      "effects\n  {:<26} {:>10} {:>10} {:>10} {:>10} {:>10} {:>10}\n",
+      audits, sample, "cause", "accel.", "vel.grad.", "heat", "motion", "largest", "saves s");
   auto line = [&](int cause, const std::string &name, bool timed, double saved) {
     text += fmt::format("  {:<26}", name);
     for (int q = 0; q < QUANTITIES; q++)

@@ -21,8 +21,8 @@ double number_within(LAMMPS_NS::LAMMPS *lmp, const std::string &what, const char
 int integer_within(LAMMPS_NS::LAMMPS *lmp, const std::string &what, const char *text, int lo, int hi);
 bool yes_no(LAMMPS_NS::LAMMPS *lmp, const std::string &what, const char *text);
 
-// The keywords of a style, their options and their values, read from left to right; an option stands behind its keyword.
-// part names one of several values.
+// The keywords of a style, their options and their values, read from left to right; an option stands behind its
+// keyword. part names one of several values.
 class Keywords {
  public:
   Keywords(LAMMPS_NS::LAMMPS *l, const std::string &s, int n, char **a) : lmp(l), style(s), left(n), arg(a) {}

@@ -32,8 +32,8 @@ void ComputeSPHTMAtomKokkos::run_output(double *value)
     ComputeSPHTMAtom::run_output(value);
     return;
   }
-  // Between steps LAMMPS lets a host's fix take the atoms for the host's, and would copy them all to the GPU before each
-  // look at them. During a run both sides are marked where they are newer.
+  // Between steps LAMMPS lets a host's fix take the atoms for the host's, and would copy them all to the GPU before
+  // each look at them. During a run both sides are marked where they are newer.
   const int automatic = lmp->kokkos->auto_sync;
   if (update->whichflag && !update->setupflag) lmp->kokkos->auto_sync = 0;
   tm_output_args a = output_args();

@@ -60,7 +60,8 @@ double EffectProbe::step(unsigned fx)
 
   const tm_state now = fix.state();
   tm_predict_args p = fix.pair()->predict_args(now);
-  p.rec = {main.loop_write(), stress.loop_write(), heat_record.loop_write(), nullptr, size.loop_write(), hourglass.loop_write()};
+  p.rec = {main.loop_write(), stress.loop_write(), heat_record.loop_write(), nullptr, size.loop_write(),
+           hourglass.loop_write()};
 
   tm_update_args u = fix.update_args();
   for (int id = 0; id < TM_F_COUNT; id++) {

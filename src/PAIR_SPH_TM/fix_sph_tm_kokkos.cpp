@@ -112,8 +112,8 @@ void FixSPHTMKokkos::init()
     atomKK->k_mass.modify<LMPHostType>();
     atomKK->k_mass.sync<LMPDeviceType>();
   }
-  // LAMMPS takes a fix without a Kokkos version for one that changes all that atoms have. These only read, and nothing has
-  // to go back to a GPU after each of their turns.
+  // LAMMPS takes a fix without a Kokkos version for one that changes all that atoms have. These only read, and nothing
+  // has to go back to a GPU after each of their turns.
   for (Fix *f : modify->get_fix_list())
     if (!f->kokkosable && (utils::strmatch(f->style, "^ave/") || utils::strmatch(f->style, "^(print|vector)$")))
       f->datamask_modify = EMPTY_MASK;

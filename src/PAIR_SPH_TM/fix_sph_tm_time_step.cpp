@@ -113,8 +113,8 @@ double FixSPHTM::dt_of_size(int i, double h)
                                               pair_sph->settings_in_use().hourglass, fx);
   const double k = has(TM_FX_CONDUCTION) ? tm_conductivity(m, temperature(i)) : 0.0;
   if (k > 0.0)
-    limit = std::min(limit, tm_heat_time_step(rho, tm_capacity(m, temperature(i)), h, k, pair_sph->largest_conductivity(),
-                                              pair_sph->fastest_heat_rate()));
+    limit = std::min(limit, tm_heat_time_step(rho, tm_capacity(m, temperature(i)), h, k,
+                                              pair_sph->largest_conductivity(), pair_sph->fastest_heat_rate()));
   return limit;
 }
 

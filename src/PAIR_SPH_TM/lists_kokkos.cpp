@@ -107,8 +107,8 @@ struct Search {
     const size_t scratch = 2 * Ints::shmem_size(a.capacity) + Ints::shmem_size(1);
     rows = std::max(1, std::min(MAX_ROWS, (int) (MEMORY / scratch)));
     Kokkos::parallel_reduce("sph/tm search",
-                            Team((n + rows - 1) / rows, rows, WARP).set_scratch_size(0, Kokkos::PerThread(scratch)), *this,
-                            Kokkos::Max<int>(longest));
+                            Team((n + rows - 1) / rows, rows, WARP).set_scratch_size(0, Kokkos::PerThread(scratch)),
+                            *this, Kokkos::Max<int>(longest));
     return longest;
   }
   static constexpr int WARP = 32;

@@ -24,8 +24,8 @@ PairSPHTM::PairSPHTM(LAMMPS *lmp, Backend &loops) : Pair(lmp), backend(loops)
   rec_main.live_in(loops, TM_REC, 2);
   rec_stress.live_in(loops, TM_REC_STRESS, 2);
   gradient.live_in(loops, 9);
-  for (auto *a : {&rec_heat, &rec_correction, &rec_size, &rec_hourglass, &heat, &correction, &xsph_v, &hourglass_rate, &surface, &artificial, &near_count,
-                  &tally, &force_internal})
+  for (auto *a : {&rec_heat, &rec_correction, &rec_size, &rec_hourglass, &heat, &correction, &xsph_v, &hourglass_rate,
+                  &surface, &artificial, &near_count, &tally, &force_internal})
     a->live_in(loops);
   single_main.live_in(loops, TM_REC, 4);
   single_more.live_in(loops, TM_MORE, 4);

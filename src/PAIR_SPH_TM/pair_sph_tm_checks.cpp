@@ -70,7 +70,8 @@ void PairSPHTM::check_list_size(double dp)
   // smoothing lengths may double during a run
   const double h = (fix->has(TM_FX_SMOOTHING) ? 2.0 : 1.0) * list_h;
   const double cut = (tm_kernel_support(set.kernel) * h + neighbor->skin) / dp;
-  const int need = (int) std::min(1e7, 3.0 * (domain->dimension == 3 ? 4.0 / 3.0 * TM_PI * cut * cut * cut : TM_PI * cut * cut));
+  const double in_reach = domain->dimension == 3 ? 4.0 / 3.0 * TM_PI * cut * cut * cut : TM_PI * cut * cut;
+  const int need = (int) std::min(1e7, 3.0 * in_reach);
   if (neighbor->oneatom >= need) return;
   neighbor->oneatom = need;
   neighbor->pgsize = std::max(neighbor->pgsize, 10 * need);

@@ -73,7 +73,8 @@ struct FillRow {
 // on a GPU a warp sorts a row: it holds the entries, and each thread finds the places of some
 struct FillRowByWarp {
   using Team = Kokkos::TeamPolicy<LMPDeviceType>;
-  using Entries = Kokkos::View<tm_row_entry *, LMPDeviceType::scratch_memory_space, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
+  using Entries =
+      Kokkos::View<tm_row_entry *, LMPDeviceType::scratch_memory_space, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
   tm_row_args a;
   int n, longest, rows;    // entries of the longest row, rows per team
 
@@ -218,7 +219,8 @@ struct TakePositions {
 int PairSPHTMKokkos::pack_forward_comm_kokkos(int n, DAT::tdual_int_1d k_sendlist,
                                               DAT::tdual_xfloat_1d &buf, int, int *)
 {
-  const Ghost ghost{rec, forwarded ? forwarded_columns : forward_columns(), forwarded ? forwarded->loop_write() : nullptr};
+  const Ghost ghost{rec, forwarded ? forwarded_columns : forward_columns(),
+                    forwarded ? forwarded->loop_write() : nullptr};
   kokkos_each("sph/tm send to ghosts", n,
               PackGhosts{ghost, k_sendlist.view<LMPDeviceType>().data(), buf.view<LMPDeviceType>().data()});
   return n * ghost.width();

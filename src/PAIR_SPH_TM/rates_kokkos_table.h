@@ -13,8 +13,9 @@ template <unsigned EFFECTS> struct Rates {
   tm_rates_args a;
   KOKKOS_FUNCTION void operator()(int i) const { tm_rates(a.which ? a.which[i] : i, &a, EFFECTS); }
 };
-// How many threads share a multiprocessor decides: most of the time a warp waits for its neighbors' records. 6 blocks of 64
-// leave a thread 168 registers, 4 of 128 leave 128: just enough without spills, but for loops that test effects at run time.
+// How many threads share a multiprocessor decides: most of the time a warp waits for its neighbors' records. 6 blocks
+// of 64 leave a thread 168 registers, 4 of 128 leave 128: just enough without spills, but for loops that test effects
+// at run time.
 constexpr int RATE_THREADS = sizeof(tm_pair) == sizeof(double) ? 64 : 128;
 constexpr int rate_blocks(unsigned effects)
 {

@@ -185,7 +185,8 @@ TM_FN void tm_hourglass(int i, const tm_rates_args *a, unsigned effects)
   const tm_vec3 rate = tm_hourglass_rate(
       tm_lanes_sum(s), tm_vec(tm_lanes_sum(sx), tm_lanes_sum(sy), tm_lanes_sum(sz)),
       tm_vec(tm_lanes_sum(ux), tm_lanes_sum(uy), tm_lanes_sum(uz)),
-      tm_sym(tm_lanes_sum(xx), tm_lanes_sum(yy), tm_lanes_sum(zz), tm_lanes_sum(xy), tm_lanes_sum(xz), tm_lanes_sum(yz)),
+      tm_sym(tm_lanes_sum(xx), tm_lanes_sum(yy), tm_lanes_sum(zz), tm_lanes_sum(xy), tm_lanes_sum(xz),
+             tm_lanes_sum(yz)),
       tm_mat_load(vx), dim3);
   tm_real *out = a->hourglass_rate + 3 * (ptrdiff_t) i;
   out[0] = rate.x; out[1] = rate.y; out[2] = rate.z;

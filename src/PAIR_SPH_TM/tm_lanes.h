@@ -1,9 +1,9 @@
 /* SPH-TM: several neighbours at once.
 
    A tm_lanes holds one value of TM_LANES neighbours: a vector register of the instruction set the
-   file is compiled for, or one number (CUDA, other compilers), in the precision of pair arithmetic. + - * / work on it in C and C++, also
-   with a number on one side (vector extension of GCC and clang). Comparisons and functions do not:
-   what needs them is written for one neighbour and put into a column.
+   file is compiled for, or one number (CUDA, other compilers), in the precision of pair arithmetic.
+   + - * / work on it in C and C++, also with a number on one side (vector extension of GCC and clang).
+   Comparisons and functions do not: what needs them is written for one neighbour and put into a column.
 
    A column holds one quantity of up to TM_COLUMN neighbours. Particles are stored as records (all
    quantities of one particle side by side), so records are transposed into columns. Transposing in

@@ -92,7 +92,8 @@ TM_FN tm_real tm_output_value(int which, int i, const tm_output_args *a)
     case TM_OUT_PRESSURE: return to_stress * tm_output_pressure(i, a, m);
     case TM_OUT_XX: case TM_OUT_YY: case TM_OUT_ZZ: case TM_OUT_XY: case TM_OUT_XZ: case TM_OUT_YZ: {
       const int k = which - TM_OUT_XX;
-      return to_stress * (tm_field_row(&a->state, TM_F_STRESS, i)[tm_column(k)] - (k < 3 ? tm_output_pressure(i, a, m) : 0.0));
+      return to_stress * (tm_field_row(&a->state, TM_F_STRESS, i)[tm_column(k)]
+                          - (k < 3 ? tm_output_pressure(i, a, m) : 0.0));
     }
     case TM_OUT_DAMAGE: return tm_output_state(i, a, TM_F_DAMAGE, 0, 0.0);
     case TM_OUT_FAILED: return tm_output_state(i, a, TM_F_DAMAGE, 1, 0.0) > 0.5 ? 1.0 : 0.0;
@@ -107,7 +108,8 @@ TM_FN tm_real tm_output_value(int which, int i, const tm_output_args *a)
     case TM_OUT_SEARCHES: return a->lists ? a->lists[(ptrdiff_t) i * TM_K + TM_K_SEARCHES] : 0.0;
     case TM_OUT_AREA: return tm_output_area(i, a);
     case TM_OUT_HOURGLASS:
-      return tm_vec_norm(tm_vec(tm_output_state(i, a, TM_F_HOURGLASS, TM_G_W, 0.0), tm_output_state(i, a, TM_F_HOURGLASS, TM_G_W + 1, 0.0),
+      return tm_vec_norm(tm_vec(tm_output_state(i, a, TM_F_HOURGLASS, TM_G_W, 0.0),
+                                tm_output_state(i, a, TM_F_HOURGLASS, TM_G_W + 1, 0.0),
                                 tm_output_state(i, a, TM_F_HOURGLASS, TM_G_W + 2, 0.0)));
     default: return 0.0;    /* level: fix adapt/neigh knows it, on the host */
   }

@@ -121,20 +121,7 @@ TM_FN tm_mat3 tm_mat_mul(tm_mat3 a, tm_mat3 b)
 }
 
 /* product of two symmetric tensors */
-TM_FN tm_mat3 tm_sym_mul(tm_sym3 a, tm_sym3 b)
-{
-  tm_mat3 c;
-  c.xx = a.xx * b.xx + a.xy * b.xy + a.xz * b.xz;
-  c.xy = a.xx * b.xy + a.xy * b.yy + a.xz * b.yz;
-  c.xz = a.xx * b.xz + a.xy * b.yz + a.xz * b.zz;
-  c.yx = a.xy * b.xx + a.yy * b.xy + a.yz * b.xz;
-  c.yy = a.xy * b.xy + a.yy * b.yy + a.yz * b.yz;
-  c.yz = a.xy * b.xz + a.yy * b.yz + a.yz * b.zz;
-  c.zx = a.xz * b.xx + a.yz * b.xy + a.zz * b.xz;
-  c.zy = a.xz * b.xy + a.yz * b.yy + a.zz * b.yz;
-  c.zz = a.xz * b.xz + a.yz * b.yz + a.zz * b.zz;
-  return c;
-}
+TM_FN tm_mat3 tm_sym_mul(tm_sym3 a, tm_sym3 b) { return tm_mat_mul(tm_mat_from_sym(a), tm_mat_from_sym(b)); }
 
 /* --- in arrays ------------------------------------------------------------------------- */
 
