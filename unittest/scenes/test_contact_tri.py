@@ -325,7 +325,7 @@ def errors(c):
     cases = [("file none.stl", "none.stl"), ("file %s/page.stl" % meshes, "HTML"),
              ("file %s/binary_cut.stl" % meshes, "truncated"), ("file %s/inside_out.stl" % meshes, "flip yes"),
              ("file %s/one_turned.stl" % meshes, "sides two"), ("friction 0.1", "needs a mesh"),
-             ("file tool.stl friction -1", "friction must be >= 0, got -1"),
+             ("file tool.stl friction -1", "friction must be a number >= 0, got -1"),
              ("file tool.stl rotate 0 0 1 90", "rotate axis ax ay az angle"),
              ("file tool.stl heat hot", "none, perfect or conductance"),
              ("file tool.stl vtk 100 tool.vtk", "needs a *"), ("file tool.stl strange 1", "keyword strange"),
