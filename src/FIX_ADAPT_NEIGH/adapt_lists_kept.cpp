@@ -18,8 +18,9 @@ using namespace LAMMPS_NS;
 namespace SPHTM_NS {
 
 static constexpr double EARLY = 0.25;
-static constexpr int MEASURE_EVERY = 50;   // steps
-static constexpr int SETTLE_EVERY = 100;   // steps after which particles may come to rest
+// steps after which it is decided again who is searched, G is measured, particles may come to rest
+static constexpr int LOOK_EVERY = 10, MEASURE_EVERY = 50, SETTLE_EVERY = 100;
+static_assert(MEASURE_EVERY % LOOK_EVERY == 0 && SETTLE_EVERY % LOOK_EVERY == 0, "both are done when it is looked");
 
 int AdaptLists::own() const { return fix.host()->atom->nlocal; }
 int AdaptLists::all() const { return fix.host()->atom->nlocal + fix.host()->atom->nghost; }
@@ -206,6 +207,7 @@ void AdaptLists::watch()
   w.change = w.support * approach;
   w.time = time_now - time_watched;
   backend->watch(own(), w);
+  watched = true;
   const double mine = backend->fastest(own(), fix.body().state());
   double fastest;
   MPI_Allreduce(&mine, &fastest, 1, MPI_DOUBLE, MPI_MAX, lmp->world);
@@ -291,13 +293,18 @@ void AdaptLists::end_of_step()
   a.h = rates.h;
   a.reach2 = rates.reach2;
   a.slope_norm = rates.slope_norm;
-  a.art_inv_w = rates.art_inv_w;
-  a.art_n = rates.art_n;
   a.visc_alpha = rates.visc_alpha;
   a.visc_beta = rates.visc_beta;
-  a.first = first_search;
   const unsigned fx = fix.body().effects();
-  const int searched = active;
+  sum_searched += active;
+  last_searched = active;
+  time_now += a.dt;
+  if (!a.settles && !watched && fix.host()->update->ntimestep % LOOK_EVERY != 0) {
+    a.was = a.now = now.loop_read();
+    backend->settle(own(), a, fx);
+    return;
+  }
+  first_search = watched = false;
   backend->settle_tell(own(), a, fx);
   pair.forward(next, 1);
   if (a.settles) {
@@ -312,10 +319,6 @@ void AdaptLists::end_of_step()
   a.now = border.now;
   a.dirty = border.dirty;
   backend->settle(own(), a, fx);
-  sum_searched += searched;
-  last_searched = searched;
-  first_search = false;
-  time_now += a.dt;
 }
 
 double AdaptLists::output(int k)

@@ -6,16 +6,15 @@
 
 namespace SPHTM_NS {
 
-constexpr int KEPT_LOOPS = 16;    // 3D x viscosity x artificial stress x conduction
+constexpr int KEPT_LOOPS = 8;    // 3D x viscosity x conduction
 constexpr unsigned kept_loop_effects(int k)
 {
   return (k & 1 ? unsigned(TM_FX_3D) : 0u) | (k & 2 ? unsigned(TM_FX_VISCOSITY) : 0u) |
-      (k & 4 ? unsigned(TM_FX_ARTSTRESS) : 0u) | (k & 8 ? unsigned(TM_FX_CONDUCTION) : 0u);
+      (k & 4 ? unsigned(TM_FX_CONDUCTION) : 0u);
 }
 constexpr int kept_loop_index(unsigned fx)
 {
-  return (fx & TM_FX_3D ? 1 : 0) + (fx & TM_FX_VISCOSITY ? 2 : 0) + (fx & TM_FX_ARTSTRESS ? 4 : 0) +
-      (fx & TM_FX_CONDUCTION ? 8 : 0);
+  return (fx & TM_FX_3D ? 1 : 0) + (fx & TM_FX_VISCOSITY ? 2 : 0) + (fx & TM_FX_CONDUCTION ? 4 : 0);
 }
 
 // one table per instruction set; particles begin to end - 1

@@ -39,7 +39,7 @@ namespace SPHTM_ISA {
       kept<kept_loop_effects(K + 3)>
 
 extern const ListLoops list_loops;
-const ListLoops list_loops = {search, {TM_KEPT_4(0), TM_KEPT_4(4), TM_KEPT_4(8), TM_KEPT_4(12)}, moments, settle};
+const ListLoops list_loops = {search, {TM_KEPT_4(0), TM_KEPT_4(4)}, moments, settle};
 
 }    // namespace SPHTM_ISA
 }    // namespace SPHTM_NS

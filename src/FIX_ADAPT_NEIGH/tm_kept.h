@@ -19,8 +19,7 @@
    nothing.
 
    Viscosity and conduction take the frozen W'/r and the current x_i - x_j, viscosity also the distance,
-   densities and speeds of sound of the search. Artificial stress acts on pairs that have been searched
-   since the start, with the f^n of then.
+   densities and speeds of sound of the search. Kept pairs need no artificial stress and have none.
 
    Weights are in single precision, without units of length: slope(q) x/r in place of grad W, slope(q)/q in
    place of W'/r. The products are in double: what both ends hold is the same, so nothing is lost. */
@@ -38,8 +37,7 @@ enum {
   TM_W_BULK = 3,       /* alpha c/rho slope(q)/q / (q^2 + 0.01), c and rho means of the pair */
   TM_W_SHOCK,          /* beta/rho slope(q)/q / (q^2 + 0.01)^2 */
   TM_W_OTHER,          /* a_j */
-  TM_W_TENSILE = 8,    /* f^n slope(q)/q */
-  TM_W_SLOPE,          /* slope(q)/q */
+  TM_W_SLOPE = 8,      /* slope(q)/q */
   TM_W_DISTANCE,       /* q = r/h at the search */
   TM_WEIGHTS
 };
@@ -56,7 +54,7 @@ typedef struct {
 } tm_kept_rows;
 
 /* The weights of row i, and where weight c of entry k lies there: eight entries together, apart those weights that
-   all rows need, those of TM_ROW_..., and the others. */
+   all rows need, those of rows with TM_K_MIXED, and the others. */
 TM_FN float *tm_weight(const tm_kept_rows *r, int i)
 {
   const ptrdiff_t lane = i % r->stride;
@@ -72,8 +70,8 @@ TM_FN ptrdiff_t tm_weight_place(const tm_kept_rows *r, int c, int k)
 /* Places that n kept entries take: whole vectors. */
 TM_FN int tm_kept_places(int n) { return (n + 7) / 8 * 8; }
 
-/* What a particle shows of itself to kept pairs: A row major and the sound speed. */
-enum { TM_KEPT_C = 9, TM_KEPT = 10 };
+/* What a particle shows of itself to kept pairs: A row major, filled up to an even number. */
+enum { TM_KEPT = 10 };
 
 enum { TM_NEAR_HOLD = 10 };
 
@@ -87,12 +85,8 @@ enum {
   TM_K_MARK = 29,      /* was searched in the last step: 1 */
   TM_K_SEARCHES = 30,  /* how often */
   TM_K_NEAR = 31,      /* above 0: something came near, slid or went; for how long to go on searching */
-  TM_K_ROW = 32,       /* bits of the row: TM_ROW_... */
+  TM_K_MIXED = 32,     /* 1: a_i and a_j of a pair of the row differ */
   TM_K = 33
-};
-enum {
-  TM_ROW_MIXED = 1,    /* a_i and a_j of a pair differ */
-  TM_ROW_TENSE = 2     /* artificial stress acts */
 };
 
 /* Is the particle with memory k searched in this step? New ones are. */
@@ -198,7 +192,7 @@ TM_FN void tm_kept_show(int i, const tm_kept_args *a, tm_real *shown)
     out[3 + c] = rho * p.y;
     out[6 + c] = rho * p.z;
   }
-  out[TM_KEPT_C] = r[tm_part(TM_REC_C)];
+  out[9] = 0.0;
 }
 
 /* B of the next force point, from G there; with too few neighbours to tell it follows L. */
@@ -221,8 +215,7 @@ TM_FN void tm_kept_turn(tm_real *memory, tm_mat3 L, tm_real dt, int dim3)
 /* Columns of a chunk. */
 enum {
   TM_KCOL_SHOWN = 8,
-  TM_KCOL_STRESS = TM_KCOL_SHOWN + TM_KEPT,
-  TM_KCOL_HEAT = TM_KCOL_STRESS + TM_REC_STRESS,
+  TM_KCOL_HEAT = TM_KCOL_SHOWN + TM_KEPT,
   TM_KCOL_CONDUCTED = TM_KCOL_HEAT + TM_REC_HEAT,
   TM_KCOLS
 };
@@ -244,7 +237,7 @@ TM_FN tm_lanes tm_weight_lanes(const float *w, ptrdiff_t stride)
 #endif
 }
 
-/* Rates of particle i from its kept pairs; effects: TM_FX_3D, VISCOSITY, ARTSTRESS, CONDUCTION. */
+/* Rates of particle i from its kept pairs; effects: TM_FX_3D, VISCOSITY, CONDUCTION. */
 TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
 {
   const int dim3 = (effects & TM_FX_3D) != 0, viscosity = (effects & TM_FX_VISCOSITY) != 0;
@@ -254,19 +247,15 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
   const int *row = a->rows.index + a->rows.first[i];
   const float *weight = tm_weight(&a->rows, i);
   tm_real *memory = a->memory + (ptrdiff_t) i * TM_K;
-  const int kind = (int) memory[TM_K_ROW], mixed = (kind & TM_ROW_MIXED) != 0;
+  const int mixed = memory[TM_K_MIXED] > 0.5;
 #if TM_VECTOR
-  const int ahead = stride == 1 && a->rows.kept[i + 1] ? (memory[TM_K + TM_K_ROW] > 0.5 ? 2 : 1) : 0;
+  const int ahead = stride == 1 && a->rows.kept[i + 1] ? (memory[TM_K + TM_K_MIXED] > 0.5 ? 2 : 1) : 0;
 #endif
-  /* artificial stress acts on few rows */
-  const int artstress = (effects & TM_FX_ARTSTRESS) && (kind & TM_ROW_TENSE);
 
   const tm_real *ri = tm_main_record(&a->rec, i);
   const tm_real xi = ri[tm_part(0)], yi = ri[tm_part(1)], zi = ri[tm_part(2)], mi = ri[tm_part(TM_REC_M)];
   const tm_real vxi = ri[tm_part(4)], vyi = ri[tm_part(5)], vzi = ri[tm_part(6)];
-  tm_sym3 qi = tm_sym(0, 0, 0, 0, 0, 0);
   tm_real ti = 0, ki = 0;
-  if (artstress) qi = tm_kept_sym(tm_stress_record(&a->rec, i), 0);
   if (conduction) {
     ti = tm_heat_record(&a->rec, i)[tm_part(TM_REC_T)];
     ki = tm_heat_record(&a->rec, i)[tm_part(TM_REC_K)];
@@ -292,15 +281,11 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
     if (TM_COLUMN > 1) {
       tm_transpose_rows(a->rec.main, TM_REC, jj, lanes, TM_KCOL_SHOWN, col[0]);
       tm_transpose_rows(a->shown, TM_KEPT, jj, lanes, TM_KEPT, col[TM_KCOL_SHOWN]);
-      if (artstress)
-        tm_transpose_rows(a->rec.stress, TM_REC_STRESS, jj, lanes, TM_REC_STRESS, col[TM_KCOL_STRESS]);
       if (conduction) tm_transpose_rows(a->rec.heat, TM_REC_HEAT, jj, lanes, TM_REC_HEAT, col[TM_KCOL_HEAT]);
     } else {
       const int j = jj[0];
       for (int c = 0; c < TM_KCOL_SHOWN; c++) col[c][0] = tm_main_record(&a->rec, j)[tm_part(c)];
       for (int c = 0; c < TM_KEPT; c++) col[TM_KCOL_SHOWN + c][0] = a->shown[(ptrdiff_t) j * TM_KEPT + c];
-      for (int c = 0; artstress && c < TM_REC_STRESS; c++)
-        col[TM_KCOL_STRESS + c][0] = tm_stress_record(&a->rec, j)[tm_part(c)];
       for (int c = 0; conduction && c < TM_REC_HEAT; c++)
         col[TM_KCOL_HEAT + c][0] = tm_heat_record(&a->rec, j)[tm_part(c)];
     }
@@ -350,28 +335,12 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
         fy += TM_A(5) * oz;
         fz += TM_A(6) * ox + TM_A(7) * oy + TM_A(8) * oz;
       }
-      if (viscosity || artstress) {
-        tm_lanes ax = zero, ay = zero, az = zero;
-        if (viscosity) {
-          tm_lanes closing = vx * dx + vy * dy;
-          if (dim3) closing += vz * dz;
-          closing = tm_lanes_negative(closing);
-          const tm_lanes pi = m * closing * (shock * TM_W(TM_W_SHOCK) * closing - bulk * TM_W(TM_W_BULK));
-          ax -= pi * dx; ay -= pi * dy;
-          if (dim3) az -= pi * dz;
-        }
-        if (artstress) {
-          const tm_lanes f = per_r * m * TM_W(TM_W_TENSILE);
-          const int q = TM_KCOL_STRESS;
-          ax += f * ((qi.xx + TM_LOAD(q)) * dx + (qi.xy + TM_LOAD(q + 3)) * dy);
-          ay += f * ((qi.xy + TM_LOAD(q + 3)) * dx + (qi.yy + TM_LOAD(q + 1)) * dy);
-          if (dim3) {
-            const tm_lanes qxz = qi.xz + TM_LOAD(q + 4), qyz = qi.yz + TM_LOAD(q + 5);
-            ax += f * qxz * dz;
-            ay += f * qyz * dz;
-            az += f * (qxz * dx + qyz * dy + (qi.zz + TM_LOAD(q + 2)) * dz);
-          }
-        }
+      if (viscosity) {
+        tm_lanes closing = vx * dx + vy * dy;
+        if (dim3) closing += vz * dz;
+        closing = tm_lanes_negative(closing);
+        const tm_lanes pi = m * closing * (shock * TM_W(TM_W_SHOCK) * closing - bulk * TM_W(TM_W_BULK));
+        const tm_lanes ax = -pi * dx, ay = -pi * dy, az = dim3 ? -pi * dz : zero;
         dxs += ax; dys += ay; dzs += az;
         art -= ax * vx + ay * vy + az * vz;
       }
@@ -405,7 +374,7 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
   f[0] += mf * (w * (A[0] * ux + A[1] * uy + A[2] * uz + tm_lanes_sum(fx)) + tm_lanes_sum(dxs));
   f[1] += mf * (w * (A[3] * ux + A[4] * uy + A[5] * uz + tm_lanes_sum(fy)) + tm_lanes_sum(dys));
   f[2] += mf * (w * (A[6] * ux + A[7] * uy + A[8] * uz + tm_lanes_sum(fz)) + tm_lanes_sum(dzs));
-  if ((effects & (TM_FX_VISCOSITY | TM_FX_ARTSTRESS)) && a->artificial)
+  if (viscosity && a->artificial)
     a->artificial[i] = (add ? a->artificial[i] : 0.0) + 0.5 * mi * tm_lanes_sum(art);
   if (conduction) a->heat[i] = (add ? a->heat[i] : 0.0) + tm_lanes_sum(heat);
 

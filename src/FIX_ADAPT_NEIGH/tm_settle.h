@@ -18,12 +18,11 @@ typedef struct {
   tm_real *told;               /* TM_TOLD, owned and ghost */
   tm_real *next;               /* 1: searched in the next step, 0; owned and ghost */
   const unsigned char *was, *now;    /* searched in this step, in the next one; owned and ghost */
-  const unsigned char *dirty;  /* rows whose particle or neighbours are not what they were */
+  const unsigned char *dirty;  /* rows whose particle or neighbours are not what they were; NULL: none */
   int settles, measures;       /* particles may come to rest in this step; G is measured */
   int corrected;               /* gradients are: Q = 1 */
   tm_real threshold, strain;   /* of plastic strain, of any strain since the search; infinite: never */
-  tm_real dt, h, reach2, slope_norm, art_inv_w, visc_alpha, visc_beta;
-  int art_n, first;            /* first: the pairs of the first search of all, without artificial stress */
+  tm_real dt, h, reach2, slope_norm, visc_alpha, visc_beta;
 } tm_settle_args;
 
 /* B: of a particle that was searched in this step 1/rho, else that of the next force point. */
@@ -79,7 +78,7 @@ TM_FN int tm_settle_tell(int i, const tm_settle_args *a, unsigned effects)
   return searched;
 }
 
-/* Weights of the pair as it is now into entry `to` of the row; returns bits TM_ROW_... */
+/* Weights of the pair as it is now into entry `to` of the row; returns whether its ends differ: TM_K_MIXED. */
 TM_FN int tm_settle_pair(int i, int j, int to, const tm_settle_args *a, int kernel, int dim3)
 {
   const tm_real *ri = tm_main_record(&a->rec, i), *rj = tm_main_record(&a->rec, j);
@@ -100,14 +99,12 @@ TM_FN int tm_settle_pair(int i, int j, int to, const tm_settle_args *a, int kern
   }
   const tm_real per_soft = 1.0 / tm_viscosity_soft2(1.0, q * q);
   const tm_real pi = 2.0 * g * per_soft / (ri[tm_part(TM_REC_RHO)] + rj[tm_part(TM_REC_RHO)]);
-  const tm_real f = a->first ? 0.0 : tm_power_int(tm_kernel_shape(kernel, q) * a->art_inv_w, a->art_n);
   TM_OUT(TM_W_BULK) = (float) (a->visc_alpha * 0.5 * (ri[tm_part(TM_REC_C)] + rj[tm_part(TM_REC_C)]) * pi);
   TM_OUT(TM_W_SHOCK) = (float) (a->visc_beta * per_soft * pi);
-  TM_OUT(TM_W_TENSILE) = (float) (f * g);
   TM_OUT(TM_W_SLOPE) = (float) g;
   TM_OUT(TM_W_DISTANCE) = (float) q;
 #undef TM_OUT
-  return (mixed ? TM_ROW_MIXED : 0) | (f > 0.0 ? TM_ROW_TENSE : 0);
+  return mixed;
 }
 
 /* The row of particle i, which is not searched next: out go pairs of those that are, in come those of which
@@ -119,7 +116,7 @@ TM_FN int tm_settle_row(int i, const tm_settle_args *a, int kernel, int dim3)
   int *row = r->index + r->first[i], n = 0, changed = 0;
   float *w = tm_weight(r, i);
   tm_real *k = a->memory + (ptrdiff_t) i * TM_K;
-  int kind = a->was[i] ? 0 : (int) k[TM_K_ROW];
+  int mixed = !a->was[i] && k[TM_K_MIXED] > 0.5;
   for (int e = 0; e < r->kept[i]; e++) {
     const int j = row[e * stride];
     if (a->now[j]) continue;
@@ -141,7 +138,7 @@ TM_FN int tm_settle_row(int i, const tm_settle_args *a, int kernel, int dim3)
       const tm_real dz = dim3 ? ri[tm_part(2)] - rj[tm_part(2)] : 0.0;
       if (!(dx * dx + dy * dy + dz * dz < a->reach2)) continue;
       row[n * stride] = j;
-      kind |= tm_settle_pair(i, j, n++, a, kernel, dim3);
+      mixed |= tm_settle_pair(i, j, n++, a, kernel, dim3);
       changed = 1;
     }
   }
@@ -150,7 +147,7 @@ TM_FN int tm_settle_row(int i, const tm_settle_args *a, int kernel, int dim3)
     row[e * stride] = i;
     for (int c = 0; c < TM_WEIGHTS; c++) w[tm_weight_place(r, c, e)] = 0.0f;
   }
-  k[TM_K_ROW] = kind;
+  k[TM_K_MIXED] = mixed;
   return changed;
 }
 
@@ -159,7 +156,7 @@ TM_FN void tm_settle(int i, const tm_settle_args *a, unsigned effects)
 {
   const int kernel = tm_fx_kernel(effects), dim3 = (effects & TM_FX_3D) != 0;
   tm_real *k = a->memory + (ptrdiff_t) i * TM_K;
-  const int was = a->was[i], will = a->now[i];
+  const int was = a->was[i], will = a->now[i], dirty = a->dirty && a->dirty[i];
   const tm_real plastic = (effects & TM_FX_PLASTICITY) ? tm_field_row(&a->state, TM_F_PSTRAIN, i)[0] : 0.0;
   k[TM_K_MARK] = was;
   k[TM_K_SEARCHES] += was;
@@ -171,13 +168,13 @@ TM_FN void tm_settle(int i, const tm_settle_args *a, unsigned effects)
     else if (a->settles) k[TM_K_PSTRAIN] = plastic;
     return;
   }
-  if (!was && !a->dirty[i] && !a->measures && a->rows.kept[i] > 0) return;
+  if (!was && !dirty && !a->measures && a->rows.kept[i] > 0) return;
   const tm_mat3 L = tm_mat_from_row(a->gradient + tm_row(i, 9));
   if (was) {
     k[TM_K_PSTRAIN] = plastic;
     tm_mat_store(k + TM_K_B, tm_mat_scale(1.0 / tm_main_record(&a->rec, i)[tm_part(TM_REC_RHO)], tm_mat_identity()));
   }
-  const int changed = (was || a->dirty[i]) && tm_settle_row(i, a, kernel, dim3);
+  const int changed = (was || dirty) && tm_settle_row(i, a, kernel, dim3);
   if (changed || a->measures) {
     /* G of these positions, and as the next ones will have it */
     const tm_mat3 G = tm_kept_stretch(i, &a->rows, &a->rec, a->slope_norm, dim3);
