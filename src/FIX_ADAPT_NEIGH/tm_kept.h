@@ -224,13 +224,12 @@ enum {
 TM_FN tm_lanes tm_weight_lanes(const float *w, ptrdiff_t stride)
 {
 #if TM_VECTOR
-  typedef float tm_floats __attribute__((vector_size(4 * TM_LANES), aligned(4), may_alias));
   if (stride != 1) {
     float t[TM_LANES];
     for (int l = 0; l < TM_LANES; l++) t[l] = w[l * stride];
-    return __builtin_convertvector(*(const tm_floats *) t, tm_lanes);
+    return tm_lanes_of_floats(t);
   }
-  return __builtin_convertvector(*(const tm_floats *) w, tm_lanes);
+  return tm_lanes_of_floats(w);
 #else
   (void) stride;
   return *w;

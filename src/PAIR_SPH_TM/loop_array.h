@@ -4,6 +4,7 @@
 #ifndef SPHTM_LOOP_ARRAY_H
 #define SPHTM_LOOP_ARRAY_H
 
+#include "aligned_memory.h"
 #include "backend.h"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ template <class T> class LoopArray {
 
   void clear()
   {
-    std::vector<T>().swap(here);
+    Values().swap(here);
     backend->release(there);
     there = nullptr;
     count = 0;
@@ -116,7 +117,8 @@ template <class T> class LoopArray {
 
  private:
   Backend *backend = &Backend::host();
-  std::vector<T> here;
+  using Values = std::vector<T, AlignedMemory<T>>;
+  Values here;
   T *there = nullptr;
   size_t count = 0;
   int columns = 1, together = 1;
