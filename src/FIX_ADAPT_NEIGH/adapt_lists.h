@@ -69,7 +69,8 @@ class AdaptLists : public AdaptPart, public RowSource {
   bool by_tag = false;        // entries of kept rows are places in names
   double sum_searched = 0.0, last_searched = 0.0;    // of this rank
   double time_now = 0.0, time_watched = 0.0, next_watch = 0.0;    // of steps taken; of the last and next watch
-  bool watched = false;       // in this step
+  bool came_near = false;     // particles, in this step
+  bool looked = true;         // in the last step, who is searched
   bool stepping = false;      // not the set-up of a run
 
   RowTable table, other;      // mechanical neighbors; those for heat and in contact

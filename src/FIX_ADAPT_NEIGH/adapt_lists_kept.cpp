@@ -206,11 +206,12 @@ void AdaptLists::watch()
   w.near = w.support * (1.0 - approach);
   w.change = w.support * approach;
   w.time = time_now - time_watched;
-  backend->watch(own(), w);
-  watched = true;
-  const double mine = backend->fastest(own(), fix.body().state());
-  double fastest;
-  MPI_Allreduce(&mine, &fastest, 1, MPI_DOUBLE, MPI_MAX, lmp->world);
+  const int newly = backend->watch(own(), w);
+  const double mine[2] = {backend->fastest(own(), fix.body().state()), (double) newly};
+  double most[2];
+  MPI_Allreduce(mine, most, 2, MPI_DOUBLE, MPI_MAX, lmp->world);
+  const double fastest = most[0];
+  came_near = most[1] > 0.0;
   const double longest = 50.0 * fix.body().step_dt();
   next_watch = time_now + (fastest > 0.0 ? std::min(0.05 * reach / fastest, longest) : longest);
   time_watched = time_now;
@@ -299,12 +300,21 @@ void AdaptLists::end_of_step()
   sum_searched += active;
   last_searched = active;
   time_now += a.dt;
-  if (!a.settles && !watched && fix.host()->update->ntimestep % LOOK_EVERY != 0) {
+  if (!a.settles && !came_near && fix.host()->update->ntimestep % LOOK_EVERY != 0) {
+    // as it was; the first time all are told
     a.was = a.now = now.loop_read();
-    backend->settle(own(), a, fx);
+    a.dirty = nullptr;
+    if (!looked) {
+      a.which = which.loop_read();
+      backend->settle(active, a, fx);
+      a.which = which_border.loop_read();
+    }
+    backend->settle(looked ? own() : at_border, a, fx);
+    looked = false;
     return;
   }
-  first_search = watched = false;
+  first_search = came_near = false;
+  looked = true;
   backend->settle_tell(own(), a, fx);
   pair.forward(next, 1);
   if (a.settles) {

@@ -23,6 +23,7 @@ struct ListLoops {
   void (*kept[KEPT_LOOPS])(int begin, int end, const tm_kept_args *);
   void (*moments)(int begin, int end, const tm_kept_moment_args *, unsigned effects);
   void (*settle)(int begin, int end, const tm_settle_args *, unsigned effects);
+  int (*watch)(int begin, int end, const tm_watch_args *);
 };
 namespace isa_default { extern const ListLoops list_loops; }
 namespace isa_avx2 { extern const ListLoops list_loops; }

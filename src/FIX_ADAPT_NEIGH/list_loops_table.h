@@ -26,7 +26,14 @@ void moments(int begin, int end, const tm_kept_moment_args *args, unsigned effec
 
 void settle(int begin, int end, const tm_settle_args *args, unsigned effects)
 {
-  for (int i = begin; i < end; i++) tm_settle(i, args, effects);
+  for (int k = begin; k < end; k++) tm_settle(args->which ? args->which[k] : k, args, effects);
+}
+
+int watch(int begin, int end, const tm_watch_args *args)
+{
+  int sum = 0;
+  for (int i = begin; i < end; i++) sum += tm_watch(i, args);
+  return sum;
 }
 
 }    // namespace
@@ -39,7 +46,7 @@ namespace SPHTM_ISA {
       kept<kept_loop_effects(K + 3)>
 
 extern const ListLoops list_loops;
-const ListLoops list_loops = {search, {TM_KEPT_4(0), TM_KEPT_4(4)}, moments, settle};
+const ListLoops list_loops = {search, {TM_KEPT_4(0), TM_KEPT_4(4)}, moments, settle, watch};
 
 }    // namespace SPHTM_ISA
 }    // namespace SPHTM_NS

@@ -143,57 +143,72 @@ typedef struct {
   tm_real time;                /* since the last time, taken for that to the next one */
 } tm_watch_args;
 
-/* Square of the distance of j from i, and v.x of the pair. */
-TM_FN tm_real tm_watch_distance2(const tm_real *ri, const tm_real *rj, tm_real *vx)
-{
-  const tm_real dx = ri[tm_part(0)] - rj[tm_part(0)], dy = ri[tm_part(1)] - rj[tm_part(1)];
-  const tm_real dz = ri[tm_part(2)] - rj[tm_part(2)];
-  *vx = (ri[tm_part(4)] - rj[tm_part(4)]) * dx + (ri[tm_part(5)] - rj[tm_part(5)]) * dy +
-      (ri[tm_part(6)] - rj[tm_part(6)]) * dz;
-  return dx * dx + dy * dy + dz * dz;
-}
+/* What a row tells: pairs that are near or will be the next time if they go on, those of them that are not searched,
+   pairs that have moved. */
+typedef struct {
+  int near, near_kept, moved;
+} tm_watched;
 
-/* Is a pair within reach near, or will it be the next time if it goes on? Rows may hold more than what is within
-   reach: who asks must not notice. */
-TM_FN int tm_watch_near(tm_real r2, tm_real vx, const tm_watch_args *a)
+/* Entries k of a row, begin <= k < end; q, if any: the distance of a pair at its search, over h. Without it a pair has
+   moved if it is near and has gone far since the last time. Rows may hold more than what is within reach: who asks must
+   not notice. */
+TM_FN tm_watched tm_watch_row(int i, const int *row, ptrdiff_t stride, int n_row, const tm_kept_rows *weights,
+                              const tm_watch_args *a)
 {
-  const tm_real near = a->near * a->h, support = a->support * a->h;
-  if (r2 < near * near) return 1;
-  if (!(r2 < support * support)) return 0;
-  const tm_real r = sqrt(r2);
-  return r + a->time * vx / r < near;
+  const tm_real *ri = tm_main_record(&a->rec, i);
+  const tm_real xi = ri[tm_part(0)], yi = ri[tm_part(1)], zi = ri[tm_part(2)];
+  const tm_real vxi = ri[tm_part(4)], vyi = ri[tm_part(5)], vzi = ri[tm_part(6)];
+  const tm_real near = a->near * a->h, support = a->support * a->h, change = a->change * a->h;
+  const float *w = weights ? tm_weight(weights, i) : NULL;
+  int near_all = 0, near_kept = 0, moved = 0;
+  int TM_ALIGNED jj[TM_COLUMN], kept[TM_COLUMN];
+  tm_pair TM_ALIGNED col[8][TM_COLUMN], then[TM_COLUMN];
+  for (int k = 0; k < n_row; k += TM_CHUNK) {
+    const int n = n_row - k < TM_CHUNK ? n_row - k : TM_CHUNK;
+    const int lanes = TM_COLUMN == 1 ? 1 : (n + TM_LANES - 1) / TM_LANES * TM_LANES;
+    for (int l = 0; l < lanes; l++) {
+      const int j = l < n ? row[(k + l) * stride] : i;
+      jj[tm_at(l)] = j;
+      kept[tm_at(l)] = !a->now[j];
+      then[tm_at(l)] = w && l < n ? a->h * (tm_real) w[tm_weight_place(weights, TM_W_DISTANCE, k + l)] : 0.0;
+    }
+    if (TM_COLUMN > 1) tm_transpose_rows(a->rec.main, TM_REC, jj, lanes, 8, col[0]);
+    else
+      for (int c = 0; c < 8; c++) col[c][0] = tm_main_record(&a->rec, jj[0])[tm_part(c)];
+    for (int l = 0; l < n; l++) {
+      const int m = tm_at(l);
+      const tm_real dx = xi - col[0][m], dy = yi - col[1][m], dz = zi - col[2][m];
+      const tm_real vx = (vxi - col[4][m]) * dx + (vyi - col[5][m]) * dy + (vzi - col[6][m]) * dz;
+      const tm_real r2 = dx * dx + dy * dy + dz * dz, r = sqrt(r2);
+      const int is_near = (r < near) | ((r < support) & (r2 + a->time * vx < near * r));
+      near_all += is_near;
+      near_kept += is_near & kept[m];
+      moved += w ? (r < then[m] - change) | (r > then[m] + change) : is_near & (fabs(a->time * vx) > change * r);
+    }
+  }
+  const tm_watched sum = {near_all, near_kept, moved};
+  return sum;
 }
 
 /* Sets memory TM_K_NEAR: the particle is searched in every step until nothing has moved for
    TM_NEAR_HOLD times. So where bodies meet, slide and part the rates are those of the search in every
-   step; kept pairs would hold bodies together that part. */
-TM_FN void tm_watch(int i, const tm_watch_args *a)
+   step; kept pairs would hold bodies together that part. Returns whether it was not so before. */
+TM_FN int tm_watch(int i, const tm_watch_args *a)
 {
-  tm_real *k = a->memory + (ptrdiff_t) i * TM_K, vx;
+  tm_real *k = a->memory + (ptrdiff_t) i * TM_K;
   const int was_near = k[TM_K_NEAR] > 0.5;
-  if (!was_near && tm_is_searched(k)) return;
+  if (!was_near && tm_is_searched(k)) return 0;
   const tm_kept_rows *r = &a->rows;
-  const int *row = r->index + r->first[i], *near = a->near_rows.index + a->near_rows.first[i];
-  const float *w = tm_weight(r, i);
-  const tm_real *ri = tm_main_record(&a->rec, i);
-  int known = 0, all = 0, moves = 0;
-  for (int e = 0; e < r->kept[i] && !was_near; e++) {
-    const tm_real r2 = tm_watch_distance2(ri, tm_main_record(&a->rec, row[e * r->stride]), &vx);
-    const tm_real q = w[tm_weight_place(r, TM_W_DISTANCE, e)];
-    const tm_real least = a->h * tm_max(q - a->change, 0.0), most = a->h * (q + a->change);
-    known += tm_watch_near(r2, vx, a);
-    moves += r2 < least * least || r2 > most * most;
+  const int *near = a->near_rows.index + a->near_rows.first[i], n_near = a->near_rows.mechanical[i];
+  if (was_near) {
+    if (tm_watch_row(i, near, a->near_rows.stride, n_near, NULL, a).moved) k[TM_K_NEAR] = TM_NEAR_HOLD;
+    else k[TM_K_NEAR] -= 1.0;
+    return 0;
   }
-  for (int e = 0; e < a->near_rows.mechanical[i] && !moves; e++) {
-    const int j = near[e * a->near_rows.stride];
-    if (a->now[j] && !was_near) continue;
-    const tm_real r2 = tm_watch_distance2(ri, tm_main_record(&a->rec, j), &vx);
-    if (!tm_watch_near(r2, vx, a)) continue;
-    all += !a->now[j];
-    moves += was_near && fabs(a->time * vx) > a->change * a->h * sqrt(r2);
-  }
-  if (moves || (!was_near && all > known)) k[TM_K_NEAR] = TM_NEAR_HOLD;
-  else if (was_near) k[TM_K_NEAR] -= 1.0;
+  const tm_watched known = tm_watch_row(i, r->index + r->first[i], r->stride, r->kept[i], r, a);
+  if (!known.moved && tm_watch_row(i, near, a->near_rows.stride, n_near, NULL, a).near_kept <= known.near) return 0;
+  k[TM_K_NEAR] = TM_NEAR_HOLD;
+  return 1;
 }
 
 #endif

@@ -19,6 +19,7 @@ typedef struct {
   tm_real *next;               /* 1: searched in the next step, 0; owned and ghost */
   const unsigned char *was, *now;    /* searched in this step, in the next one; owned and ghost */
   const unsigned char *dirty;  /* rows whose particle or neighbours are not what they were; NULL: none */
+  const int *which;            /* the particles, or NULL: all */
   int settles, measures;       /* particles may come to rest in this step; G is measured */
   int corrected;               /* gradients are: Q = 1 */
   tm_real threshold, strain;   /* of plastic strain, of any strain since the search; infinite: never */

@@ -222,11 +222,10 @@ void Backend::settle(int n, const tm_settle_args &a, unsigned effects)
   blocks(n, [&](int begin, int end) { loop(begin, end, &a, effects); });
 }
 
-void Backend::watch(int n, const tm_watch_args &a)
+int Backend::watch(int n, const tm_watch_args &a)
 {
-  blocks(n, [&](int begin, int end) {
-    for (int i = begin; i < end; i++) tm_watch(i, &a);
-  });
+  const auto loop = list_loops().watch;
+  return sum_blocks(n, 0, [&](int begin, int end) { return loop(begin, end, &a); }, add_count);
 }
 
 double Backend::fastest(int n, const tm_state &s)

@@ -74,7 +74,7 @@ class Backend {
   virtual void kept_rates(int n, const tm_kept_args &, unsigned effects);
   virtual void settle_tell(int n, const tm_settle_args &, unsigned effects);
   virtual void settle(int n, const tm_settle_args &, unsigned effects);
-  virtual void watch(int n, const tm_watch_args &);
+  virtual int watch(int n, const tm_watch_args &);
   virtual double fastest(int n, const tm_state &);    // the largest speed
   // and when particles get new places: tm_places.h
   virtual int largest(int n, const int *);    // at least 0

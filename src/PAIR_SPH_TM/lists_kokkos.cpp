@@ -198,11 +198,11 @@ struct SettleTell {
 struct Settle {
   tm_settle_args a;
   unsigned fx;
-  KOKKOS_FUNCTION void operator()(int i) const { tm_settle(i, &a, fx); }
+  KOKKOS_FUNCTION void operator()(int k) const { tm_settle(a.which ? a.which[k] : k, &a, fx); }
 };
 struct Watch {
   tm_watch_args a;
-  KOKKOS_FUNCTION void operator()(int i) const { tm_watch(i, &a); }
+  KOKKOS_FUNCTION int operator()(int i) const { return tm_watch(i, &a); }
 };
 struct Int {
   const int *v;
@@ -327,9 +327,9 @@ void KokkosLists::settle(int n, const tm_settle_args &a, unsigned fx)
 {
   kokkos_each("sph/tm settle", n, Settle{a, fx});
 }
-void KokkosLists::watch(int n, const tm_watch_args &a)
+int KokkosLists::watch(int n, const tm_watch_args &a)
 {
-  kokkos_each("sph/tm watch", n, Watch{a});
+  return kokkos_sum("sph/tm watch", n, 0, Watch{a}, SumInt());
 }
 double KokkosLists::fastest(int n, const tm_state &s)
 {

@@ -23,7 +23,7 @@ class KokkosLists : public Backend {
   void kept_rates(int n, const tm_kept_args &a, unsigned fx) override;
   void settle_tell(int n, const tm_settle_args &a, unsigned fx) override;
   void settle(int n, const tm_settle_args &a, unsigned fx) override;
-  void watch(int n, const tm_watch_args &a) override;
+  int watch(int n, const tm_watch_args &a) override;
   double fastest(int n, const tm_state &s) override;
   int largest(int n, const int *) override;
   void hold_tags(int n, const tm_places_args &a) override;
