@@ -62,6 +62,7 @@ void AdaptLists::init()
   const double more = margin > 0.0 ? 1.5 : 2.0;    // than in the lattice
   room = rows ? 8 * ((rows + 7) / 8) : std::min((int) TM_SEARCH_MOST, 8 * (int) ceil(more * lattice / 8.0 + 1.0));
   if (keeps()) make_room(lmp->atom->nmax);
+  weight_unit = tm_kept_unit(set.kernel);
   fix.update_packed_size();
 }
 

@@ -88,7 +88,8 @@ class AdaptLists : public AdaptPart, public RowSource {
   RowTable quiet;             // kept entries, and those at the border
   LoopArray<int> kept, which, which_border, which_near;
   LoopArray<ptrdiff_t> fresh_first;
-  LoopArray<float> weight;
+  LoopArray<short> weight;
+  double weight_unit = 1.0;
   LoopArray<tm_real> memory, shown, told, next, correction;
   LoopArray<double> place, reaches;    // at the last search
   LoopArray<unsigned char> marks, was, now, dirty;

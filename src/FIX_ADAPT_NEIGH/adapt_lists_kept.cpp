@@ -48,6 +48,7 @@ tm_kept_rows AdaptLists::kept_rows(bool on_host)
   r.fresh_first = write(fresh_first);
   r.stride = quiet.stride;
   r.capacity = quiet.capacity;
+  r.unit = weight_unit;
   r.weight = write(weight);
   return r;
 }

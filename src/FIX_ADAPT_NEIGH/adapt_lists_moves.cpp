@@ -173,7 +173,7 @@ void AdaptLists::reorder(int n, const int *order)
   if (!keeps() || quiet.capacity == 0) return;
   const tm_kept_store to = kept_store();
   LoopArray<int> index(*backend), lengths(*backend);
-  LoopArray<float> weights(*backend);
+  LoopArray<short> weights(*backend);
   LoopArray<tm_real> memories(*backend);
   const auto copied = [this](auto &copy, auto &of) {
     copy.resize(of.size());

@@ -159,7 +159,7 @@ TM_FN tm_watched tm_watch_row(int i, const int *row, ptrdiff_t stride, int n_row
   const tm_real xi = ri[tm_part(0)], yi = ri[tm_part(1)], zi = ri[tm_part(2)];
   const tm_real vxi = ri[tm_part(4)], vyi = ri[tm_part(5)], vzi = ri[tm_part(6)];
   const tm_real near = a->near * a->h, support = a->support * a->h, change = a->change * a->h;
-  const float *w = weights ? tm_weight(weights, i) : NULL;
+  const short *w = weights ? tm_weight(weights, i) : NULL;
   int near_all = 0, near_kept = 0, moved = 0;
   int TM_ALIGNED jj[TM_COLUMN], kept[TM_COLUMN];
   tm_pair TM_ALIGNED col[8][TM_COLUMN], then[TM_COLUMN];
@@ -170,7 +170,7 @@ TM_FN tm_watched tm_watch_row(int i, const int *row, ptrdiff_t stride, int n_row
       const int j = l < n ? row[(k + l) * stride] : i;
       jj[tm_at(l)] = j;
       kept[tm_at(l)] = !a->now[j];
-      then[tm_at(l)] = w && l < n ? a->h * (tm_real) w[tm_weight_place(weights, TM_W_DISTANCE, k + l)] : 0.0;
+      then[tm_at(l)] = w && l < n ? a->h * TM_DISTANCE_UNIT * w[tm_weight_place(weights, TM_W_DISTANCE, k + l)] : 0.0;
     }
     if (TM_COLUMN > 1) tm_transpose_rows(a->rec.main, TM_REC, jj, lanes, 8, col[0]);
     else

@@ -21,8 +21,10 @@
    Viscosity and conduction take the frozen W'/r and the current x_i - x_j, viscosity also the distance,
    densities and speeds of sound of the search. Kept pairs need no artificial stress and have none.
 
-   Weights are in single precision, without units of length: slope(q) x/r in place of grad W, slope(q)/q in
-   place of W'/r. The products are in double: what both ends hold is the same, so nothing is lost. */
+   A step fetches all weights of all rows from memory, which takes as long as to compute with them: they are 16 bits wide.
+   Gradients, slope(q) x/r in place of grad W, are whole multiples of a unit that is 6e-5 of the steepest slope; those of
+   the viscosity are the upper half of a float. Both ends of a pair hold the same numbers, and the products are in double:
+   momentum and energy do not notice. */
 #ifndef TM_KEPT_H
 #define TM_KEPT_H
 
@@ -37,10 +39,13 @@ enum {
   TM_W_BULK = 3,       /* alpha c/rho slope(q)/q / (q^2 + 0.01), c and rho means of the pair */
   TM_W_SHOCK,          /* beta/rho slope(q)/q / (q^2 + 0.01)^2 */
   TM_W_OTHER,          /* a_j */
-  TM_W_SLOPE = 8,      /* slope(q)/q */
-  TM_W_DISTANCE,       /* q = r/h at the search */
+  TM_W_SLOPE = 8,      /* slope(q)/q, a float: upper and lower half */
+  TM_W_DISTANCE = 10,  /* q = r/h at the search, over TM_DISTANCE_UNIT */
   TM_WEIGHTS
 };
+#define TM_DISTANCE_UNIT (1.0 / 8192.0)
+/* Gradients may be so many times the steepest slope: E of a particle that was not searched, and above it is. */
+#define TM_KEPT_MOST 2.0
 
 /* Entry k of row i is index[first[i] + k stride]; kept ones come first, filled up with weights of 0, then
    those pairs of a particle that is not searched whose other end is. Weight c: see tm_weight(). */
@@ -50,12 +55,42 @@ typedef struct {
   ptrdiff_t *fresh_first;      /* where those searched in this step begin */
   ptrdiff_t stride;
   int capacity;
-  float *weight;
+  tm_real unit;                /* of gradients */
+  short *weight;
 } tm_kept_rows;
+
+/* The unit of gradients of a kernel. */
+TM_HOST_FN tm_real tm_kept_unit(int kernel)
+{
+  tm_real most = 0.0;
+  for (int k = 0; k <= 3000; k++) most = tm_max(most, fabs(tm_kernel_slope(kernel, 1e-3 * k)));
+  return TM_KEPT_MOST * most / 32767.0;
+}
+
+/* To the nearest whole number, alike on both sides of 0. */
+TM_FN short tm_weight_whole(tm_real v)
+{
+  return (short) tm_clamp(v < 0.0 ? v - 0.5 : v + 0.5, -32767.0, 32767.0);
+}
+
+/* The halves of a float. */
+TM_FN unsigned tm_weight_bits(float v)
+{
+  unsigned bits;
+  memcpy(&bits, &v, sizeof bits);
+  return bits;
+}
+TM_FN float tm_weight_float(unsigned bits)
+{
+  float v;
+  memcpy(&v, &bits, sizeof v);
+  return v;
+}
+TM_FN short tm_weight_upper(tm_real v) { return (short) ((tm_weight_bits((float) v) + 0x8000u) >> 16); }
 
 /* The weights of row i, and where weight c of entry k lies there: eight entries together, apart those weights that
    all rows need, those of rows with TM_K_MIXED, and the others. */
-TM_FN float *tm_weight(const tm_kept_rows *r, int i)
+TM_FN short *tm_weight(const tm_kept_rows *r, int i)
 {
   const ptrdiff_t lane = i % r->stride;
   return r->weight + (r->first[i] - lane) * TM_WEIGHTS + lane;
@@ -157,7 +192,7 @@ TM_FN tm_mat3 tm_kept_stretch(int i, const tm_kept_rows *r, const tm_records *re
 {
   const tm_real *ri = tm_main_record(rec, i);
   const int *row = r->index + r->first[i];
-  const float *w = tm_weight(r, i);
+  const short *w = tm_weight(r, i);
   tm_real G[9] = {0, 0, 0, 0, 0, 0, 0, 0, 0};
   for (int k = 0; k < r->kept[i]; k++) {
     const tm_real *rj = tm_main_record(rec, row[k * r->stride]);
@@ -167,7 +202,7 @@ TM_FN tm_mat3 tm_kept_stretch(int i, const tm_kept_rows *r, const tm_records *re
       for (int d = 0; d < (dim3 ? 3 : 2); d++) G[3 * d + c] += (rj[tm_part(d)] - ri[tm_part(d)]) * mw;
     }
   }
-  return tm_mat_scale(slope_norm, tm_mat_load(G));
+  return tm_mat_scale(slope_norm * r->unit, tm_mat_load(G));
 }
 
 /* A symmetric tensor from columns c on of a record. */
@@ -220,20 +255,43 @@ enum {
   TM_KCOLS
 };
 
-/* The weights of TM_LANES entries of a row. */
-TM_FN tm_lanes tm_weight_lanes(const float *w, ptrdiff_t stride)
-{
+/* Weights of TM_LANES entries of a row: whole numbers, and upper halves of floats. */
 #if TM_VECTOR
-  if (stride != 1) {
-    float t[TM_LANES];
-    for (int l = 0; l < TM_LANES; l++) t[l] = w[l * stride];
-    return tm_lanes_of_floats(t);
-  }
-  return tm_lanes_of_floats(w);
+typedef short tm_shorts __attribute__((vector_size(2 * TM_LANES)));
+typedef short tm_shorts_mem __attribute__((vector_size(2 * TM_LANES), aligned(2), may_alias));
+TM_FN tm_lanes_ints tm_weight_int_lanes(const short *w, ptrdiff_t stride)
+{
+  short TM_ALIGNED t[TM_LANES];
+  for (int l = 0; stride != 1 && l < TM_LANES; l++) t[l] = w[l * stride];
+  const tm_shorts v = *(const tm_shorts_mem *) (stride != 1 ? t : w);
+  return __builtin_convertvector(v, tm_lanes_ints);
+}
+TM_FN tm_lanes tm_weight_lanes(const short *w, ptrdiff_t stride)
+{
+  return tm_lanes_of_ints(tm_weight_int_lanes(w, stride));
+}
+TM_FN tm_lanes tm_weight_upper_lanes(const short *w, ptrdiff_t stride)
+{
+  return tm_lanes_of_floats((tm_lanes_floats) (tm_weight_int_lanes(w, stride) << 16));
+}
 #else
+TM_FN tm_lanes tm_weight_lanes(const short *w, ptrdiff_t stride)
+{
   (void) stride;
   return *w;
+}
+TM_FN tm_lanes tm_weight_upper_lanes(const short *w, ptrdiff_t stride)
+{
+  (void) stride;
+  return tm_weight_float((unsigned) (unsigned short) *w << 16);
+}
 #endif
+
+/* W'/r of entry k, in units of slope_norm/h. */
+TM_FN tm_real tm_weight_slope(const tm_kept_rows *r, const short *w, int k)
+{
+  const unsigned upper = (unsigned short) w[tm_weight_place(r, TM_W_SLOPE, k)];
+  return tm_weight_float(upper << 16 | (unsigned short) w[tm_weight_place(r, TM_W_SLOPE + 1, k)]);
 }
 
 /* Rates of particle i from its kept pairs; effects: TM_FX_3D, VISCOSITY, CONDUCTION. */
@@ -244,7 +302,7 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
   const int n_row = a->rows.kept[i], add = a->rows.fresh[i] > 0;
   const ptrdiff_t stride = a->rows.stride;
   const int *row = a->rows.index + a->rows.first[i];
-  const float *weight = tm_weight(&a->rows, i);
+  const short *weight = tm_weight(&a->rows, i);
   tm_real *memory = a->memory + (ptrdiff_t) i * TM_K;
   const int mixed = memory[TM_K_MIXED] > 0.5;
 #if TM_VECTOR
@@ -294,25 +352,22 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
         TM_KCOL(TM_KCOL_CONDUCTED) =
             tm_conduction_pair(ki, TM_KCOL(TM_KCOL_HEAT + TM_REC_K), ti, TM_KCOL(TM_KCOL_HEAT + TM_REC_T),
                                TM_KCOL(TM_REC_M) / TM_KCOL(TM_REC_RHO),
-                               per_r * weight[tm_weight_place(&a->rows, TM_W_SLOPE, k + l)]);
+                               per_r * tm_weight_slope(&a->rows, weight, k + l));
 
 #define TM_LOAD(c) tm_lanes_load(&TM_KCOL(c))
 #define TM_A(c) TM_LOAD(TM_KCOL_SHOWN + (c))
 #define TM_W(c) tm_weight_lanes(weight + tm_weight_place(&a->rows, c, k + l), stride)
+#define TM_W_UPPER(c) tm_weight_upper_lanes(weight + tm_weight_place(&a->rows, c, k + l), stride)
     for (int l = 0; l < lanes; l += TM_LANES) {
 #if TM_VECTOR
       /* the next row lies far away, and memory is slow: it is asked for in good time, a part at a time */
       if (ahead && l % 8 == 0) {
-        const float *w = weight + a->rows.capacity * TM_WEIGHTS + tm_weight_place(&a->rows, TM_W_OWN, k + l);
+        const short *w = weight + a->rows.capacity * TM_WEIGHTS + tm_weight_place(&a->rows, TM_W_OWN, k + l);
         __builtin_prefetch(w);
-        __builtin_prefetch(w + 16);
         __builtin_prefetch(w + 32);
         if (l % 16 == 0) __builtin_prefetch(row + a->rows.capacity + k + l);
-        if (ahead > 1) {
-          w += TM_W_OTHER * a->rows.capacity + (TM_W_SLOPE - 2 * TM_W_OTHER) * (k + l);
-          __builtin_prefetch(w);
-          __builtin_prefetch(w + 16);
-        }
+        if (ahead > 1)
+          __builtin_prefetch(w + TM_W_OTHER * a->rows.capacity + (TM_W_SLOPE - 2 * TM_W_OTHER) * (k + l));
       }
 #endif
       const tm_lanes m = TM_LOAD(TM_REC_M);
@@ -338,7 +393,7 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
         tm_lanes closing = vx * dx + vy * dy;
         if (dim3) closing += vz * dz;
         closing = tm_lanes_negative(closing);
-        const tm_lanes pi = m * closing * (shock * TM_W(TM_W_SHOCK) * closing - bulk * TM_W(TM_W_BULK));
+        const tm_lanes pi = m * closing * (shock * TM_W_UPPER(TM_W_SHOCK) * closing - bulk * TM_W_UPPER(TM_W_BULK));
         const tm_lanes ax = -pi * dx, ay = -pi * dy, az = dim3 ? -pi * dz : zero;
         dxs += ax; dys += ay; dzs += az;
         art -= ax * vx + ay * vy + az * vz;
@@ -346,12 +401,13 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
       if (conduction) heat += TM_LOAD(TM_KCOL_CONDUCTED);
     }
 #undef TM_W
+#undef TM_W_UPPER
 #undef TM_A
 #undef TM_LOAD
 #undef TM_KCOL
   }
 
-  const tm_real w = a->slope_norm;
+  const tm_real w = a->slope_norm * a->rows.unit;
   tm_real *B = memory + TM_K_B;
   const tm_real *A = a->shown + (ptrdiff_t) i * TM_KEPT;
   const tm_real l[9] = {tm_lanes_sum(lxx), tm_lanes_sum(lxy), tm_lanes_sum(lxz),

@@ -18,9 +18,9 @@ TM_FN void tm_kept_copy(const tm_kept_store *a, int from, const tm_kept_store *b
 {
   const tm_kept_rows *r = &a->rows, *s = &b->rows;
   const int *index = r->index + r->first[from];
-  const float *w = tm_weight(r, from);
+  const short *w = tm_weight(r, from);
   int *to_index = s->index + s->first[to];
-  float *to_w = tm_weight(s, to);
+  short *to_w = tm_weight(s, to);
   s->kept[to] = r->kept[from];
   for (int c = 0; c < TM_K; c++) b->memory[(ptrdiff_t) to * TM_K + c] = a->memory[(ptrdiff_t) from * TM_K + c];
   for (int e = 0; e < tm_kept_places(r->kept[from]); e++) {
@@ -37,7 +37,7 @@ TM_FN int tm_kept_pack(int i, const tm_kept_store *a, const int *name, double *b
 {
   const tm_kept_rows *r = &a->rows;
   const int n = r->kept[i], *index = r->index + r->first[i];
-  const float *w = tm_weight(r, i);
+  const short *w = tm_weight(r, i);
   *buf++ = n;
   for (int c = 0; c < TM_K; c++) *buf++ = a->memory[(ptrdiff_t) i * TM_K + c];
   for (int e = 0; e < n; e++) {
@@ -53,13 +53,13 @@ TM_FN int tm_kept_unpack(int i, const tm_kept_store *a, const double *buf, int f
   const tm_kept_rows *r = &a->rows;
   const int n = (int) *buf++;
   int *index = r->index + r->first[i];
-  float *w = tm_weight(r, i);
+  short *w = tm_weight(r, i);
   r->kept[i] = n;
   for (int c = 0; c < TM_K; c++) a->memory[(ptrdiff_t) i * TM_K + c] = *buf++;
   for (int e = 0; e < tm_kept_places(n); e++) {
     index[e * r->stride] = e < n ? first_name + e : 0;
     if (e < n) name[first_name + e] = (int) *buf++;
-    for (int c = 0; c < TM_WEIGHTS; c++) w[tm_weight_place(r, c, e)] = e < n ? (float) *buf++ : 0.0f;
+    for (int c = 0; c < TM_WEIGHTS; c++) w[tm_weight_place(r, c, e)] = e < n ? (short) *buf++ : (short) 0;
   }
   return tm_kept_packed(n);
 }
@@ -124,7 +124,7 @@ TM_FN int tm_places(int i, const tm_places_args *a)
 {
   const tm_kept_rows *r = &a->store.rows;
   int *row = r->index + r->first[i], n = r->kept[i];
-  float *w = tm_weight(r, i);
+  short *w = tm_weight(r, i);
   tm_real *k = a->store.memory + (ptrdiff_t) i * TM_K;
   for (int e = 0; e < n; e++) {
     const int entry = row[e * r->stride], j = tm_place_of(a->name[entry], i, a);
@@ -137,7 +137,7 @@ TM_FN int tm_places(int i, const tm_places_args *a)
     row[e * r->stride] = row[n * r->stride];
     for (int c = 0; c < TM_WEIGHTS; c++) {
       w[tm_weight_place(r, c, e)] = w[tm_weight_place(r, c, n)];
-      w[tm_weight_place(r, c, n)] = 0.0f;
+      w[tm_weight_place(r, c, n)] = 0;
     }
     e--;
   }

@@ -62,6 +62,13 @@ TM_FN int tm_settle_strained(const tm_settle_args *a, tm_mat3 E, int dim3)
   return !(strain2 <= a->strain * a->strain);
 }
 
+/* Would gradients, times E, not fit into their weights? */
+TM_FN int tm_settle_is_large(tm_mat3 E)
+{
+  const tm_real x = fabs(E.xx) + fabs(E.xy) + fabs(E.xz), y = fabs(E.yx) + fabs(E.yy) + fabs(E.yz);
+  return !(tm_max(tm_max(x, y), fabs(E.zx) + fabs(E.zy) + fabs(E.zz)) <= TM_KEPT_MOST);
+}
+
 /* First pass: is particle i searched in the next step? One that is stays so until particles settle. */
 TM_FN int tm_settle_tell(int i, const tm_settle_args *a, unsigned effects)
 {
@@ -73,7 +80,7 @@ TM_FN int tm_settle_tell(int i, const tm_settle_args *a, unsigned effects)
     int good;
     const tm_mat3 E = tm_mat_inverse(tm_mat_scale(rho, tm_settle_map(i, a)), dim3, &good);
     tm_mat_store(a->told + (ptrdiff_t) i * TM_TOLD, E);
-    searched = searched || !good || tm_settle_strained(a, E, dim3);
+    searched = searched || !good || tm_settle_strained(a, E, dim3) || tm_settle_is_large(E);
   }
   a->next[i] = searched;
   return searched;
@@ -88,22 +95,25 @@ TM_FN int tm_settle_pair(int i, int j, int to, const tm_settle_args *a, int kern
   const tm_real r = tm_vec_norm(d), q = r / a->h, slope = tm_kernel_slope(kernel, q), g = slope / q;
   const tm_vec3 w = tm_vec_scale(slope / r, d);
   const tm_real *ei = a->told + (ptrdiff_t) i * TM_TOLD, *ej = a->told + (ptrdiff_t) j * TM_TOLD;
-  float *out = tm_weight(&a->rows, i);
+  short *out = tm_weight(&a->rows, i);
 #define TM_OUT(c) out[tm_weight_place(&a->rows, c, to)]
+  const tm_real per_unit = 1.0 / a->rows.unit;
+  const unsigned bits = tm_weight_bits((float) g);
   int mixed = 0;
   for (int c = 0; c < 3; c++) {
-    const float own = (float) (ei[3 * c] * w.x + ei[3 * c + 1] * w.y + ei[3 * c + 2] * w.z);
-    const float other = (float) (ej[3 * c] * w.x + ej[3 * c + 1] * w.y + ej[3 * c + 2] * w.z);
+    const short own = tm_weight_whole(per_unit * (ei[3 * c] * w.x + ei[3 * c + 1] * w.y + ei[3 * c + 2] * w.z));
+    const short other = tm_weight_whole(per_unit * (ej[3 * c] * w.x + ej[3 * c + 1] * w.y + ej[3 * c + 2] * w.z));
     TM_OUT(TM_W_OWN + c) = own;
     TM_OUT(TM_W_OTHER + c) = other;
     mixed |= own != other;
   }
   const tm_real per_soft = 1.0 / tm_viscosity_soft2(1.0, q * q);
   const tm_real pi = 2.0 * g * per_soft / (ri[tm_part(TM_REC_RHO)] + rj[tm_part(TM_REC_RHO)]);
-  TM_OUT(TM_W_BULK) = (float) (a->visc_alpha * 0.5 * (ri[tm_part(TM_REC_C)] + rj[tm_part(TM_REC_C)]) * pi);
-  TM_OUT(TM_W_SHOCK) = (float) (a->visc_beta * per_soft * pi);
-  TM_OUT(TM_W_SLOPE) = (float) g;
-  TM_OUT(TM_W_DISTANCE) = (float) q;
+  TM_OUT(TM_W_BULK) = tm_weight_upper(a->visc_alpha * 0.5 * (ri[tm_part(TM_REC_C)] + rj[tm_part(TM_REC_C)]) * pi);
+  TM_OUT(TM_W_SHOCK) = tm_weight_upper(a->visc_beta * per_soft * pi);
+  TM_OUT(TM_W_SLOPE) = (short) (bits >> 16);
+  TM_OUT(TM_W_SLOPE + 1) = (short) (bits & 0xffffu);
+  TM_OUT(TM_W_DISTANCE) = tm_weight_whole(q / TM_DISTANCE_UNIT);
 #undef TM_OUT
   return mixed;
 }
@@ -115,7 +125,7 @@ TM_FN int tm_settle_row(int i, const tm_settle_args *a, int kernel, int dim3)
   const tm_kept_rows *r = &a->rows;
   const ptrdiff_t stride = r->stride;
   int *row = r->index + r->first[i], n = 0, changed = 0;
-  float *w = tm_weight(r, i);
+  short *w = tm_weight(r, i);
   tm_real *k = a->memory + (ptrdiff_t) i * TM_K;
   int mixed = !a->was[i] && k[TM_K_MIXED] > 0.5;
   for (int e = 0; e < r->kept[i]; e++) {
@@ -146,7 +156,7 @@ TM_FN int tm_settle_row(int i, const tm_settle_args *a, int kernel, int dim3)
   r->kept[i] = n;
   for (int e = n; e < tm_kept_places(n); e++) {
     row[e * stride] = i;
-    for (int c = 0; c < TM_WEIGHTS; c++) w[tm_weight_place(r, c, e)] = 0.0f;
+    for (int c = 0; c < TM_WEIGHTS; c++) w[tm_weight_place(r, c, e)] = 0;
   }
   k[TM_K_MIXED] = mixed;
   return changed;

@@ -108,15 +108,23 @@ TM_FN tm_sum tm_lanes_zero(void)
 }
 
 #if TM_VECTOR && !TM_SINGLE
-/* TM_LANES floats from p on. GCC 12 converts eight as two times four: hence its built-in. */
-TM_FN tm_lanes tm_lanes_of_floats(const float *p)
+/* GCC 12 converts eight as two times four: hence its built-ins. */
+typedef float tm_lanes_floats __attribute__((vector_size(4 * TM_LANES)));
+typedef int tm_lanes_ints __attribute__((vector_size(4 * TM_LANES)));
+TM_FN tm_lanes tm_lanes_of_floats(tm_lanes_floats v)
 {
-  typedef float floats __attribute__((vector_size(4 * TM_LANES)));
-  typedef float floats_mem __attribute__((vector_size(4 * TM_LANES), aligned(4), may_alias));
-  const floats v = *(const floats_mem *) p;
 #if TM_VECTOR == 64 && !defined(__clang__)
   const tm_lanes none = {0};
   return __builtin_ia32_cvtps2pd512_mask(v, none, (unsigned char) -1, 4);
+#else
+  return __builtin_convertvector(v, tm_lanes);
+#endif
+}
+TM_FN tm_lanes tm_lanes_of_ints(tm_lanes_ints v)
+{
+#if TM_VECTOR == 64 && !defined(__clang__)
+  const tm_lanes none = {0};
+  return __builtin_ia32_cvtdq2pd512_mask(v, none, (unsigned char) -1);
 #else
   return __builtin_convertvector(v, tm_lanes);
 #endif

@@ -19,11 +19,11 @@ static tm_real gradient[MOST * 9], heat[MOST], artificial[MOST], next[MOST];
 static int row[MOST * ROOM], kept[MOST], fresh[MOST], near[MOST * ROOM], near_count[MOST];
 static unsigned char was[MOST], now[MOST], dirty[MOST];
 static ptrdiff_t first[MOST], fresh_first[MOST];
-static float *weight;
+static short *weight;
 
 static tm_kept_rows rows(void)
 {
-  tm_kept_rows r = {row, kept, fresh, first, fresh_first, 1, ROOM, weight};
+  tm_kept_rows r = {row, kept, fresh, first, fresh_first, 1, ROOM, tm_kept_unit(TM_KERNEL_HYPERBOLIC), weight};
   return r;
 }
 
@@ -253,7 +253,7 @@ static void both_ends_agree(int i)
     while (back < kept[j] && row[first[j] + back] != i) back++;
     UT_TRUE(back < kept[j]);
     const tm_kept_rows r = rows();
-    const float *w = tm_weight(&r, i), *v = tm_weight(&r, j);
+    const short *w = tm_weight(&r, i), *v = tm_weight(&r, j);
     for (int c = 0; c < 3; c++) {
       UT_TRUE(w[tm_weight_place(&r, TM_W_OWN + c, e)] == -v[tm_weight_place(&r, TM_W_OTHER + c, back)]);
       UT_TRUE(v[tm_weight_place(&r, TM_W_OWN + c, back)] == -w[tm_weight_place(&r, TM_W_OTHER + c, e)]);
@@ -343,7 +343,7 @@ static void run(int corrected, unsigned fx)
 
 int main(void)
 {
-  weight = (float *) calloc((size_t) MOST * ROOM * TM_WEIGHTS + 16, sizeof(float));
+  weight = (short *) calloc((size_t) MOST * ROOM * TM_WEIGHTS + 16, sizeof(short));
   if (!weight) return 1;
   for (int corrected = 0; corrected < 2; corrected++)
     for (int d = 0; d < 2; d++) {
