@@ -105,8 +105,10 @@ TM_FN ptrdiff_t tm_weight_place(const tm_kept_rows *r, int c, int k)
 /* Places that n kept entries take: whole vectors. */
 TM_FN int tm_kept_places(int n) { return (n + 7) / 8 * 8; }
 
-/* What a particle shows of itself to kept pairs: A row major, filled up to an even number. */
-enum { TM_KEPT = 10 };
+/* What a particle shows of itself to kept pairs, besides position and mass: the velocity, A_zz, and the other entries of
+   A row major. */
+enum { TM_KEPT_V = 0, TM_KEPT_A = 4, TM_KEPT = 12 };
+TM_FN int tm_kept_column(int c) { return c == 8 ? TM_KEPT_A - 1 : TM_KEPT_A + c; }
 
 enum { TM_NEAR_HOLD = 10 };
 
@@ -223,11 +225,11 @@ TM_FN void tm_kept_show(int i, const tm_kept_args *a, tm_real *shown)
   tm_mat_store(B, map);
   for (int c = 0; c < 3; c++) {
     const tm_vec3 p = tm_sym_mul_vec(P, tm_vec(B[c], B[3 + c], B[6 + c]));
-    out[c] = rho * p.x;
-    out[3 + c] = rho * p.y;
-    out[6 + c] = rho * p.z;
+    out[tm_kept_column(c)] = rho * p.x;
+    out[tm_kept_column(3 + c)] = rho * p.y;
+    out[tm_kept_column(6 + c)] = rho * p.z;
+    out[TM_KEPT_V + c] = r[tm_part(TM_REC_V + c)];
   }
-  out[9] = 0.0;
 }
 
 /* B of the next force point, from G there; with too few neighbours to tell it follows L. */
@@ -249,8 +251,9 @@ TM_FN void tm_kept_turn(tm_real *memory, tm_mat3 L, tm_real dt, int dim3)
 
 /* Columns of a chunk. */
 enum {
-  TM_KCOL_SHOWN = 8,
-  TM_KCOL_HEAT = TM_KCOL_SHOWN + TM_KEPT,
+  TM_KCOL_SHOWN = 4,
+  TM_KCOL_RHO = TM_KCOL_SHOWN + TM_KEPT,    /* with heat conduction; the one before it is not needed */
+  TM_KCOL_HEAT = TM_KCOL_RHO + 2,
   TM_KCOL_CONDUCTED = TM_KCOL_HEAT + TM_REC_HEAT,
   TM_KCOLS
 };
@@ -300,7 +303,7 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
   const int dim3 = (effects & TM_FX_3D) != 0, viscosity = (effects & TM_FX_VISCOSITY) != 0;
   const int conduction = (effects & TM_FX_CONDUCTION) != 0;
   const int n_row = a->rows.kept[i], add = a->rows.fresh[i] > 0;
-  const ptrdiff_t stride = a->rows.stride;
+  const ptrdiff_t stride = TM_VECTOR >= 32 ? 1 : a->rows.stride;    /* no GPU */
   const int *row = a->rows.index + a->rows.first[i];
   const short *weight = tm_weight(&a->rows, i);
   tm_real *memory = a->memory + (ptrdiff_t) i * TM_K;
@@ -337,12 +340,14 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
     }
     if (TM_COLUMN > 1) {
       tm_transpose_rows(a->rec.main, TM_REC, jj, lanes, TM_KCOL_SHOWN, col[0]);
+      if (conduction) tm_transpose_rows(a->rec.main + TM_REC_RHO - 1, TM_REC, jj, lanes, 2, col[TM_KCOL_RHO]);
       tm_transpose_rows(a->shown, TM_KEPT, jj, lanes, TM_KEPT, col[TM_KCOL_SHOWN]);
       if (conduction) tm_transpose_rows(a->rec.heat, TM_REC_HEAT, jj, lanes, TM_REC_HEAT, col[TM_KCOL_HEAT]);
     } else {
       const int j = jj[0];
       for (int c = 0; c < TM_KCOL_SHOWN; c++) col[c][0] = tm_main_record(&a->rec, j)[tm_part(c)];
       for (int c = 0; c < TM_KEPT; c++) col[TM_KCOL_SHOWN + c][0] = a->shown[(ptrdiff_t) j * TM_KEPT + c];
+      if (conduction) col[TM_KCOL_RHO + 1][0] = tm_main_record(&a->rec, j)[tm_part(TM_REC_RHO)];
       for (int c = 0; conduction && c < TM_REC_HEAT; c++)
         col[TM_KCOL_HEAT + c][0] = tm_heat_record(&a->rec, j)[tm_part(c)];
     }
@@ -351,27 +356,33 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
       for (int l = 0; l < lanes; l++)
         TM_KCOL(TM_KCOL_CONDUCTED) =
             tm_conduction_pair(ki, TM_KCOL(TM_KCOL_HEAT + TM_REC_K), ti, TM_KCOL(TM_KCOL_HEAT + TM_REC_T),
-                               TM_KCOL(TM_REC_M) / TM_KCOL(TM_REC_RHO),
+                               TM_KCOL(TM_REC_M) / TM_KCOL(TM_KCOL_RHO + 1),
                                per_r * tm_weight_slope(&a->rows, weight, k + l));
 
 #define TM_LOAD(c) tm_lanes_load(&TM_KCOL(c))
-#define TM_A(c) TM_LOAD(TM_KCOL_SHOWN + (c))
-#define TM_W(c) tm_weight_lanes(weight + tm_weight_place(&a->rows, c, k + l), stride)
-#define TM_W_UPPER(c) tm_weight_upper_lanes(weight + tm_weight_place(&a->rows, c, k + l), stride)
+#define TM_A(c) TM_LOAD(TM_KCOL_SHOWN + tm_kept_column(c))
+#define TM_V(c) TM_LOAD(TM_KCOL_SHOWN + TM_KEPT_V + (c))
+#define TM_W_AT(c) (((c) < TM_W_OTHER ? own : other) + (ptrdiff_t) ((c) % TM_W_OTHER) * 8 * stride)
+#define TM_W(c) tm_weight_lanes(TM_W_AT(c), stride)
+#define TM_W_UPPER(c) tm_weight_upper_lanes(TM_W_AT(c), stride)
     for (int l = 0; l < lanes; l += TM_LANES) {
+      /* those of the first entry; others of the eight follow, then the next weight: tm_weight_place() */
+      const int at = (k + l) / 8 * 8, in = (k + l) % 8;
+      const short *own = weight + ((ptrdiff_t) at * TM_W_OTHER + in) * stride;
+      const short *other = weight +
+          ((ptrdiff_t) TM_W_OTHER * a->rows.capacity + (ptrdiff_t) at * (TM_W_SLOPE - TM_W_OTHER) + in) * stride;
 #if TM_VECTOR
       /* the next row lies far away, and memory is slow: it is asked for in good time, a part at a time */
       if (ahead && l % 8 == 0) {
-        const short *w = weight + a->rows.capacity * TM_WEIGHTS + tm_weight_place(&a->rows, TM_W_OWN, k + l);
+        const short *w = own + a->rows.capacity * TM_WEIGHTS;
         __builtin_prefetch(w);
         __builtin_prefetch(w + 32);
         if (l % 16 == 0) __builtin_prefetch(row + a->rows.capacity + k + l);
-        if (ahead > 1)
-          __builtin_prefetch(w + TM_W_OTHER * a->rows.capacity + (TM_W_SLOPE - 2 * TM_W_OTHER) * (k + l));
+        if (ahead > 1) __builtin_prefetch(other + a->rows.capacity * TM_WEIGHTS);
       }
 #endif
       const tm_lanes m = TM_LOAD(TM_REC_M);
-      const tm_lanes dx = xi - TM_LOAD(0), dy = yi - TM_LOAD(1), vx = vxi - TM_LOAD(4), vy = vyi - TM_LOAD(5);
+      const tm_lanes dx = xi - TM_LOAD(0), dy = yi - TM_LOAD(1), vx = vxi - TM_V(0), vy = vyi - TM_V(1);
       const tm_lanes wx = m * TM_W(TM_W_OWN), wy = m * TM_W(TM_W_OWN + 1);
       const tm_lanes ox = mixed ? m * TM_W(TM_W_OTHER) : wx, oy = mixed ? m * TM_W(TM_W_OTHER + 1) : wy;
       tm_lanes dz = zero, vz = zero;
@@ -382,7 +393,7 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
       if (dim3) {
         const tm_lanes wz = m * TM_W(TM_W_OWN + 2), oz = mixed ? m * TM_W(TM_W_OTHER + 2) : wz;
         dz = zi - TM_LOAD(2);
-        vz = vzi - TM_LOAD(6);
+        vz = vzi - TM_V(2);
         lxz -= vx * wz; lyz -= vy * wz; lzx -= vz * wx; lzy -= vz * wy; lzz -= vz * wz;
         sz += wz;
         fx += TM_A(2) * oz;
@@ -401,15 +412,19 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
       if (conduction) heat += TM_LOAD(TM_KCOL_CONDUCTED);
     }
 #undef TM_W
+#undef TM_W_AT
 #undef TM_W_UPPER
 #undef TM_A
+#undef TM_V
 #undef TM_LOAD
 #undef TM_KCOL
   }
 
   const tm_real w = a->slope_norm * a->rows.unit;
   tm_real *B = memory + TM_K_B;
-  const tm_real *A = a->shown + (ptrdiff_t) i * TM_KEPT;
+  const tm_real *shown = a->shown + (ptrdiff_t) i * TM_KEPT;
+  tm_real A[9];
+  for (int c = 0; c < 9; c++) A[c] = shown[tm_kept_column(c)];
   const tm_real l[9] = {tm_lanes_sum(lxx), tm_lanes_sum(lxy), tm_lanes_sum(lxz),
                         tm_lanes_sum(lyx), tm_lanes_sum(lyy), tm_lanes_sum(lyz),
                         tm_lanes_sum(lzx), tm_lanes_sum(lzy), tm_lanes_sum(lzz)};
