@@ -177,33 +177,75 @@ TM_FN tm_mat3 tm_mat_inverse(tm_mat3 a, int dim3, int *good)
   const tm_real all = (size + a.xz * a.xz + a.yz * a.yz + a.zx * a.zx + a.zy * a.zy + a.zz * a.zz) / 3.0;
   const tm_real cxx = a.yy * a.zz - a.yz * a.zy, cyx = a.yz * a.zx - a.yx * a.zz, czx = a.yx * a.zy - a.yy * a.zx;
   const tm_real det = a.xx * cxx + a.xy * cyx + a.xz * czx;
-  *good = fabs(det) > 0.05 * all * sqrt(all);
+  *good = det * det > 0.0025 * all * all * all;
   if (!*good) return b;
-  b.xx = cxx / det; b.yx = cyx / det; b.zx = czx / det;
-  b.xy = (a.xz * a.zy - a.xy * a.zz) / det;
-  b.yy = (a.xx * a.zz - a.xz * a.zx) / det;
-  b.zy = (a.xy * a.zx - a.xx * a.zy) / det;
-  b.xz = (a.xy * a.yz - a.xz * a.yy) / det;
-  b.yz = (a.xz * a.yx - a.xx * a.yz) / det;
-  b.zz = (a.xx * a.yy - a.xy * a.yx) / det;
+  const tm_real per = 1.0 / det;
+  b.xx = cxx * per; b.yx = cyx * per; b.zx = czx * per;
+  b.xy = (a.xz * a.zy - a.xy * a.zz) * per;
+  b.yy = (a.xx * a.zz - a.xz * a.zx) * per;
+  b.zy = (a.xy * a.zx - a.xx * a.zy) * per;
+  b.xz = (a.xy * a.yz - a.xz * a.yy) * per;
+  b.yz = (a.xz * a.yx - a.xx * a.yz) * per;
+  b.zz = (a.xx * a.yy - a.xy * a.yx) * per;
   return b;
 }
+
+/* Weights of TM_LANES entries of a row: whole numbers, and upper halves of floats. */
+#if TM_VECTOR
+typedef short tm_shorts __attribute__((vector_size(2 * TM_LANES)));
+typedef short tm_shorts_mem __attribute__((vector_size(2 * TM_LANES), aligned(2), may_alias));
+TM_FN tm_lanes_ints tm_weight_int_lanes(const short *w, ptrdiff_t stride)
+{
+  short TM_ALIGNED t[TM_LANES];
+  for (int l = 0; stride != 1 && l < TM_LANES; l++) t[l] = w[l * stride];
+  const tm_shorts v = *(const tm_shorts_mem *) (stride != 1 ? t : w);
+  return __builtin_convertvector(v, tm_lanes_ints);
+}
+TM_FN tm_lanes tm_weight_lanes(const short *w, ptrdiff_t stride)
+{
+  return tm_lanes_of_ints(tm_weight_int_lanes(w, stride));
+}
+TM_FN tm_lanes tm_weight_upper_lanes(const short *w, ptrdiff_t stride)
+{
+  return tm_lanes_of_floats((tm_lanes_floats) (tm_weight_int_lanes(w, stride) << 16));
+}
+#else
+TM_FN tm_lanes tm_weight_lanes(const short *w, ptrdiff_t stride)
+{
+  (void) stride;
+  return *w;
+}
+TM_FN tm_lanes tm_weight_upper_lanes(const short *w, ptrdiff_t stride)
+{
+  (void) stride;
+  return tm_weight_float((unsigned) (unsigned short) *w << 16);
+}
+#endif
 
 /* G of a row as it is now. */
 TM_FN tm_mat3 tm_kept_stretch(int i, const tm_kept_rows *r, const tm_records *rec, tm_real slope_norm, int dim3)
 {
   const tm_real *ri = tm_main_record(rec, i);
+  const tm_real xi = ri[tm_part(0)], yi = ri[tm_part(1)], zi = ri[tm_part(2)];
   const int *row = r->index + r->first[i];
   const short *w = tm_weight(r, i);
-  tm_real G[9] = {0, 0, 0, 0, 0, 0, 0, 0, 0};
-  for (int k = 0; k < r->kept[i]; k++) {
-    const tm_real *rj = tm_main_record(rec, row[k * r->stride]);
-    const tm_real m = rj[tm_part(TM_REC_M)];
+  tm_sum sum[9];
+  for (int c = 0; c < 9; c++) sum[c] = tm_lanes_zero();
+  int jj[TM_COLUMN];
+  tm_pair TM_ALIGNED col[4][TM_COLUMN];
+  for (int k = 0; k < r->kept[i]; k += TM_LANES) {    /* filled up with weights of 0 */
+    for (int l = 0; l < TM_LANES; l++) jj[tm_at(l)] = row[(k + l) * r->stride];
+    if (TM_COLUMN > 1) tm_transpose_rows(rec->main, TM_REC, jj, TM_LANES, 4, col[0]);
+    else tm_fetch(tm_main_record(rec, jj[0]), 4, col[0]);
+    const tm_lanes m = tm_lanes_load(col[TM_REC_M]);
+    const tm_lanes d[3] = {tm_lanes_load(col[0]) - xi, tm_lanes_load(col[1]) - yi, tm_lanes_load(col[2]) - zi};
     for (int c = 0; c < (dim3 ? 3 : 2); c++) {
-      const tm_real mw = m * (tm_real) w[tm_weight_place(r, TM_W_OWN + c, k)];
-      for (int d = 0; d < (dim3 ? 3 : 2); d++) G[3 * d + c] += (rj[tm_part(d)] - ri[tm_part(d)]) * mw;
+      const tm_lanes mw = m * tm_weight_lanes(w + tm_weight_place(r, TM_W_OWN + c, k), r->stride);
+      for (int e = 0; e < (dim3 ? 3 : 2); e++) sum[3 * e + c] += d[e] * mw;
     }
   }
+  tm_real G[9];
+  tm_lanes_sums(sum, 9, G);
   return tm_mat_scale(slope_norm * r->unit, tm_mat_load(G));
 }
 
@@ -257,38 +299,6 @@ enum {
   TM_KCOL_CONDUCTED = TM_KCOL_HEAT + TM_REC_HEAT,
   TM_KCOLS
 };
-
-/* Weights of TM_LANES entries of a row: whole numbers, and upper halves of floats. */
-#if TM_VECTOR
-typedef short tm_shorts __attribute__((vector_size(2 * TM_LANES)));
-typedef short tm_shorts_mem __attribute__((vector_size(2 * TM_LANES), aligned(2), may_alias));
-TM_FN tm_lanes_ints tm_weight_int_lanes(const short *w, ptrdiff_t stride)
-{
-  short TM_ALIGNED t[TM_LANES];
-  for (int l = 0; stride != 1 && l < TM_LANES; l++) t[l] = w[l * stride];
-  const tm_shorts v = *(const tm_shorts_mem *) (stride != 1 ? t : w);
-  return __builtin_convertvector(v, tm_lanes_ints);
-}
-TM_FN tm_lanes tm_weight_lanes(const short *w, ptrdiff_t stride)
-{
-  return tm_lanes_of_ints(tm_weight_int_lanes(w, stride));
-}
-TM_FN tm_lanes tm_weight_upper_lanes(const short *w, ptrdiff_t stride)
-{
-  return tm_lanes_of_floats((tm_lanes_floats) (tm_weight_int_lanes(w, stride) << 16));
-}
-#else
-TM_FN tm_lanes tm_weight_lanes(const short *w, ptrdiff_t stride)
-{
-  (void) stride;
-  return *w;
-}
-TM_FN tm_lanes tm_weight_upper_lanes(const short *w, ptrdiff_t stride)
-{
-  (void) stride;
-  return tm_weight_float((unsigned) (unsigned short) *w << 16);
-}
-#endif
 
 /* W'/r of entry k, in units of slope_norm/h. */
 TM_FN tm_real tm_weight_slope(const tm_kept_rows *r, const short *w, int k)
@@ -425,9 +435,10 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
   const tm_real *shown = a->shown + (ptrdiff_t) i * TM_KEPT;
   tm_real A[9];
   for (int c = 0; c < 9; c++) A[c] = shown[tm_kept_column(c)];
-  const tm_real l[9] = {tm_lanes_sum(lxx), tm_lanes_sum(lxy), tm_lanes_sum(lxz),
-                        tm_lanes_sum(lyx), tm_lanes_sum(lyy), tm_lanes_sum(lyz),
-                        tm_lanes_sum(lzx), tm_lanes_sum(lzy), tm_lanes_sum(lzz)};
+  const tm_sum all[18] = {lxx, lxy, lxz, lyx, lyy, lyz, lzx, lzy, lzz, sx, sy, sz, fx, fy, fz, dxs, dys, dzs};
+  tm_real l[18];
+  const tm_real *S = l + 9, *other_force = l + 12, *artificial_force = l + 15;
+  tm_lanes_sums(all, 18, l);
   tm_real *L = a->gradient + tm_row(i, 9);
   for (int r = 0; r < 3; r++) {
     for (int c = 0; c < 3; c++)
@@ -438,12 +449,12 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
     const tm_real x = L[tm_column(3 * r)], y = L[tm_column(3 * r + 1)], z = L[tm_column(3 * r + 2)];
     for (int c = 0; c < 3; c++) L[tm_column(3 * r + c)] = x * K[c] + y * K[3 + c] + z * K[6 + c];
   }
-  const tm_real ux = tm_lanes_sum(sx), uy = tm_lanes_sum(sy), uz = tm_lanes_sum(sz), mf = mi * a->force_unit;
+  const tm_real mf = mi * a->force_unit;
   double *f = a->force + 3 * (ptrdiff_t) i;
   if (a->force_begins && !add) f[0] = f[1] = f[2] = 0.0;
-  f[0] += mf * (w * (A[0] * ux + A[1] * uy + A[2] * uz + tm_lanes_sum(fx)) + tm_lanes_sum(dxs));
-  f[1] += mf * (w * (A[3] * ux + A[4] * uy + A[5] * uz + tm_lanes_sum(fy)) + tm_lanes_sum(dys));
-  f[2] += mf * (w * (A[6] * ux + A[7] * uy + A[8] * uz + tm_lanes_sum(fz)) + tm_lanes_sum(dzs));
+  for (int c = 0; c < 3; c++)
+    f[c] += mf * (w * (A[3 * c] * S[0] + A[3 * c + 1] * S[1] + A[3 * c + 2] * S[2] + other_force[c])
+                  + artificial_force[c]);
   if (viscosity && a->artificial)
     a->artificial[i] = (add ? a->artificial[i] : 0.0) + 0.5 * mi * tm_lanes_sum(art);
   if (conduction) a->heat[i] = (add ? a->heat[i] : 0.0) + tm_lanes_sum(heat);

@@ -439,12 +439,11 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
   const tm_real per_length = TM_SINGLE ? 1.0 / length : 1.0;
   const tm_real per_mass = TM_SINGLE ? per_length / mi : 1.0;
   const tm_real lscale = (form_f14 ? 1.0 : TM_SINGLE ? 1.0 / rhoi : inv_rhoi) * per_mass;
-  tm_real L[9];
-  L[0] = lscale * tm_lanes_sum(lxx); L[1] = lscale * tm_lanes_sum(lxy);
-  L[2] = lscale * tm_lanes_sum(lxz); L[3] = lscale * tm_lanes_sum(lyx);
-  L[4] = lscale * tm_lanes_sum(lyy); L[5] = lscale * tm_lanes_sum(lyz);
-  L[6] = lscale * tm_lanes_sum(lzx); L[7] = lscale * tm_lanes_sum(lzy);
-  L[8] = lscale * tm_lanes_sum(lzz);
+  const tm_sum all[13] = {lxx, lxy, lxz, lyx, lyy, lyz, lzx, lzy, lzz, ax, ay, az, art};
+  tm_real L[13];
+  const tm_real *acceleration = L + 9;
+  tm_lanes_sums(all, 13, L);
+  for (int k = 0; k < 9; k++) L[k] *= lscale;
   if (correction) {
     const tm_sym3 K = tm_sym_load(a->correction + (ptrdiff_t) i * 6);
     for (int r = 0; r < 9; r += 3) {
@@ -457,11 +456,9 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
   for (int k = 0; k < 9; k++) gradient[tm_column(k)] = L[k];
   double *f = a->force + 3 * (ptrdiff_t) i;
   const int begins = a->force_begins;
-  f[0] = (begins ? 0.0 : f[0]) + mf * tm_lanes_sum(ax);
-  f[1] = (begins ? 0.0 : f[1]) + mf * tm_lanes_sum(ay);
-  f[2] = (begins ? 0.0 : f[2]) + mf * tm_lanes_sum(az);
+  for (int d = 0; d < 3; d++) f[d] = (begins ? 0.0 : f[d]) + mf * acceleration[d];
   if ((artstress || viscosity) && a->artificial)
-    a->artificial[i] = 0.5 * per_force * tm_lanes_sum(art);
+    a->artificial[i] = 0.5 * per_force * L[12];
   if (conduction)
     a->heat[i] = TM_SINGLE ? tm_lanes_sum(heat) * per_length * per_length / own_volume : tm_lanes_sum(heat);
   if (xsph) {
