@@ -191,7 +191,7 @@ void AdaptLists::search_moved(bool all_of_them)
   any_dirty = rows_good = true;
 }
 
-// Looked at when a pair may have moved by a tenth of the reach, at the latest after 50 steps: by the time of
+// Looked at when two particles may have come nearer by a tenth of the reach, at the latest after 50 steps: by the time of
 // steps alone, so that it does not depend on ranks, skin and restarts
 void AdaptLists::watch()
 {
@@ -208,11 +208,13 @@ void AdaptLists::watch()
   w.change = w.support * approach;
   w.time = time_now - time_watched;
   const int newly = backend->watch(own(), w);
-  const double mine[2] = {backend->fastest(own(), fix.body().state()), (double) newly};
-  double most[2];
-  MPI_Allreduce(mine, most, 2, MPI_DOUBLE, MPI_MAX, lmp->world);
-  const double fastest = most[0];
-  came_near = most[1] > 0.0;
+  // of all ranks: the box that holds all velocities; two particles differ by its diagonal at most
+  const tm_bounds v = backend->bounds(own(), fix.body().state().v);
+  const double mine[7] = {-v.lo[0], -v.lo[1], -v.lo[2], v.hi[0], v.hi[1], v.hi[2], (double) newly};
+  double most[7];
+  MPI_Allreduce(mine, most, 7, MPI_DOUBLE, MPI_MAX, lmp->world);
+  const double fastest = 0.5 * std::hypot(most[0] + most[3], most[1] + most[4], most[2] + most[5]);
+  came_near = most[6] > 0.0;
   const double longest = 50.0 * fix.body().step_dt();
   next_watch = time_now + (fastest > 0.0 ? std::min(0.05 * reach / fastest, longest) : longest);
   time_watched = time_now;

@@ -125,12 +125,6 @@ TM_FN int tm_selected(int i, const tm_select_args *a)
   return 0;
 }
 
-TM_FN tm_real tm_speed(int i, const tm_state *s)
-{
-  const double *v = s->v + 3 * (ptrdiff_t) i;
-  return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
 /* ---- from time to time: is something near that is no neighbour, or has a neighbour moved? */
 
 typedef struct {

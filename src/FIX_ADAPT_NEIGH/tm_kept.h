@@ -199,7 +199,11 @@ TM_FN tm_lanes_ints tm_weight_int_lanes(const short *w, ptrdiff_t stride)
   short TM_ALIGNED t[TM_LANES];
   for (int l = 0; stride != 1 && l < TM_LANES; l++) t[l] = w[l * stride];
   const tm_shorts v = *(const tm_shorts_mem *) (stride != 1 ? t : w);
+#if TM_VECTOR == 64 && !defined(__clang__)
+  return __builtin_ia32_pmovsxwd256(v);
+#else
   return __builtin_convertvector(v, tm_lanes_ints);
+#endif
 }
 TM_FN tm_lanes tm_weight_lanes(const short *w, ptrdiff_t stride)
 {

@@ -228,13 +228,6 @@ int Backend::watch(int n, const tm_watch_args &a)
   return sum_blocks(n, 0, [&](int begin, int end) { return loop(begin, end, &a); }, add_count);
 }
 
-double Backend::fastest(int n, const tm_state &s)
-{
-  return sum_particles(
-      *this, n, 0.0, [&](int i) { return tm_speed(i, &s); },
-      [](double *most, const double *v) { *most = std::max(*most, *v); });
-}
-
 /* ---------------------------------------------------------------------- one step */
 
 void Backend::drift(int n, const tm_drift_args &a, unsigned effects, int *lost)

@@ -75,7 +75,6 @@ class Backend {
   virtual void settle_tell(int n, const tm_settle_args &, unsigned effects);
   virtual void settle(int n, const tm_settle_args &, unsigned effects);
   virtual int watch(int n, const tm_watch_args &);
-  virtual double fastest(int n, const tm_state &);    // the largest speed
   // and when particles get new places: tm_places.h
   virtual int largest(int n, const int *);    // at least 0
   virtual void hold_tags(int n, const tm_places_args &);

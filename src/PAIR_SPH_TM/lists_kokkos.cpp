@@ -237,13 +237,6 @@ struct KeptReceive {
   tm_kept_send_args a;
   KOKKOS_FUNCTION void operator()(int k) const { tm_kept_receive(k, &a); }
 };
-struct Speed {
-  tm_state s;
-  KOKKOS_FUNCTION double operator()(int i) const { return tm_speed(i, &s); }
-};
-struct MostReal {
-  KOKKOS_FUNCTION void operator()(double *most, const double *v) const { *most = *v > *most ? *v : *most; }
-};
 
 }    // namespace
 
@@ -330,10 +323,6 @@ void KokkosLists::settle(int n, const tm_settle_args &a, unsigned fx)
 int KokkosLists::watch(int n, const tm_watch_args &a)
 {
   return kokkos_sum("sph/tm watch", n, 0, Watch{a}, SumInt());
-}
-double KokkosLists::fastest(int n, const tm_state &s)
-{
-  return kokkos_sum("sph/tm fastest", n, 0.0, Speed{s}, MostReal());
 }
 
 /* ---------------------------------------------------------------------- kept rows of particles with new places */

@@ -24,7 +24,6 @@ class KokkosLists : public Backend {
   void settle_tell(int n, const tm_settle_args &a, unsigned fx) override;
   void settle(int n, const tm_settle_args &a, unsigned fx) override;
   int watch(int n, const tm_watch_args &a) override;
-  double fastest(int n, const tm_state &s) override;
   int largest(int n, const int *) override;
   void hold_tags(int n, const tm_places_args &a) override;
   void searched(int n, const tm_real *memory, tm_real *next) override;
