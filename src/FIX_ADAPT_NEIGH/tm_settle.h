@@ -65,8 +65,9 @@ TM_FN int tm_settle_strained(const tm_settle_args *a, tm_mat3 E, int dim3)
 /* Would gradients, times E, not fit into their weights? */
 TM_FN int tm_settle_is_large(tm_mat3 E)
 {
-  const tm_real x = fabs(E.xx) + fabs(E.xy) + fabs(E.xz), y = fabs(E.yx) + fabs(E.yy) + fabs(E.yz);
-  return !(tm_max(tm_max(x, y), fabs(E.zx) + fabs(E.zy) + fabs(E.zz)) <= TM_KEPT_MOST);
+  const tm_real x2 = E.xx * E.xx + E.xy * E.xy + E.xz * E.xz, y2 = E.yx * E.yx + E.yy * E.yy + E.yz * E.yz;
+  const tm_real z2 = E.zx * E.zx + E.zy * E.zy + E.zz * E.zz;
+  return !(tm_max(tm_max(x2, y2), z2) <= TM_KEPT_MOST * TM_KEPT_MOST);
 }
 
 /* First pass: is particle i searched in the next step? One that is stays so until particles settle. */
