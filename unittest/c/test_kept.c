@@ -341,6 +341,49 @@ static void run(int corrected, unsigned fx)
   one_gone(&a, corrected, fx);
 }
 
+/* What 16 bits keep: gradients to half a unit, alike on both sides; halves of floats to 2^-9; slopes all. */
+static void weights(void)
+{
+  for (int kernel = 0; kernel < TM_KERNEL_COUNT; kernel++) {
+    double steepest = 0.0;
+    for (double q = 0.0; q < 3.0; q += 0.0007) steepest = fmax(steepest, fabs(tm_kernel_slope(kernel, q)));
+    UT_WITHIN(tm_kept_unit(kernel) * 32767.0 / (TM_KEPT_MOST * steepest), 1.0, 1e-4);
+  }
+  for (int k = 0; k < 1000; k++) {
+    const double v = ut_random(-32767.0, 32767.0), u = ut_random(-1, 1) * pow(10.0, ut_random(-6, 6));
+    UT_WITHIN(tm_weight_whole(v), v, 0.5);
+    UT_TRUE(tm_weight_whole(-v) == -tm_weight_whole(v));
+    UT_WITHIN(tm_weight_float((unsigned) (unsigned short) tm_weight_upper(u) << 16) / u, 1.0, 1.0 / 256.0);
+    short TM_ALIGNED some[16];
+    for (int l = 0; l < 16; l++) some[l] = tm_weight_upper(u);
+    UT_WITHIN(tm_lanes_sum(tm_weight_upper_lanes(some, 1)) / (TM_LANES * u), 1.0, 1.0 / 256.0);
+    for (int l = 0; l < 16; l++) some[l] = tm_weight_whole(v);
+    UT_TRUE(tm_lanes_sum(tm_weight_lanes(some, 1)) == TM_LANES * (double) some[0]);
+  }
+}
+
+/* A particle whose gradients would not fit is searched; one that is turned and a little less stretched is not. */
+static void too_large(unsigned fx)
+{
+  for (int large = 0; large < 2; large++) {
+    in_3d = (fx & TM_FX_3D) != 0;
+    start();
+    const tm_mat3 still = tm_mat_scale(0.0, tm_mat_identity());
+    place(tm_mat_identity(), still);
+    for (int i = 0; i < N; i++) search(i);
+    tm_settle_args a = settle_args(0);
+    settle(&a, fx);
+    tm_mat3 U = tm_mat_identity();
+    U.xx = large ? 2.01 : 1.99;    /* the density stays: E = F^T */
+    place(tm_mat_mul(turn(0.7), U), still);
+    rates(fx);
+    settle(&a, fx);                       /* B follows */
+    rates(fx);
+    settle(&a, fx);
+    for (int i = 0; i < N; i++) UT_TRUE(now[i] == large);
+  }
+}
+
 int main(void)
 {
   weight = (short *) calloc((size_t) MOST * ROOM * TM_WEIGHTS + 16, sizeof(short));
@@ -351,6 +394,9 @@ int main(void)
       run(corrected, fx);
       run(corrected, fx | TM_FX_VISCOSITY | TM_FX_ARTSTRESS | TM_FX_CONDUCTION);
     }
+  weights();
+  too_large(0u);
+  too_large(TM_FX_3D);
   free(weight);
   return ut_summary();
 }
