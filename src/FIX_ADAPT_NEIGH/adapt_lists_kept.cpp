@@ -291,6 +291,7 @@ void AdaptLists::end_of_step()
   a.settles = first_search || fix.host()->update->ntimestep % SETTLE_EVERY == 0;
   a.measures = fix.host()->update->ntimestep % MEASURE_EVERY == 0;
   a.corrected = fix.body().has(TM_FX_CORRECTION) && !corrects();
+  a.for_ever = blind();
   a.threshold = threshold;
   a.strain = strain;
   a.dt = fix.body().step_dt();

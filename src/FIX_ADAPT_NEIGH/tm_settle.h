@@ -22,6 +22,7 @@ typedef struct {
   const int *which;            /* the particles, or NULL: all */
   int settles, measures;       /* particles may come to rest in this step; G is measured */
   int corrected;               /* gradients are: Q = 1 */
+  int for_ever;                /* no pair is kept but those of the first search */
   tm_real threshold, strain;   /* of plastic strain, of any strain since the search; infinite: never */
   tm_real dt, h, reach2, slope_norm, visc_alpha, visc_beta;
 } tm_settle_args;
@@ -81,7 +82,7 @@ TM_FN int tm_settle_tell(int i, const tm_settle_args *a, unsigned effects)
     int good;
     const tm_mat3 E = tm_mat_inverse(tm_mat_scale(rho, tm_settle_map(i, a)), dim3, &good);
     tm_mat_store(a->told + (ptrdiff_t) i * TM_TOLD, E);
-    searched = searched || !good || tm_settle_strained(a, E, dim3) || tm_settle_is_large(E);
+    searched = searched || !good || tm_settle_strained(a, E, dim3) || (!a->for_ever && tm_settle_is_large(E));
   }
   a->next[i] = searched;
   return searched;
