@@ -21,6 +21,7 @@ constexpr int kept_loop_index(unsigned fx)
 struct ListLoops {
   int (*search)(int begin, int end, const tm_search_args *);    // the longest row
   void (*kept[KEPT_LOOPS])(int begin, int end, const tm_kept_args *);
+  void (*show)(int begin, int end, const tm_kept_args *, tm_real *shown);
   void (*moments)(int begin, int end, const tm_kept_moment_args *, unsigned effects);
   void (*settle)(int begin, int end, const tm_settle_args *, unsigned effects);
   int (*watch)(int begin, int end, const tm_watch_args *);

@@ -19,6 +19,11 @@ template <unsigned EFFECTS> void kept(int begin, int end, const tm_kept_args *ar
     if (args->rows.kept[i]) tm_kept_rates(i, args, EFFECTS);
 }
 
+void show(int begin, int end, const tm_kept_args *args, tm_real *shown)
+{
+  for (int i = begin; i < end; i++) tm_kept_show(i, args, shown);
+}
+
 void moments(int begin, int end, const tm_kept_moment_args *args, unsigned effects)
 {
   for (int i = begin; i < end; i++) tm_kept_moment(i, args, effects);
@@ -46,7 +51,7 @@ namespace SPHTM_ISA {
       kept<kept_loop_effects(K + 3)>
 
 extern const ListLoops list_loops;
-const ListLoops list_loops = {search, {TM_KEPT_4(0), TM_KEPT_4(4)}, moments, settle, watch};
+const ListLoops list_loops = {search, {TM_KEPT_4(0), TM_KEPT_4(4)}, show, moments, settle, watch};
 
 }    // namespace SPHTM_ISA
 }    // namespace SPHTM_NS

@@ -123,7 +123,8 @@ enum {
   TM_K_SEARCHES = 30,  /* how often */
   TM_K_NEAR = 31,      /* above 0: something came near, slid or went; for how long to go on searching */
   TM_K_MIXED = 32,     /* 1: a_i and a_j of a pair of the row differ */
-  TM_K = 33
+  TM_K_SUM = 33,       /* sum over the row of m_j a_i, in units of its weights */
+  TM_K = 36
 };
 
 /* Is the particle with memory k searched in this step? New ones are. */
@@ -226,15 +227,16 @@ TM_FN tm_lanes tm_weight_upper_lanes(const short *w, ptrdiff_t stride)
 }
 #endif
 
-/* G of a row as it is now. */
-TM_FN tm_mat3 tm_kept_stretch(int i, const tm_kept_rows *r, const tm_records *rec, tm_real slope_norm, int dim3)
+/* G of a row as it is now; S: TM_K_SUM of it. */
+TM_FN tm_mat3 tm_kept_stretch(int i, const tm_kept_rows *r, const tm_records *rec, tm_real slope_norm, int dim3,
+                              tm_real *S)
 {
   const tm_real *ri = tm_main_record(rec, i);
   const tm_real xi = ri[tm_part(0)], yi = ri[tm_part(1)], zi = ri[tm_part(2)];
   const int *row = r->index + r->first[i];
   const short *w = tm_weight(r, i);
-  tm_sum sum[9];
-  for (int c = 0; c < 9; c++) sum[c] = tm_lanes_zero();
+  tm_sum sum[12];
+  for (int c = 0; c < 12; c++) sum[c] = tm_lanes_zero();
   int jj[TM_COLUMN];
   tm_pair TM_ALIGNED col[4][TM_COLUMN];
   for (int k = 0; k < r->kept[i]; k += TM_LANES) {    /* filled up with weights of 0 */
@@ -246,10 +248,12 @@ TM_FN tm_mat3 tm_kept_stretch(int i, const tm_kept_rows *r, const tm_records *re
     for (int c = 0; c < (dim3 ? 3 : 2); c++) {
       const tm_lanes mw = m * tm_weight_lanes(w + tm_weight_place(r, TM_W_OWN + c, k), r->stride);
       for (int e = 0; e < (dim3 ? 3 : 2); e++) sum[3 * e + c] += d[e] * mw;
+      sum[9 + c] += mw;
     }
   }
-  tm_real G[9];
-  tm_lanes_sums(sum, 9, G);
+  tm_real G[12];
+  tm_lanes_sums(sum, 12, G);
+  for (int c = 0; c < 3; c++) S[c] = G[9 + c];
   return tm_mat_scale(slope_norm * r->unit, tm_mat_load(G));
 }
 
@@ -339,7 +343,7 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
   const tm_sum zero = tm_lanes_zero();
   tm_sum lxx = zero, lxy = zero, lxz = zero, lyx = zero, lyy = zero, lyz = zero;
   tm_sum lzx = zero, lzy = zero, lzz = zero;
-  tm_sum sx = zero, sy = zero, sz = zero, fx = zero, fy = zero, fz = zero;
+  tm_sum fx = zero, fy = zero, fz = zero;
   tm_sum dxs = zero, dys = zero, dzs = zero, art = zero, heat = zero;
 
   int some[TM_COLUMN];
@@ -401,7 +405,6 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
       const tm_lanes ox = mixed ? m * TM_W(TM_W_OTHER) : wx, oy = mixed ? m * TM_W(TM_W_OTHER + 1) : wy;
       tm_lanes dz = zero, vz = zero;
       lxx -= vx * wx; lxy -= vx * wy; lyx -= vy * wx; lyy -= vy * wy;
-      sx += wx; sy += wy;
       fx += TM_A(0) * ox + TM_A(1) * oy;
       fy += TM_A(3) * ox + TM_A(4) * oy;
       if (dim3) {
@@ -409,7 +412,6 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
         dz = zi - TM_LOAD(2);
         vz = vzi - TM_V(2);
         lxz -= vx * wz; lyz -= vy * wz; lzx -= vz * wx; lzy -= vz * wy; lzz -= vz * wz;
-        sz += wz;
         fx += TM_A(2) * oz;
         fy += TM_A(5) * oz;
         fz += TM_A(6) * ox + TM_A(7) * oy + TM_A(8) * oz;
@@ -439,10 +441,10 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
   const tm_real *shown = a->shown + (ptrdiff_t) i * TM_KEPT;
   tm_real A[9];
   for (int c = 0; c < 9; c++) A[c] = shown[tm_kept_column(c)];
-  const tm_sum all[18] = {lxx, lxy, lxz, lyx, lyy, lyz, lzx, lzy, lzz, sx, sy, sz, fx, fy, fz, dxs, dys, dzs};
-  tm_real l[18];
-  const tm_real *S = l + 9, *other_force = l + 12, *artificial_force = l + 15;
-  tm_lanes_sums(all, 18, l);
+  const tm_sum all[16] = {lxx, lxy, lxz, lyx, lyy, lyz, lzx, lzy, lzz, fx, fy, fz, dxs, dys, dzs, art};
+  tm_real l[16];
+  const tm_real *S = memory + TM_K_SUM, *other_force = l + 9, *artificial_force = l + 12;
+  tm_lanes_sums(all, 16, l);
   tm_real *L = a->gradient + tm_row(i, 9);
   for (int r = 0; r < 3; r++) {
     for (int c = 0; c < 3; c++)
@@ -460,7 +462,7 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
     f[c] += mf * (w * (A[3 * c] * S[0] + A[3 * c + 1] * S[1] + A[3 * c + 2] * S[2] + other_force[c])
                   + artificial_force[c]);
   if (viscosity && a->artificial)
-    a->artificial[i] = (add ? a->artificial[i] : 0.0) + 0.5 * mi * tm_lanes_sum(art);
+    a->artificial[i] = (add ? a->artificial[i] : 0.0) + 0.5 * mi * l[15];
   if (conduction) a->heat[i] = (add ? a->heat[i] : 0.0) + tm_lanes_sum(heat);
 
   /* to the next force point */

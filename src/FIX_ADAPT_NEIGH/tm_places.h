@@ -146,7 +146,7 @@ TM_FN int tm_places(int i, const tm_places_args *a)
   for (int e = n; e < tm_kept_places(n); e++) row[e * r->stride] = i;
   if (lost && a->forgets) k[TM_K_NEAR] = TM_NEAR_HOLD;
   else if (lost) {
-    const tm_mat3 G = tm_kept_stretch(i, r, &a->rec, a->slope_norm, a->dim3);
+    const tm_mat3 G = tm_kept_stretch(i, r, &a->rec, a->slope_norm, a->dim3, k + TM_K_SUM);
     if (!a->corrected) tm_mat_store(k + TM_K_Q, tm_mat_mul(tm_mat_transposed(G), tm_mat_load(k + TM_K_B)));
     tm_mat_store(k + TM_K_G, G);
     tm_kept_turn(k, tm_mat_scale(0.0, G), 0.0, a->dim3);

@@ -190,7 +190,7 @@ TM_FN void tm_settle(int i, const tm_settle_args *a, unsigned effects)
   const int changed = (was || dirty) && tm_settle_row(i, a, kernel, dim3);
   if (changed || a->measures) {
     /* G of these positions, and as the next ones will have it */
-    const tm_mat3 G = tm_kept_stretch(i, &a->rows, &a->rec, a->slope_norm, dim3);
+    const tm_mat3 G = tm_kept_stretch(i, &a->rows, &a->rec, a->slope_norm, dim3, k + TM_K_SUM);
     const tm_mat3 ahead = tm_mat_add(G, tm_mat_scale(a->dt, tm_mat_mul(L, G)));
     if (changed && !a->corrected)
       tm_mat_store(k + TM_K_Q, tm_mat_mul(tm_mat_transposed(was ? G : ahead), tm_mat_load(k + TM_K_B)));

@@ -198,9 +198,8 @@ void Backend::kept_moments(int n, const tm_kept_moment_args &a, unsigned effects
 
 void Backend::kept_show(int n, const tm_kept_args &a, tm_real *shown)
 {
-  blocks(n, [&](int begin, int end) {
-    for (int i = begin; i < end; i++) tm_kept_show(i, &a, shown);
-  });
+  const auto loop = list_loops().show;
+  blocks(n, [&](int begin, int end) { loop(begin, end, &a, shown); });
 }
 
 void Backend::kept_rates(int n, const tm_kept_args &a, unsigned effects)

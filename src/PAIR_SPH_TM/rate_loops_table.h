@@ -3,9 +3,24 @@
 
 namespace {
 
+// the record and the row of a particle, which do not follow those before
+void ask_for(int i, const tm_rates_args *args)
+{
+  const int *row = args->rows.index + args->rows.first[i];
+  const tm_real *record = args->rec.main ? tm_main_record(&args->rec, i) : nullptr;
+  __builtin_prefetch(row);
+  __builtin_prefetch(row + 16);
+  __builtin_prefetch(record);
+  __builtin_prefetch(record + 8);
+}
+
 template <unsigned EFFECTS> void loop(int begin, int end, const tm_rates_args *args)
 {
-  for (int i = begin; i < end; i++) tm_rates(args->which ? args->which[i] : i, args, EFFECTS);
+  const int *which = args->which;
+  for (int k = begin; k < end; k++) {
+    if (which && k + 2 < end) ask_for(which[k + 2], args);
+    tm_rates(which ? which[k] : k, args, EFFECTS);
+  }
 }
 
 template <unsigned EFFECTS> void moments(int begin, int end, const tm_rates_args *args)

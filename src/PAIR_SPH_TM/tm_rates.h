@@ -439,10 +439,10 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
   const tm_real per_length = TM_SINGLE ? 1.0 / length : 1.0;
   const tm_real per_mass = TM_SINGLE ? per_length / mi : 1.0;
   const tm_real lscale = (form_f14 ? 1.0 : TM_SINGLE ? 1.0 / rhoi : inv_rhoi) * per_mass;
-  const tm_sum all[13] = {lxx, lxy, lxz, lyx, lyy, lyz, lzx, lzy, lzz, ax, ay, az, art};
-  tm_real L[13];
+  const tm_sum all[16] = {lxx, lxy, lxz, lyx, lyy, lyz, lzx, lzy, lzz, ax, ay, az, art, heat, none, none};
+  tm_real L[16];
   const tm_real *acceleration = L + 9;
-  tm_lanes_sums(all, 13, L);
+  tm_lanes_sums(all, 16, L);
   for (int k = 0; k < 9; k++) L[k] *= lscale;
   if (correction) {
     const tm_sym3 K = tm_sym_load(a->correction + (ptrdiff_t) i * 6);
@@ -460,7 +460,7 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
   if ((artstress || viscosity) && a->artificial)
     a->artificial[i] = 0.5 * per_force * L[12];
   if (conduction)
-    a->heat[i] = TM_SINGLE ? tm_lanes_sum(heat) * per_length * per_length / own_volume : tm_lanes_sum(heat);
+    a->heat[i] = TM_SINGLE ? L[13] * per_length * per_length / own_volume : L[13];
   if (xsph) {
     tm_real *u = a->xsph_v + 3 * (ptrdiff_t) i;
     u[0] = a->xsph * tm_lanes_sum(ux);
