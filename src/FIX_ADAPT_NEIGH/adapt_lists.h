@@ -114,6 +114,7 @@ class AdaptLists : public AdaptPart, public RowSource {
   tm_border_args border_args();
   bool blind() const;
   bool corrects() const;
+  bool leaps(const tm_settle_args &);
   tm_rates_args border_rates(const tm_rates_args &);
   void to_tags();
   int to_indices(bool same);

@@ -273,6 +273,16 @@ void AdaptLists::kept_rates(const tm_rates_args &rates, unsigned effects)
   backend->kept_rates(own(), a, effects);
 }
 
+// on any rank
+bool AdaptLists::leaps(const tm_settle_args &a)
+{
+  if (!fix.body().has(TM_FX_PLASTICITY) || std::isinf(threshold)) return false;
+  const int mine = backend->settle_leaps(own(), a);
+  int sum;
+  MPI_Allreduce(&mine, &sum, 1, MPI_INT, MPI_MAX, fix.host()->world);
+  return sum > 0;
+}
+
 // who is searched next; what pairs that come to rest keep; kept gradients go with the particles
 void AdaptLists::end_of_step()
 {
@@ -304,9 +314,9 @@ void AdaptLists::end_of_step()
   sum_searched += active;
   last_searched = active;
   time_now += a.dt;
-  if (!a.settles && !came_near && fix.host()->update->ntimestep % LOOK_EVERY != 0) {
+  a.was = a.now = now.loop_read();
+  if (!a.settles && !came_near && fix.host()->update->ntimestep % LOOK_EVERY != 0 && !leaps(a)) {
     // as it was; the first time all are told
-    a.was = a.now = now.loop_read();
     a.dirty = nullptr;
     if (!looked) {
       a.which = which.loop_read();

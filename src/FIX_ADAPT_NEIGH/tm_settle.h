@@ -48,6 +48,15 @@ TM_FN int tm_settle_flows(int i, const tm_settle_args *a, unsigned effects)
       tm_field_row(&a->state, TM_F_DAMAGE, i)[tm_column(1)] > 0.5;
 }
 
+/* Between looks: has a kept particle flowed so far beyond the threshold that it cannot wait for the next one? */
+#define TM_SETTLE_LEAP 1e-3
+TM_FN int tm_settle_leaps(int i, const tm_settle_args *a)
+{
+  const tm_real *k = a->memory + (ptrdiff_t) i * TM_K;
+  return !a->now[i] &&
+      tm_field_row(&a->state, TM_F_PSTRAIN, i)[0] - k[TM_K_PSTRAIN] > a->threshold + TM_SETTLE_LEAP;
+}
+
 /* Has it been strained since its search? E = J F^T, J = det F. */
 TM_FN int tm_settle_strained(const tm_settle_args *a, tm_mat3 E, int dim3)
 {

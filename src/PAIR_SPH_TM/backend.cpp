@@ -208,6 +208,11 @@ void Backend::kept_rates(int n, const tm_kept_args &a, unsigned effects)
   blocks(n, [&](int begin, int end) { loop(begin, end, &a); });
 }
 
+int Backend::settle_leaps(int n, const tm_settle_args &a)
+{
+  return sum_particles(*this, n, 0, [&](int i) { return tm_settle_leaps(i, &a); }, add_count);
+}
+
 void Backend::settle_tell(int n, const tm_settle_args &a, unsigned effects)
 {
   blocks(n, [&](int begin, int end) {

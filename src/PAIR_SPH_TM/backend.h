@@ -72,6 +72,7 @@ class Backend {
   virtual void kept_moments(int n, const tm_kept_moment_args &, unsigned effects);
   virtual void kept_show(int n, const tm_kept_args &, tm_real *shown);
   virtual void kept_rates(int n, const tm_kept_args &, unsigned effects);
+  virtual int settle_leaps(int n, const tm_settle_args &);    // how many
   virtual void settle_tell(int n, const tm_settle_args &, unsigned effects);
   virtual void settle(int n, const tm_settle_args &, unsigned effects);
   virtual int watch(int n, const tm_watch_args &);

@@ -190,6 +190,10 @@ device_kept_loop_t find_kept(int index, std::integer_sequence<int, INDEX...>)
   static const device_kept_loop_t table[] = {run_kept<kept_loop_effects(INDEX)>...};
   return table[index];
 }
+struct SettleLeaps {
+  tm_settle_args a;
+  KOKKOS_FUNCTION int operator()(int i) const { return tm_settle_leaps(i, &a); }
+};
 struct SettleTell {
   tm_settle_args a;
   unsigned fx;
@@ -311,6 +315,10 @@ void KokkosLists::kept_show(int n, const tm_kept_args &a, tm_real *shown)
 void KokkosLists::kept_rates(int n, const tm_kept_args &a, unsigned fx)
 {
   find_kept(kept_loop_index(fx), std::make_integer_sequence<int, KEPT_LOOPS>())(n, a);
+}
+int KokkosLists::settle_leaps(int n, const tm_settle_args &a)
+{
+  return kokkos_sum("sph/tm settle leaps", n, 0, SettleLeaps{a}, SumInt());
 }
 void KokkosLists::settle_tell(int n, const tm_settle_args &a, unsigned fx)
 {

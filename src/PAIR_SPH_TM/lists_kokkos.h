@@ -21,6 +21,7 @@ class KokkosLists : public Backend {
   void kept_moments(int n, const tm_kept_moment_args &a, unsigned fx) override;
   void kept_show(int n, const tm_kept_args &a, tm_real *shown) override;
   void kept_rates(int n, const tm_kept_args &a, unsigned fx) override;
+  int settle_leaps(int n, const tm_settle_args &a) override;
   void settle_tell(int n, const tm_settle_args &a, unsigned fx) override;
   void settle(int n, const tm_settle_args &a, unsigned fx) override;
   int watch(int n, const tm_watch_args &a) override;
