@@ -143,9 +143,8 @@ typedef struct {
   int near, near_kept, moved;
 } tm_watched;
 
-/* Entries k of a row, begin <= k < end; q, if any: the distance of a pair at its search, over h. Without it a pair has
-   moved if it is near and has gone far since the last time. Rows may hold more than what is within reach: who asks must
-   not notice. */
+/* With weights a pair has moved if its distance is not that of its search any more; without, if it is near and has gone
+   far since the last time. Rows may hold more than what is within reach: who asks must not notice. */
 TM_FN tm_watched tm_watch_row(int i, const int *row, ptrdiff_t stride, int n_row, const tm_kept_rows *weights,
                               const tm_watch_args *a)
 {
