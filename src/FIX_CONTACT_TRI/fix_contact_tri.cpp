@@ -116,10 +116,10 @@ void FixContactTri::limit_time_step()
 {
   // sqrt(m/k): m follows the volume of a particle, k its area
   const double dp = pair->settings_in_use().spacing;
-  state->limit_dt(dt_limit * sqrt(pair->smallest_spacing() / dp), TM_DT_CONTACT);
+  state->limit_dt(dt_limit * sqrt(pair->smallest_spacing() / dp), TM_DT_CONTACT, this);
   // no point of the tool moves by more than a fifth of the smallest spacing in a step
   const double speed = motion.top_speed(tool.mesh().lo, tool.mesh().hi);
-  if (speed > 0.0) state->limit_dt(0.2 * pair->smallest_spacing() / speed, TM_DT_MOTION);
+  if (speed > 0.0) state->limit_dt(0.2 * pair->smallest_spacing() / speed, TM_DT_MOTION, this);
 }
 
 // friction heat of a type in words

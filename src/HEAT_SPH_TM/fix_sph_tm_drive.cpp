@@ -7,7 +7,7 @@
 
 #include "fix_sph_tm.h"
 #include "pair_sph_tm.h"
-#include "restart_sum.h"
+#include "restart_block.h"
 
 #include "atom.h"
 #include "atom_masks.h"
@@ -130,7 +130,7 @@ void FixSPHTMDrive::post_force(int)
 
   // bodies without mechanics have no other limit on how far they move in a step
   const double speed = sqrt(target[0] * target[0] + target[1] * target[1] + target[2] * target[2]);
-  if (speed > 0.0) body->limit_dt(0.1 * body->pair()->settings_in_use().spacing / speed, TM_DT_MOTION);
+  if (speed > 0.0) body->limit_dt(0.1 * body->pair()->settings_in_use().spacing / speed, TM_DT_MOTION, this);
 }
 
 /* ---------------------------------------------------------------------- output and restart */
@@ -139,7 +139,7 @@ double FixSPHTMDrive::compute_scalar() { return compute_vector(3); }
 
 double FixSPHTMDrive::compute_vector(int n)
 {
-  if (!body || !body->pair()) return 0.0;    // before the first run
+  FixSPHTM::current(lmp, body, fmt::format("Fix sph/tm/drive {}", id));
   double all = 0.0;
   MPI_Allreduce(&sum[n], &all, 1, MPI_DOUBLE, MPI_SUM, world);
   // force and work were summed in the force unit; work wants the energy unit
@@ -147,6 +147,6 @@ double FixSPHTMDrive::compute_vector(int n)
   return n == 3 ? all * u.force / u.energy : all;
 }
 
-void FixSPHTMDrive::write_restart(FILE *fp) { write_restart_sum(sum[3], world, comm->me, fp); }
+void FixSPHTMDrive::write_restart(FILE *fp) { write_restart_sum(lmp, sum[3], fp); }
 
-void FixSPHTMDrive::restart(char *buf) { read_restart_sum(sum[3], comm->me, buf); }
+void FixSPHTMDrive::restart(char *buf) { read_restart_sum(lmp, "Fix sph/tm/drive " + std::string(id), sum[3], buf); }

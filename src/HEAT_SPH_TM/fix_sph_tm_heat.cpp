@@ -5,7 +5,7 @@
 #include "fix_sph_tm.h"
 #include "material_constants.h"
 #include "pair_sph_tm.h"
-#include "restart_sum.h"
+#include "restart_block.h"
 
 #include "atom.h"
 #include "atom_masks.h"
@@ -233,7 +233,7 @@ void FixSPHTMHeat::exchange()
   const tm_exchange_result r = loops.exchange(atom->nlocal, a, false);
   power = r.power;
   area = r.area;
-  if (r.rate > 0.0) body->limit_dt(0.5 / r.rate, TM_DT_CONDUCTION);    // as tm_heat_time_step
+  if (r.rate > 0.0) body->limit_dt(0.5 / r.rate, TM_DT_CONDUCTION, this);    // as tm_heat_time_step
 }
 
 void FixSPHTMHeat::post_force(int)
@@ -250,13 +250,13 @@ double FixSPHTMHeat::compute_scalar() { return compute_vector(0); }
 
 double FixSPHTMHeat::compute_vector(int n)
 {
-  if (!body || !body->pair()) return 0.0;    // before the first run
+  FixSPHTM::current(lmp, body, fmt::format("Fix sph/tm/heat {}", id));
   const double mine = n == 0 ? power : n == 1 ? energy : area;
   double all = 0.0;
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
   return n < 2 ? all / body->pair()->units().energy : all;
 }
 
-void FixSPHTMHeat::write_restart(FILE *fp) { write_restart_sum(energy, world, comm->me, fp); }
+void FixSPHTMHeat::write_restart(FILE *fp) { write_restart_sum(lmp, energy, fp); }
 
-void FixSPHTMHeat::restart(char *buf) { read_restart_sum(energy, comm->me, buf); }
+void FixSPHTMHeat::restart(char *buf) { read_restart_sum(lmp, "Fix sph/tm/heat " + std::string(id), energy, buf); }

@@ -111,7 +111,7 @@ void ComputeSPHTMAtom::compute_peratom()
 {
   invoked_peratom = update->ntimestep;
   find_fix();    // it may have gone since the last run
-  if (!fix->pair()) error->all(FLERR, "Compute sph/tm/atom {}: fix sph/tm has no state before a run; use 'run 0'", id);
+  FixSPHTM::current(lmp, fix, fmt::format("Compute sph/tm/atom {}", id));
   if (atom->nmax > nmax) {
     nmax = atom->nmax;
     memory->destroy(vector_atom);

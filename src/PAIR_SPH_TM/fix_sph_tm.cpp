@@ -69,6 +69,20 @@ FixSPHTM *FixSPHTM::of(LAMMPS *lmp, const std::string &who)
   return nullptr;
 }
 
+bool FixSPHTM::is_current() const
+{
+  return has_forces && pair_sph && force->pair_match("^sph/tm", 0) == pair_sph && pair_sph->belongs_to(this);
+}
+
+FixSPHTM *FixSPHTM::current(LAMMPS *lmp, const FixSPHTM *known, const std::string &who)
+{
+  FixSPHTM *fix = of(lmp);
+  if (!fix || fix != known || !fix->is_current())
+    lmp->error->all(FLERR, "{} has no current values: there was no run since {} written; use 'run 0' first", who,
+                    !fix ? "fix sph/tm was removed or" : "it, fix sph/tm or pair style sph/tm was");
+  return fix;
+}
+
 int FixSPHTM::setmask()
 {
   return INITIAL_INTEGRATE | PRE_EXCHANGE | FINAL_INTEGRATE | POST_NEIGHBOR;
@@ -242,6 +256,7 @@ void FixSPHTM::begin_forces()
   }
   check_lost();
   contact_spring = 0.0;
+  has_forces = true;
 }
 
 void FixSPHTM::empty_source()

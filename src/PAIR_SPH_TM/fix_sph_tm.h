@@ -61,6 +61,10 @@ class FixSPHTM : public Fix {
 
   // the one of this run; where there is none an error in the name of who needs it, or nullptr
   static FixSPHTM *of(class LAMMPS *, const std::string &who = "");
+  // for what is asked between runs: the one of this run, set up and with its pair style. Where that is not so, or it is
+  // not the known one any more, an error in the name of who is asked: its values are not current
+  static FixSPHTM *current(class LAMMPS *, const FixSPHTM *known, const std::string &who);
+  bool is_current() const;
   unsigned effects() const { return fx; }
   bool has(unsigned effect) const { return (fx & effect) != 0; }
   // asked for by now, by the user or another fix
@@ -97,8 +101,9 @@ class FixSPHTM : public Fix {
   void lower_next_dt(double limit);
   // what splits and merges change, in mass length^2/time^2; heat: kinetic energy that has become heat
   void book_remap(double kinetic, double elastic, double heat);
-  // upper limit of the time step, already with its safety factor; valid for the next step
-  void limit_dt(double limit, int cause);
+  // upper limit of the time step, already with its safety factor; valid for the next step. by: whose it is, for
+  // messages
+  void limit_dt(double limit, int cause, const Fix *by = nullptr);
 
   // the energy book, in mass length^2/time^2, summed over the run on this rank
   struct Ledger {
@@ -136,6 +141,7 @@ class FixSPHTM : public Fix {
   unsigned asked = 0;              // by other fixes
   std::vector<std::pair<unsigned, std::string>> asked_reasons;
   bool reported = false;           // the effects were printed
+  bool has_forces = false;         // of a set-up or step
   struct Preset {
     int bit;
     double temperature;
@@ -149,6 +155,7 @@ class FixSPHTM : public Fix {
   bool stop_on_lost = true;        // a particle beyond a fixed boundary stops the run
   double dt = 0.0, dt_ahead = 0.0;
   double dt_limits[TM_DT_CAUSES];  // of this rank, since the last reduction
+  const Fix *limited_by[TM_DT_CAUSES] = {};    // the fixes that set them, where fixes did
   double dt_next = 0.0;
   int dt_cause = TM_DT_SOUND;
   bool started = false;            // the first step has been taken (also after a restart)

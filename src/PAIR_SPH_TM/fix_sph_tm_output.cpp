@@ -52,13 +52,15 @@ void FixSPHTM::book_remap(double kinetic, double elastic, double heat)
 
 double FixSPHTM::compute_scalar()
 {
+  current(lmp, this, fmt::format("Fix sph/tm {}", id));
   sum_energies();
   return energy_now[ENERGY_SUM];
 }
 
 double FixSPHTM::compute_vector(int n)
 {
-  if (n <= ENERGY_SUM && n != ENERGY_KINETIC && !has(TM_FX_LEDGER) && pair_sph)
+  current(lmp, this, fmt::format("Fix sph/tm {}", id));
+  if (n <= ENERGY_SUM && n != ENERGY_KINETIC && !has(TM_FX_LEDGER))
     error->all(FLERR, "Fix sph/tm output {} needs the keyword 'energy yes'", n + 1);
   if (n >= VECTOR_SIZE) return audit_output(n - VECTOR_SIZE);
   sum_energies();

@@ -74,9 +74,11 @@ void FixSPHTM::apply_dt(double value, bigint done)
 
 void FixSPHTM::reset_dt() {}
 
-void FixSPHTM::limit_dt(double limit, int cause)
+void FixSPHTM::limit_dt(double limit, int cause, const Fix *by)
 {
-  dt_limits[cause] = std::min(dt_limits[cause], limit);
+  if (limit >= dt_limits[cause]) return;
+  dt_limits[cause] = limit;
+  limited_by[cause] = by;
 }
 
 void FixSPHTM::reduce_dt()

@@ -56,6 +56,8 @@ void *PairSPHTM::extract(const char *what, int &dim)
   return nullptr;
 }
 
+bool PairSPHTM::has_fix() const { return fix && FixSPHTM::of(lmp) == fix; }
+
 const int *PairSPHTM::loop_tags() { return (const int *) atom->tag; }
 
 void PairSPHTM::fill_args(const tm_state &s)

@@ -65,6 +65,9 @@ class PairSPHTM : public Pair {
   double bytes_of_rows() const;
 
   // for fix sph/tm, fix contact/tri and the computes
+  bool has_fix() const;    // the one of the last init is still there
+  bool belongs_to(const FixSPHTM *f) const { return fix == f; }    // since the last init
+  const std::string &restart_file() const { return restart_name; }    // that was read, or empty
   const Settings &settings_in_use() const { return set; }
   const tm_material *materials() const { return material.data(); }
   const PairLaw &law(int i, int j) const { return laws[i * (atom_types + 1) + j]; }
@@ -128,6 +131,7 @@ class PairSPHTM : public Pair {
   } tables;
   FixSPHTM *fix = nullptr;
   std::string restart_fix;              // the fix whose state the restart file holds
+  std::string restart_name;             // of that file
 
   SPHTM_NS::RowSource *row_source = nullptr;    // or the rows below
   // rows of the owned particles, rebuilt with the host's list

@@ -61,6 +61,7 @@ double PairSPHTM::bytes_of_rows() const
 double PairSPHTM::memory_usage()
 {
   double bytes = Pair::memory_usage() + bytes_of_rows();
+  if (!has_fix()) return bytes;
   for (const auto &b : bytes_by_effect()) bytes += b.second;
   return bytes;
 }

@@ -18,7 +18,7 @@ void PairSPHTM::write_restart(FILE *fp)
 {
   write_restart_settings(fp);
   char id[64] = {};
-  if (fix) strncpy(id, fix->id, sizeof(id) - 1);
+  if (has_fix()) strncpy(id, fix->id, sizeof(id) - 1);
   fwrite(id, sizeof(id), 1, fp);
   const int n = atom_types + 1;
   fwrite(&atom_types, sizeof(int), 1, fp);
