@@ -68,6 +68,7 @@ device_moment_loop_t find_hourglass(int index, std::integer_sequence<int, INDEX.
 // in the order of their bits.
 struct Limits {
   unsigned long long dt[3], trouble;    // trouble: particle and status
+  int melted;                           // a particle
 };
 KOKKOS_INLINE_FUNCTION void lower(unsigned long long *least, unsigned long long value)
 {
@@ -89,7 +90,10 @@ struct Predict {
   KOKKOS_FUNCTION void operator()(int i) const
   {
     if (i == 0)
+    {
       for (unsigned long long *p : {limits->dt, limits->dt + 1, limits->dt + 2, &limits->trouble}) *p = ~0ull;
+      limits->melted = INT_MAX;
+    }
     tm_predict(i, &a, fx);
     if (fx & TM_FX_ARTSTRESS) tm_predict_artstress(i, i + 1, &a, fx);
   }
@@ -156,6 +160,7 @@ template <unsigned OFF> struct Update {
     const tm_update_result r = tm_update(i, &a, fx & ~(OFF | TM_FX_LEDGER));
     for (int k = 0; k < 3; k++) lower(limits->dt + k, Kokkos::bit_cast<unsigned long long>(r.dt[k]));
     if (r.status != TM_OK) Kokkos::atomic_min(&limits->trouble, (unsigned long long) i << 8 | r.status);
+    if (r.melted < INT_MAX) Kokkos::atomic_min(&limits->melted, r.melted);
   }
 };
 template <unsigned OFF> void run_update(int n, const tm_update_args &a, unsigned fx, Limits *limits)
@@ -345,6 +350,7 @@ class DeviceBackend : public KokkosLists {
       r.status = (int) (found.trouble & 255u);
       r.particle = (int) (found.trouble >> 8);
     }
+    r.melted = found.melted;
     return r;
   }
 

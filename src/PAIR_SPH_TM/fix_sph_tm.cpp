@@ -29,6 +29,7 @@ FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg, Backend &loops) :
   create_attribute = 1;
   restart_global = 1;
   restart_peratom = 1;
+  wd_header = 1;
   scalar_flag = 1;
   vector_flag = 1;
   size_vector = VECTOR_SIZE;
@@ -37,9 +38,10 @@ FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg, Backend &loops) :
   size_array_cols = 2;
   extarray = 0;
   global_freq = 1;
+  nevery = 100;    // looks at the energies
   extscalar = 0;
   extvector = 0;
-  dynamic_group_allow = 1;
+  dynamic_group_allow = 0;
 
   read_keywords(narg - 3, arg + 3);
   std::fill(dt_limits, dt_limits + TM_DT_CAUSES, 1e300);
@@ -85,7 +87,8 @@ FixSPHTM *FixSPHTM::current(LAMMPS *lmp, const FixSPHTM *known, const std::strin
 
 int FixSPHTM::setmask()
 {
-  return INITIAL_INTEGRATE | PRE_EXCHANGE | FINAL_INTEGRATE | POST_NEIGHBOR;
+  return INITIAL_INTEGRATE | PRE_EXCHANGE | FINAL_INTEGRATE | POST_NEIGHBOR |
+      ((forced_on & TM_FX_LEDGER) ? END_OF_STEP : 0);
 }
 
 /* ---------------------------------------------------------------------- effects */
@@ -151,19 +154,16 @@ void FixSPHTM::init()
                       "and pair_coeff before the run");
   if (modify->get_fix_by_style("^sph/tm$").size() > 1)
     error->all(FLERR, "More than one fix sph/tm: one owns the state of all particles; use unfix, or its group");
-  if (utils::strmatch(update->integrate_style, "^respa"))
-    error->all(FLERR, "Fix sph/tm does not work with run_style respa; use run_style verlet");
-  if (update->whichflag == 2)
-    error->all(FLERR, "Fix sph/tm does not work with minimize: the forces follow from the history of the "
-                      "deformation, not from an energy; use run, with fix viscous to bring a body to rest");
-  for (const auto &f : modify->get_fix_list())
-    if (f != this && f->time_integrate && (utils::strmatch(f->style, "^nve") || utils::strmatch(f->style, "^nvt")))
-      if (comm->me == 0)
-        error->warning(FLERR, "Fix {} also integrates positions; fix sph/tm does it for its own group", f->style);
+  check_company();
+  check_begun();
   check_restart();
+  check_sizes_of_file();
+  look_at_changes();
   derive_effects();
   if (meter) meter->init();
   std::fill(dt_limits, dt_limits + TM_DT_CAUSES, 1e300);
+  std::fill(limited_by, limited_by + TM_DT_CAUSES, nullptr);
+  hottest = find_hottest();
 }
 
 tm_initial_args FixSPHTM::initial_args(const tm_state &s, unsigned mask) const
@@ -270,12 +270,21 @@ void FixSPHTM::setup(int)
 {
   energy_step = -1;    // velocities and particles may have changed since the last run
   const tm_update_result r = backend.initial_limits(atom->nlocal, update_args(), fx, !started);
-  for (int k = 0; k < 3; k++) dt_limits[k] = std::min(dt_limits[k], r.dt[k]);
+  limit_dt_by(r.dt);
   if (!started) check_start();
-  if (fixed_dt > 0.0) check_fixed_dt();
+  else check_changes();
+  if (fixed_dt > 0.0) {
+    limit_by_bodies();
+    double all[TM_DT_CAUSES];
+    MPI_Allreduce(dt_limits, all, TM_DT_CAUSES, MPI_DOUBLE, MPI_MIN, world);
+    check_fixed_dt(all);
+  }
+  dt_largest = started ? dt_next : 0.0;
   if (!started || dt_next <= 0.0) {
     reduce_dt();
     if (!started && comm->me == 0) {
+      utils::logmesg(lmp, "sph/tm: {} particles begin without stress and strain, at {:.6g} K where no other temperature is set\n",
+                     atom->natoms, temperature0);
       utils::logmesg(lmp, "sph/tm: time step {:.6g}, limited by {}; rate loops: {}\n",
                      fixed_dt > 0.0 ? fixed_dt : dt_next, dt_cause_name(), backend.name());
     }
@@ -290,12 +299,14 @@ void FixSPHTM::setup(int)
 void FixSPHTM::initial_integrate(int)
 {
   if (!timing) {
+    watch_energy(FIRST_LOOK);    // tools and other fixes are set up by now
     timing = true;
     clock_step = update->ntimestep - 1;
     run_clock.restart();
     if (meter) meter->restart();
   }
   started = true;
+  pair_sph->steps();
   dt = fixed_dt > 0.0 ? fixed_dt : dt_next;
   apply_dt(dt, update->ntimestep - 1);    // this step is counted already
   std::fill(dt_limits, dt_limits + TM_DT_CAUSES, 1e300);    // those of the set-up are in use
@@ -342,6 +353,9 @@ tm_update_args FixSPHTM::update_args()
   a.temperature = temperature0;
   a.heat_rate = pair_sph->fastest_heat_rate();
   a.k_max = pair_sph->largest_conductivity();
+  a.hottest = hottest;
+  a.densest = densest;
+  a.watch_melt = has(TM_FX_HEAT) && !melt_reported;
   return a;
 }
 
@@ -352,7 +366,8 @@ void FixSPHTM::final_integrate()
     return backend.update(atom->nlocal, update_args(), fx);
   }();
   if (sum.status != TM_OK) stop_on(sum.particle, sum);
-  for (int k = 0; k < 3; k++) dt_limits[k] = tm_min(dt_limits[k], sum.dt[k]);
+  if (sum.melted < INT_MAX) report_melting(sum.melted);
+  limit_dt_by(sum.dt);
   if (has(TM_FX_LEDGER)) {
     ledger.elastic += sum.elastic;
     ledger.plastic += sum.plastic;
@@ -363,4 +378,5 @@ void FixSPHTM::final_integrate()
     ledger.heat += sum.heat;
   }
   if (fixed_dt <= 0.0) reduce_dt();
+  else check_fixed_dt(dt_limits);
 }

@@ -6,6 +6,7 @@
 #define LMP_FIX_SPH_TM_H
 
 #include "fix.h"
+#include "energy_watch.h"
 #include "particle_fields.h"
 #include "run_clock.h"
 
@@ -35,6 +36,7 @@ class FixSPHTM : public Fix {
   void setup(int) override;
   void initial_integrate(int) override;
   void final_integrate() override;
+  void end_of_step() override;
   void pre_exchange() override;
   void post_neighbor() override;
   void post_run() override;
@@ -54,6 +56,7 @@ class FixSPHTM : public Fix {
   int size_restart(int) override;
   int maxsize_restart() override;
   void write_restart(FILE *) override;
+  void write_data_header(FILE *, int) override;
   void restart(char *) override;
   double memory_usage() override;
 
@@ -77,7 +80,7 @@ class FixSPHTM : public Fix {
   const double *field(int id) { return fields[id].host_read(); }
   double time_ahead() const { return dt_ahead; }   // from the state to the force point
   double step_dt() const { return dt; }
-  bool restored() const { return started; }        // has taken a step, here or before a restart
+  bool restored() const { return in_file; }        // from a restart file
   double start_temperature() const { return temperature0; }
   // sizes of all particles; collective. Where all are the same, those of the pair style
   tm_size_range sizes();
@@ -148,6 +151,11 @@ class FixSPHTM : public Fix {
   };
   std::vector<Preset> preset;      // temperatures of groups, applied at the next set-up
   double temperature0 = 293.15;
+  double hottest_given = 0.0, hottest = 1e300;    // above it a temperature stops the run
+  double densest = 3.0;            // over the reference density or under it by more stops the run
+  bool melt_reported = false;
+  double find_hottest() const;
+  void report_melting(int);
   bool temperature_given = false;
   double courant = 0.4;      // of h/c; without viscosity 0.6 is stable, 0.7 is not
   double fixed_dt = 0.0;           // > 0: the user's constant time step
@@ -157,6 +165,7 @@ class FixSPHTM : public Fix {
   double dt_limits[TM_DT_CAUSES];  // of this rank, since the last reduction
   const Fix *limited_by[TM_DT_CAUSES] = {};    // the fixes that set them, where fixes did
   double dt_next = 0.0;
+  double dt_largest = 0.0;         // of this run
   int dt_cause = TM_DT_SOUND;
   bool started = false;            // the first step has been taken (also after a restart)
   SPHTM_NS::LoopArray<double> source;
@@ -170,6 +179,12 @@ class FixSPHTM : public Fix {
     uint64_t rows = 0, hash = 0, rows_written = 0, hash_written = 0;
   } read;                          // from a restart file, until it is checked
   void check_restart();
+  enum { SIZED_BY_ASPH = 1, SIZED_BY_REFINE = 2 };
+  bool data_warned = false;
+  bool in_file = false;            // this fix has been read from a restart file
+  int sized_in_file = 0;           // what gave the particles of the file their sizes, until it is checked
+  int sized_by() const;
+  void check_sizes_of_file();
   bool want_table = true, timing = false;
   bigint clock_step = 0;           // when the clock was set to 0
 
@@ -179,6 +194,7 @@ class FixSPHTM : public Fix {
   friend class SPHTM_NS::AuditSearch;
   friend class SPHTM_NS::EffectProbe;
   void read_keywords(int, char **);
+  bool read_setting(SPHTM_NS::Keywords &);
   void read_audit(SPHTM_NS::Keywords &);
   void read_effect(SPHTM_NS::Keywords &);
   std::map<unsigned, double> bytes_by_effect();
@@ -186,18 +202,52 @@ class FixSPHTM : public Fix {
   tm_initial_args initial_args(const tm_state &, unsigned) const;
   void initialise_particles();
   void empty_source();
+  void limit_by_bodies();
+  void limit_dt_by(const tm_real *limits);
   void reduce_dt();
   void setup_dt();
   const char *dt_cause_name() const;
-  void check_fixed_dt();
+  std::string dt_cause_in_words(int cause) const;
+  void check_fixed_dt(const double *limits);
+  void check_stall(const double *all);
+  std::string limiting_particle();
+  // what a script gets wrong, fix_sph_tm_start.cpp
+  struct Filling {                 // of the particles of this rank
+    double particles = 0, off = 0, densest = 0.0, thinnest = 1e300;
+    int dense_at = -1, thin_at = -1;
+  };
+  struct {
+    std::vector<bigint> types;     // how many particles of each; empty: there was no run
+    double nearest = 0.0;          // the smallest distance of two
+  } last_run;
+  std::vector<tagint> fresh;       // of all ranks: those that came since then
+  bool begin_anew = false;         // though steps were taken
+  void check_company();
+  void check_integrators();
+  void check_begun();
+  std::vector<bigint> particles_of_types(bool old_only);
+  void remember_particles();
+  void look_at_changes();
+  void check_values();
+  void check_overlap(const tm_nearest &, double least);
+  void check_filling(bool of_fresh);
+  void judge_filling(const Filling &, double of_lattice, bool sizes);
   void check_start();
+  void check_changes();
   void apply_dt(double, bigint);
   tm_update_args update_args();
   void stop_on(int, const tm_update_result &);
+  std::string likely_cause(int, int status);
+  std::string surroundings(int, bool &torn);
+  bool scene_has(const char *fix_style) const;
   tm_drift_args drift_args();
   bool check_lost();
   void stop_on_lost_particle(int);
   void sum_energies();
+  SPHTM_NS::EnergyWatch energy_watch;
+  double drift_allowed = 0.1;      // of what went in
+  enum Look { FIRST_LOOK, LOOK, LAST_LOOK };    // of a run
+  void watch_energy(Look);
   double audit_output(int);
 };
 

@@ -7,12 +7,15 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "modify.h"
 #include "update.h"
+#include "utils.h"
 
 #include <algorithm>
 #include <cmath>
 
 using namespace LAMMPS_NS;
+using namespace SPHTM_NS;
 
 // a particle beyond a fixed boundary is deleted at the next reneighbouring
 tm_drift_args FixSPHTM::drift_args()
@@ -51,10 +54,115 @@ void FixSPHTM::stop_on_lost_particle(int i)
   while ((!a.closed[d][0] || x[d] >= a.lo[d]) && (!a.closed[d][1] || x[d] <= a.hi[d])) d++;
   error->one(FLERR, "Fix sph/tm stops at step {}: particle {} (type {}) at {:.6g} {:.6g} {:.6g} with "
                     "velocity {:.6g} {:.6g} {:.6g} leaves the box through its {} {} boundary. Likely "
-                    "cause: a box too small for the motion, or a particle shot out by an unstable "
-                    "contact. Make the box larger, use boundary m or s, or 'lost ignore' to let it go",
+                    "cause: a box too small for the motion, or a particle shot out{}. Make the box larger, use boundary m or s, or let it go with 'lost ignore' of fix "
+                    "sph/tm and 'thermo_modify lost ignore'",
              update->ntimestep, atom->tag[i], atom->type[i], x[0], x[1], x[2], v[0], v[1], v[2],
-             "xyz"[d], x[d] < a.lo[d] ? "lower" : "upper");
+             "xyz"[d], x[d] < a.lo[d] ? "lower" : "upper",
+             scene_has("^contact/tri") || has(TM_FX_BODIES) ? " by an unstable contact" : "");
+}
+
+double FixSPHTM::find_hottest() const
+{
+  constexpr double TIMES = 10.0, WITHOUT_MELTING = 1e5;    // K
+  if (hottest_given > 0.0) return hottest_given;
+  double melting = 0.0;
+  for (int t = 1; t <= atom->ntypes; t++) {
+    const tm_material &m = pair_sph->materials()[t];
+    if (m.strength == TM_STRENGTH_JOHNSON_COOK) melting = std::max(melting, m.t_melt);
+  }
+  return melting > 0.0 ? TIMES * melting : WITHOUT_MELTING;
+}
+
+// once a rank; nothing in the laws knows of a liquid
+void FixSPHTM::report_melting(int i)
+{
+  melt_reported = true;
+  atoms_to_host();
+  const double *x = atom->x[i];
+  error->warning(FLERR, "Fix sph/tm: at step {} particle {} (type {}) at {:.6g} {:.6g} {:.6g} is the first above the melting "
+                        "temperature {:.6g} of {}: {:.6g} K; it has no strength from there on", update->ntimestep,
+                 atom->tag[i], atom->type[i], x[0], x[1], x[2], pair_sph->materials()[atom->type[i]].t_melt,
+                 pair_sph->material_name(atom->type[i]), temperature(i));
+}
+
+bool FixSPHTM::scene_has(const char *fix_style) const { return !modify->get_fix_by_style(fix_style).empty(); }
+
+// how particle i stands among its neighbors, in words; torn: it has lost most of them
+std::string FixSPHTM::surroundings(int i, bool &torn)
+{
+  const tm_rows rows = pair_sph->host_rows();
+  const tm_real *main = pair_sph->host_records().main, *p = main + tm_record(i, TM_REC);
+  const double reach = tm_kernel_support(pair_sph->settings_in_use().kernel) * pair_sph->covered_h();
+  const double dp = pair_sph->smallest_spacing();
+  int near = 0, failed = 0;
+  double closest = 1e300;
+  const double *damage = field(TM_F_DAMAGE);
+  for (int k = 0; k < rows.mechanical[i]; k++) {
+    const int j = rows.index[rows.first[i] + k * rows.stride];
+    const tm_real *q = main + tm_record(j, TM_REC);
+    const double r = sqrt((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) +
+                          (p[tm_part(2)] - q[tm_part(2)]) * (p[tm_part(2)] - q[tm_part(2)]));
+    if (!(r < reach)) continue;
+    near++;
+    closest = std::min(closest, r);
+    failed += damage && j < atom->nlocal && damage[2 * (size_t) j + 1] > 0.5;
+  }
+  const bool itself = damage && damage[2 * (size_t) i + 1] > 0.5;
+  torn = near < 2 * domain->dimension;
+  std::string text = fmt::format("it has {} neighbors within reach", near);
+  if (near) text += fmt::format(", the closest at {:.3g} of the spacing", closest / dp);
+  if (itself) text += ", and has failed by damage";
+  else if (failed) text += fmt::format(", {} of them failed by damage", failed);
+  return text;
+}
+
+// of what the scene has
+std::string FixSPHTM::likely_cause(int i, int status)
+{
+  const bool tool = scene_has("^contact/tri"), bodies = has(TM_FX_BODIES);
+  const char *contact = tool && bodies ? "a tool or body" : tool ? "a tool" : "a body";
+  bool torn = false;
+  const std::string around = surroundings(i, torn);
+  std::vector<std::string> causes;
+  auto may = [&causes](bool is, const std::string &text) {
+    if (is) causes.push_back(text);
+  };
+  const bool fixed = fixed_dt > 0.0;
+  switch (status) {
+    case TM_BAD_NAN:
+      may(true, "a force, velocity or position that is no number from another fix or command");
+      may(true, "overlapping particles");
+      break;
+    case TM_BAD_DENSITY:
+    case TM_BAD_VOLUME:
+      may(torn, "a particle torn out of the body that has lost its neighbors");
+      may(!torn, "a body that is compressed or stretched beyond what its material bears");
+      may(tool || bodies, fmt::format("{} that presses too hard: check penalty and speed", contact));
+      may(!fixed, "a step too large for the deformation: lower courant");
+      break;
+    case TM_BAD_VELOCITY:
+      may(true, "overlapping particles");
+      may(tool || bodies, fmt::format("{} that starts inside another: check penalty and positions", contact));
+      may(true, "a force or velocity given by another command");
+      break;
+    case TM_BAD_STRAIN:
+      may(torn, "a particle that has lost its neighbors");
+      may(!fixed, "a step too large for the deformation: lower courant");
+      may(tool || bodies, fmt::format("{} that is too fast for the spacing", contact));
+      break;
+    case TM_BAD_HEAT:
+      may(scene_has("^sph/tm/heat"), "a heat source or flux (fix sph/tm/heat) larger than meant");
+      may(tool || bodies, "friction heat of a speed or pressure out of range");
+      may(has(TM_FX_PLASTICITY), "plastic work of a material whose constants are in another unit");
+      break;
+    default:
+      may(scene_has("^sph/tm/heat"), "a heat sink (fix sph/tm/heat) stronger than the particle can feed in one step");
+      may(tool && has(TM_FX_CONDUCTION), "a cold tool that conducts too much for the step");
+      may(has(TM_FX_CONDUCTION), "conduction faster than the step between particles far closer or lighter than the spacing "
+                                 "says: lower dt/max");
+  }
+  may(fixed, fmt::format("the constant dt {:.6g}: use 'dt auto'", fixed_dt));
+  return around + ". Likely cause: " + utils::join_words(causes, ", or ");
 }
 
 // a state that cannot go on: say where and why, leave the last restart file as it is
@@ -64,69 +172,34 @@ void FixSPHTM::stop_on(int i, const tm_update_result &r)
   const double *x = atom->x[i], *v = atom->v[i];
   if (!std::isfinite(x[0] + x[1] + x[2]))
     x = pair_sph->host_records().main + (size_t) i * TM_REC;    // half a step ago
-  const double rho = field(TM_F_RHO)[i], T = temperature(i);
-  std::string what, cause;
+  const tm_material &m = pair_sph->materials()[atom->type[i]];
+  const double rho = field(TM_F_RHO)[i], T = temperature(i), *pstrain = field(TM_F_PSTRAIN);
+  std::string what;
   switch (r.status) {
     case TM_BAD_NAN:
       what = "state is not a number";
-      cause = "overlapping particles, a time step above the limit of another fix, or bad input values";
       break;
     case TM_BAD_DENSITY:
-      what = fmt::format("density {:.6g} is not positive", rho);
-      cause = "a particle torn out of the body in one step; lower courant, or check the contact stiffness";
+      what = fmt::format("density {:.6g} is not positive", rho / pair_sph->units().density);
+      break;
+    case TM_BAD_VOLUME:
+      what = fmt::format("density is {:.4g} times that of the material, beyond the factor {:.4g} of density/max", rho / m.rho0,
+                         densest);
       break;
     case TM_BAD_VELOCITY:
       what = fmt::format("velocity {:.6g} is above ten times the speed of sound",
                          sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
-      cause = "overlapping particles or a tool that starts inside the body; lower the penalty factor or courant";
+      break;
+    case TM_BAD_STRAIN:
+      what = fmt::format("plastic strain grew by {:.4g} in one step", pstrain ? dt * pstrain[3 * (size_t) i + 1] : 0.0);
+      break;
+    case TM_BAD_HEAT:
+      what = fmt::format("temperature {:.6g} is above the {:.6g} of temperature/max", T, hottest);
       break;
     default:
       what = fmt::format("temperature {:.6g} is not positive", T);
-      cause = "a heat sink stronger than the particle can feed in one step";
-      if (fixed_dt > 0.0) cause += ", or a constant dt that conduction has outgrown: use 'dt auto'";
   }
-  error->one(FLERR, "Fix sph/tm stops at step {}: particle {} (type {}) at {:.6g} {:.6g} {:.6g}: {}. "
-                    "Likely cause: {}. Restart files written before remain valid.",
-             update->ntimestep, atom->tag[i], atom->type[i], x[0], x[1], x[2], what, cause);
-}
-
-// what a script gets wrong about particles: overlaps, a spacing that is not theirs, infinite values
-void FixSPHTM::check_start()
-{
-  const double dp = has(TM_FX_SMOOTHING) ? pair_sph->smallest_spacing() : pair_sph->settings_in_use().spacing;
-  const tm_nearest c = pair_sph->nearest();
-  if (c.distance < 0.1 * dp) {
-    double **x = atom->x;
-    const auto pair = std::minmax(c.i, c.j, [&](int i, int j) { return atom->tag[i] < atom->tag[j]; });
-    const int i = pair.first, j = pair.second;
-    error->one(FLERR, "Pair style sph/tm: particles {} and {} are {} at {:.6g} {:.6g} {:.6g}; remove one of "
-                      "them ('delete_atoms overlap {:.6g} all all')",
-               atom->tag[i], atom->tag[j], c.distance == 0.0 ? "in the same place" :
-               fmt::format("only {:.6g} of the spacing apart", c.distance / dp), x[i][0], x[i][1],
-               x[i][2], 0.5 * dp);
-  }
-  for (int i = 0; i < atom->nlocal; i++) {
-    const double *x = atom->x[i], *v = atom->v[i], *f = atom->f[i];
-    const char *what = nullptr;
-    for (int k = 0; k < 3; k++) {
-      if (!std::isfinite(f[k])) what = "force";
-      if (!std::isfinite(v[k])) what = "velocity";
-    }
-    if (what)
-      error->one(FLERR, "Fix sph/tm: the {} of particle {} (type {}) at {:.6g} {:.6g} {:.6g} is not a finite "
-                        "number at the start; its velocity is {:.6g} {:.6g} {:.6g}", what, atom->tag[i],
-                 atom->type[i], x[0], x[1], x[2], v[0], v[1], v[2]);
-  }
-  double mine[2] = {c.sum, c.count}, all[2];
-  MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
-  if (comm->me) return;
-  bigint solids = 0;
-  for (int t = 1; t <= atom->ntypes; t++) solids += pair_sph->materials()[t].body == TM_BODY_SOLID;
-  if (all[1] == 0.0 && atom->natoms > 1 && solids)
-    error->warning(FLERR, "Pair style sph/tm: no particle has a neighbor within reach; are the particles "
-                          "{:.6g} (the keyword spacing) apart?", dp);
-  else if (!has(TM_FX_SMOOTHING) && all[1] > 0.0 && (all[0] / all[1] > 1.4 * dp || all[0] / all[1] < 0.6 * dp))
-    error->warning(FLERR, "Pair style sph/tm: the nearest neighbors are {:.6g} apart on the mean, the keyword "
-                          "spacing says {:.6g}; masses, kernels and contact follow the keyword",
-                   all[0] / all[1], dp);
+  error->one(FLERR, "Fix sph/tm stops at step {}: particle {} (type {}) at {:.6g} {:.6g} {:.6g}: {}; {}. "
+                    "Restart files written before remain valid.",
+             update->ntimestep, atom->tag[i], atom->type[i], x[0], x[1], x[2], what, likely_cause(i, r.status));
 }

@@ -14,6 +14,22 @@
 using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
 
+// what fix_modify can change too
+bool FixSPHTM::read_setting(Keywords &k)
+{
+  if (k.is("courant")) courant = k.within(0.0, 1.0);
+  else if (k.is("dt")) fixed_dt = k.take("auto") ? 0.0 : k.positive();
+  else if (k.is("dt/max")) dt_max = k.positive();
+  else if (k.is("lost")) stop_on_lost = !k.second("error", "ignore");
+  else if (k.is("temperature/max")) hottest_given = k.positive();
+  else if (k.is("density/max")) {
+    densest = k.positive();
+    if (densest <= 1.0) error->all(FLERR, "{} must be above 1, got {}", k.what(), k.given());
+  } else if (k.is("energy/drift")) drift_allowed = k.take("none") ? 1e300 : k.positive();
+  else return false;
+  return true;
+}
+
 void FixSPHTM::read_keywords(int narg, char **arg)
 {
   Keywords k(lmp, "Fix sph/tm", narg, arg);
@@ -21,10 +37,8 @@ void FixSPHTM::read_keywords(int narg, char **arg)
     if (k.is("temperature")) {
       temperature0 = k.positive();
       temperature_given = true;
-    } else if (k.is("courant")) courant = k.within(0.0, 1.0);
-    else if (k.is("dt")) fixed_dt = k.take("auto") ? 0.0 : k.positive();
-    else if (k.is("dt/max")) dt_max = k.positive();
-    else if (k.is("lost")) stop_on_lost = !k.second("error", "ignore");
+    } else if (read_setting(k)) continue;
+    else if (k.is("state")) begin_anew = k.second("keep", "new");
     else if (k.is("energy")) {
       if (k.yes()) forced_on |= TM_FX_LEDGER;
     }
@@ -35,7 +49,8 @@ void FixSPHTM::read_keywords(int narg, char **arg)
     } else if (k.is("audit")) read_audit(k);
     else if (k.is("effects")) read_effect(k);
     else
-      k.unknown("temperature, courant, dt, dt/max, energy, lost, table, audit, effects");
+      k.unknown("temperature, temperature/max, density/max, courant, dt, dt/max, energy, energy/drift, lost, state, table, "
+                "audit, effects");
   }
   if (forced_on & forced_off)
     error->all(FLERR, "Fix sph/tm: effect {} is forced both on and off",
@@ -79,5 +94,6 @@ int FixSPHTM::modify_param(int narg, char **arg)
     need(TM_FX_HEAT, fmt::format("temperature of group {} is set", arg[1]));
     return 3;
   }
-  return 0;
+  Keywords k(lmp, "Fix_modify of fix sph/tm", narg, arg);
+  return k.next() && read_setting(k) ? narg - k.rest() : 0;
 }

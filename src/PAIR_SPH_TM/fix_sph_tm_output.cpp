@@ -5,10 +5,12 @@
 #include "pair_sph_tm.h"
 
 #include "atom.h"
+#include "comm.h"
 #include "error.h"
 #include "update.h"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
@@ -40,6 +42,41 @@ void FixSPHTM::sum_energies()
   energy_now[VECTOR_CAUSE] = dt_cause;
   energy_now[VECTOR_NEIGHBORS] /= std::max((double) atom->natoms, 1.0);
 }
+
+// every so many steps, and at the ends of runs
+void FixSPHTM::watch_energy(Look when)
+{
+  if (!has(TM_FX_LEDGER)) return;
+  sum_energies();
+  energy_step = -1;    // fixes whose turn is still to come may add to it
+  const EnergyWatch::Energies now = {energy_now[ENERGY_KINETIC], energy_now[ENERGY_ARTIFICIAL],
+                                     energy_now[ENERGY_EXTERNAL], energy_now[ENERGY_SUM]};
+  if (when == FIRST_LOOK) {
+    // of a body strained by 1e-7
+    constexpr double LEAST = 1e-14;
+    double mine = 0.0, all;
+    for (int i = 0; i < atom->nlocal; i++) {
+      const tm_material &m = pair_sph->materials()[atom->type[i]];
+      if (m.body != TM_BODY_SOLID) continue;
+      const double mass = atom->rmass_flag ? atom->rmass[i] : atom->mass[atom->type[i]];
+      mine += mass * m.bulk / m.rho0;
+    }
+    MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+    energy_watch.begin(now, LEAST * all / pair_sph->units().energy);
+    return;
+  }
+  energy_watch.look(now, when == LAST_LOOK);
+  for (std::string text = energy_watch.warning(); !text.empty(); text = energy_watch.warning())
+    if (comm->me == 0)
+      error->warning(FLERR, "Fix sph/tm {}: at step {} {}", id, update->ntimestep, text);
+  if (energy_watch.stops(drift_allowed) && stop_on_lost)    // lost particles take theirs with them
+    error->all(FLERR, "Fix sph/tm {} stops at step {}: the sum of the energies has drifted by {:+.3g} % of the {:.6g} that "
+                      "went in, more than the {:.3g} % of energy/drift: the results are not to be trusted. Likely cause: {}",
+               id, update->ntimestep, 100.0 * energy_watch.drift(), energy_watch.went_in(), 100.0 * drift_allowed,
+               fixed_dt > 0.0 ? "the constant dt" : "a body that tears apart or clumps numerically, or a courant too large");
+}
+
+void FixSPHTM::end_of_step() { watch_energy(LOOK); }
 
 // The sum of the book stays: what the motion and the stress lose is artificial or heat.
 void FixSPHTM::book_remap(double kinetic, double elastic, double heat)

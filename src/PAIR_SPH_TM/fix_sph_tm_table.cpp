@@ -67,6 +67,8 @@ std::map<unsigned, double> FixSPHTM::probe_effects(double seconds, bigint steps)
 
 void FixSPHTM::post_run()
 {
+  remember_particles();
+  if (timing) watch_energy(LAST_LOOK);
   const bigint steps = update->ntimestep - clock_step;
   if (!want_table || !timing || steps < TABLE_STEPS || atom->natoms == 0) return;
   const double total = run_clock.total();
@@ -131,6 +133,9 @@ void FixSPHTM::post_run()
   utils::logmesg(lmp, "\nsph/tm: {} steps of {} particles\n  {:<26} {:>10} {:>7} {:>12} {:>10}\n{}",
                  steps, atom->natoms, "effect or part", "seconds", "%", "ns/part/step", "bytes/part", text);
   if (!audits.empty()) utils::logmesg(lmp, "{}", audits);
+  utils::logmesg(lmp, "  energy: {}\n", !has(TM_FX_LEDGER)
+                     ? "not summed up, and not checked; 'energy yes' of fix sph/tm does"
+                     : energy_watch.says() ? energy_watch.in_words() : "nothing went in");
   if (asynchronous)
     utils::logmesg(lmp, "  The loops run beside the host: a part may wait for those before it. 'table wait' tells them "
                         "apart, and slows the run.\n");

@@ -13,6 +13,7 @@
 #include "unit_scale.h"
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,8 @@ class PairSPHTM : public Pair {
   double bytes_of_rows() const;
 
   // for fix sph/tm, fix contact/tri and the computes
+  void steps() { stepped = true; }
+  bool has_stepped() const { return stepped; }    // a fix sph/tm has taken steps with it
   bool has_fix() const;    // the one of the last init is still there
   bool belongs_to(const FixSPHTM *f) const { return fix == f; }    // since the last init
   const std::string &restart_file() const { return restart_name; }    // that was read, or empty
@@ -130,8 +133,15 @@ class PairSPHTM : public Pair {
     void live_in(SPHTM_NS::Backend &);
   } tables;
   FixSPHTM *fix = nullptr;
+  bool stepped = false;
   std::string restart_fix;              // the fix whose state the restart file holds
   std::string restart_name;             // of that file
+  struct Written {                      // what the run had that wrote it
+    Settings set;
+    std::vector<tm_material> material;
+    std::vector<PairLaw> laws;
+  };
+  std::unique_ptr<Written> written;
 
   SPHTM_NS::RowSource *row_source = nullptr;    // or the rows below
   // rows of the owned particles, rebuilt with the host's list
@@ -179,6 +189,8 @@ class PairSPHTM : public Pair {
   double particle_mass(int) const;
   void set_law(int, int, const PairLaw &);
   void complete_laws();
+  void refuse_damaged(const std::string &fault);
+  void compare_with_restart();
 };
 
 }    // namespace LAMMPS_NS

@@ -2,6 +2,7 @@
 #include "pair_sph_tm.h"
 
 #include "fix_sph_tm.h"
+#include "restart_block.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -44,14 +45,16 @@ void PairSPHTM::init_style()
   least_spacing = set.spacing;
   surface_scale = tm_surface_make(set.kernel, domain->dimension, set.spacing, set.h, TM_SURFACE_THRESHOLD);
   complete_laws();
+  compare_with_restart();
 
   fix = FixSPHTM::of(lmp, "Pair style sph/tm");
   if (modify->get_fix_by_style("^sph/tm$").size() > 1)
     error->all(FLERR, "More than one fix sph/tm: one owns the state of all particles of pair style sph/tm; remove "
                       "the others");
-  if (!restart_fix.empty() && restart_fix != fix->id && !fix->restored())
-    error->all(FLERR, "Fix {} sph/tm: the restart file holds the state of the particles under the fix ID {}; "
-                      "write 'fix {} ... sph/tm ...'", fix->id, restart_fix, restart_fix);
+  if (!restart_fix.empty() && !fix->restored())
+    error->all(FLERR, "Fix {} sph/tm: the {} holds the state of the particles under the fix ID {}; write "
+                      "'fix {} ... sph/tm ...' once, after read_restart", fix->id, restart_file_name(lmp), restart_fix,
+               restart_fix);
   if (set.plane_stress && domain->dimension != 2)
     error->all(FLERR, "Pair style sph/tm plane stress needs dimension 2");
 

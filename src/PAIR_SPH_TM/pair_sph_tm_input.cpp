@@ -5,8 +5,10 @@
 #include "material_input.h"
 
 #include "atom.h"
+#include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "lattice.h"
 #include "memory.h"
 #include "utils.h"
 
@@ -37,6 +39,25 @@ void PairSPHTM::allocate()
   laws.assign((size_t) n * n, PairLaw());
 }
 
+// distance of particles that each have the volume (in 2d the area) of one on the lattice in use
+static double lattice_spacing(LAMMPS *lmp)
+{
+  Lattice *lattice = lmp->domain->lattice;
+  if (!lattice || lattice->style == Lattice::NONE)
+    lmp->error->all(FLERR, "Pair style sph/tm spacing lattice: there is no lattice in use; write a lattice command before "
+                           "it, or the spacing as a number");
+  tm_vec3 edge[3], origin = tm_vec(0, 0, 0);
+  lattice->lattice2box(origin.x, origin.y, origin.z);
+  for (int k = 0; k < 3; k++) {
+    edge[k] = tm_vec(k == 0, k == 1, k == 2);
+    lattice->lattice2box(edge[k].x, edge[k].y, edge[k].z);
+    edge[k] = tm_vec_sub(edge[k], origin);
+  }
+  const tm_vec3 face = tm_vec_cross(edge[0], edge[1]);
+  if (lmp->domain->dimension == 2) return sqrt(fabs(face.z) / lattice->nbasis);
+  return cbrt(fabs(tm_vec_dot(face, edge[2])) / lattice->nbasis);
+}
+
 void PairSPHTM::settings(int narg, char **arg)
 {
   if (narg < 4)
@@ -57,7 +78,7 @@ void PairSPHTM::settings(int narg, char **arg)
 
   Keywords k(lmp, "Pair style sph/tm", narg - 2, arg + 2);
   while (k.next()) {
-    if (k.is("spacing")) set.spacing = k.positive();
+    if (k.is("spacing")) set.spacing = k.take("lattice") ? lattice_spacing(lmp) : k.positive();
     else if (k.is("viscosity")) {
       k.need(2);
       set.visc_alpha = k.not_negative("alpha");
@@ -185,14 +206,21 @@ void PairSPHTM::set_law(int i, int j, const PairLaw &law)
 // what the script left open: solids are one continuum, a heat body meets all by perfect conduction
 void PairSPHTM::complete_laws()
 {
+  std::string welded;
   for (int i = 1; i <= atom_types; i++)
     for (int j = i; j <= atom_types; j++) {
       PairLaw l = law(i, j);
       const bool heat_i = material[i].body == TM_BODY_HEAT, heat_j = material[j].body == TM_BODY_HEAT;
-      if (l.meeting == UNSET) l.meeting = (heat_i || heat_j) ? HEAT_ONLY : BOND;
+      if (l.meeting == UNSET) {
+        l.meeting = (heat_i || heat_j) ? HEAT_ONLY : BOND;
+        if (i != j && l.meeting == BOND) welded += fmt::format("{}{} and {}", welded.empty() ? "" : ", ", i, j);
+      }
       if ((heat_i || heat_j) && (l.meeting == BOND || l.meeting == CONTACT))
         error->all(FLERR, "Pair sph/tm coeff {} {}: a heat body takes no part in mechanics; use "
                           "'heat' or 'none'", i, j);
       set_law(i, j, l);
     }
+  if (!welded.empty() && comm->me == 0)
+    utils::logmesg(lmp, "sph/tm: types {} are one body where they touch (bond, the default); 'pair_coeff i j contact' "
+                        "makes two bodies of them\n", welded);
 }

@@ -2,10 +2,14 @@
 #include "pair_sph_tm.h"
 
 #include "fix_sph_tm.h"
+#include "material_constants.h"
+#include "restart_block.h"
+#include "restart_scan.h"
 
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
+#include "force.h"
 #include "utils.h"
 
 #include <algorithm>
@@ -14,22 +18,50 @@
 using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
 
+namespace {
+// what a file holds, of fixed size
+struct SettingsRecord {
+  PairSPHTM::Settings set;
+  FrontHash front;
+};
+struct MaterialRecord {
+  tm_material material;
+  char title[64];
+};
+struct LawRecord {
+  int given;
+  PairSPHTM::PairLaw law;
+};
+struct TypesRecord {
+  char fix[64];
+  int types;
+};
+const char *const WHO = "Pair style sph/tm";
+
+void copy_text(char (&to)[64], const std::string &text)
+{
+  memset(to, 0, sizeof(to));
+  memcpy(to, text.data(), std::min(text.size(), sizeof(to) - 1));
+}
+}    // namespace
+
 void PairSPHTM::write_restart(FILE *fp)
 {
   write_restart_settings(fp);
-  char id[64] = {};
-  if (has_fix()) strncpy(id, fix->id, sizeof(id) - 1);
-  fwrite(id, sizeof(id), 1, fp);
-  const int n = atom_types + 1;
-  fwrite(&atom_types, sizeof(int), 1, fp);
-  for (int i = 1; i < n; i++) {
-    fwrite(&material[i], sizeof(tm_material), 1, fp);
-    char title[64] = {};
-    strncpy(title, names[i].c_str(), sizeof(title) - 1);
-    fwrite(title, sizeof(title), 1, fp);
-    for (int j = 1; j < n; j++) {
-      fwrite(&setflag[std::min(i, j)][std::max(i, j)], sizeof(int), 1, fp);
-      fwrite(&law(i, j), sizeof(PairLaw), 1, fp);
+  TypesRecord head = {};
+  copy_text(head.fix, has_fix() ? fix->id : "");
+  head.types = atom_types;
+  write_checked(fp, &head, sizeof(head));
+  for (int i = 1; i <= atom_types; i++) {
+    MaterialRecord m = {};
+    m.material = material[i];
+    copy_text(m.title, names[i]);
+    write_checked(fp, &m, sizeof(m));
+    for (int j = 1; j <= atom_types; j++) {
+      LawRecord l = {};
+      l.given = setflag[std::min(i, j)][std::max(i, j)];
+      l.law = law(i, j);
+      write_checked(fp, &l, sizeof(l));
     }
   }
 }
@@ -39,35 +71,140 @@ void PairSPHTM::read_restart(FILE *fp)
   read_restart_settings(fp);
   allocate();
   unit = unit_scale(lmp);
-  auto read = [&](void *p, size_t bytes) {
-    if (comm->me == 0) utils::sfread(FLERR, p, 1, bytes, fp, nullptr, error);
-    MPI_Bcast(p, (int) bytes, MPI_BYTE, 0, world);
-  };
-  char id[64];
-  read(id, sizeof(id));
-  restart_fix = id;
-  int types = 0;
-  read(&types, sizeof(int));
-  if (types != atom->ntypes)
-    error->all(FLERR, "Pair sph/tm: restart file has {} types, simulation {}", types, atom->ntypes);
-  for (int i = 1; i <= types; i++) {
-    read(&material[i], sizeof(tm_material));
-    char title[64];
-    read(title, sizeof(title));
-    names[i] = title;
-    for (int j = 1; j <= types; j++) {
-      int flag;
-      read(&flag, sizeof(int));
-      setflag[std::min(i, j)][std::max(i, j)] = flag;
-      read(&laws[i * (atom_types + 1) + j], sizeof(PairLaw));
+  TypesRecord head;
+  read_checked(lmp, WHO, fp, &head, sizeof(head));
+  restart_fix = head.fix;
+  if (head.types != atom->ntypes)
+    error->all(FLERR, "{}: the {} has {} types, the simulation {}", WHO, restart_file_name(lmp), head.types,
+               atom->ntypes);
+  for (int i = 1; i <= head.types; i++) {
+    MaterialRecord m;
+    read_checked(lmp, WHO, fp, &m, sizeof(m));
+    material[i] = m.material;
+    names[i] = m.title;
+    for (int j = 1; j <= head.types; j++) {
+      LawRecord l;
+      read_checked(lmp, WHO, fp, &l, sizeof(l));
+      setflag[std::min(i, j)][std::max(i, j)] = l.given;
+      laws[i * (atom_types + 1) + j] = l.law;
     }
   }
+  written.reset(new Written{set, material, laws});
+  refuse_damaged(comm->me == 0 ? scan_restart(fp) : "");
 }
 
-void PairSPHTM::write_restart_settings(FILE *fp) { fwrite(&set, sizeof(Settings), 1, fp); }
+// of the first rank
+void PairSPHTM::refuse_damaged(const std::string &fault)
+{
+  std::string text = fault;
+  int length = (int) text.size();
+  MPI_Bcast(&length, 1, MPI_INT, 0, world);
+  if (!length) return;
+  text.resize(length);
+  MPI_Bcast(&text[0], length, MPI_CHAR, 0, world);
+  error->all(FLERR, "{}: the {} is damaged: {}", WHO, restart_file_name(lmp), text);
+}
+
+void PairSPHTM::write_restart_settings(FILE *fp)
+{
+  SettingsRecord r = {};
+  r.set = set;
+  r.front = front_hash(fp, file_name(fp));
+  write_checked(fp, &r, sizeof(r));
+}
 
 void PairSPHTM::read_restart_settings(FILE *fp)
 {
-  if (comm->me == 0) utils::sfread(FLERR, &set, sizeof(Settings), 1, fp, nullptr, error);
-  MPI_Bcast(&set, sizeof(Settings), MPI_BYTE, 0, world);
+  restart_name = comm->me == 0 ? file_name(fp) : "";
+  int length = (int) restart_name.size();
+  MPI_Bcast(&length, 1, MPI_INT, 0, world);
+  restart_name.resize(length);
+  MPI_Bcast(&restart_name[0], length, MPI_CHAR, 0, world);
+
+  FrontHash front;
+  if (comm->me == 0) front = front_hash(fp, restart_name);
+  SettingsRecord r;
+  read_checked(lmp, WHO, fp, &r, sizeof(r));
+  const bool known = r.front.hash && front.hash;
+  refuse_damaged(known && (front.bytes != r.front.bytes || front.hash != r.front.hash)
+                     ? "the checksum of its head (box, groups, masses) does not fit" : "");
+  set = r.set;
+}
+
+/* ---------------------------------------------------------------------- what differs from the run that wrote it */
+
+namespace {
+std::string change(const std::string &name, double then, double now)
+{
+  return fmt::format("{} was {:.8g}, is {:.8g}", name, then, now);
+}
+
+std::vector<std::string> changes(const PairSPHTM::Settings &then, const PairSPHTM::Settings &now)
+{
+  using S = PairSPHTM::Settings;
+  static const struct { const char *name; double S::*value; } numbers[] = {
+      {"ratio", &S::ratio}, {"spacing", &S::spacing}, {"viscosity alpha", &S::visc_alpha},
+      {"viscosity beta", &S::visc_beta}, {"artstress", &S::art_eps}, {"xsph", &S::xsph}, {"hourglass", &S::hourglass}};
+  static const struct { const char *name; bool S::*value; } flags[] = {
+      {"artstress component", &S::art_component}, {"artstress balanced", &S::art_balanced}, {"form f14", &S::form_f14},
+      {"correction", &S::correction}, {"balsara", &S::balsara}, {"plane stress", &S::plane_stress},
+      {"precision mixed", &S::mixed}};
+  std::vector<std::string> found;
+  if (then.kernel != now.kernel)
+    found.push_back(fmt::format("kernel was {}, is {}", PairSPHTM::kernel_name(then.kernel),
+                                PairSPHTM::kernel_name(now.kernel)));
+  for (const auto &n : numbers)
+    if (then.*n.value != now.*n.value) found.push_back(change(n.name, then.*n.value, now.*n.value));
+  if (then.art_n != now.art_n) found.push_back(change("artstress exponent", then.art_n, now.art_n));
+  for (const auto &f : flags)
+    if (then.*f.value != now.*f.value)
+      found.push_back(fmt::format("{} was {}, is {}", f.name, then.*f.value ? "yes" : "no", now.*f.value ? "yes" : "no"));
+  return found;
+}
+
+bool same_table(const tm_table &a, const tm_table &b)
+{
+  return a.n == b.n && a.value == b.value && std::equal(a.t, a.t + a.n, b.t) && std::equal(a.y, a.y + a.n, b.y);
+}
+
+std::vector<std::string> changes(const tm_material &then, const tm_material &now)
+{
+  std::vector<std::string> found;
+  for (const auto &c : Material::constants()) {
+    if (c.number && then.*c.number != now.*c.number) found.push_back(change(c.name, then.*c.number, now.*c.number));
+    if (c.table && !same_table(then.*c.table, now.*c.table))
+      found.push_back((then.*c.table).n || (now.*c.table).n ? std::string("table of ") + c.name + " differs"
+                                                           : change(c.name, (then.*c.table).value, (now.*c.table).value));
+  }
+  for (const auto &g : Material::groups()) {
+    if (!g.selector || then.*g.selector == now.*g.selector) continue;
+    const std::string text = std::string(g.keyword) + " is another one";
+    if (std::find(found.begin(), found.end(), text) == found.end()) found.push_back(text);
+  }
+  return found;
+}
+}    // namespace
+
+// once, before the first run after read_restart
+void PairSPHTM::compare_with_restart()
+{
+  if (!written) return;
+  const std::unique_ptr<Written> then = std::move(written);
+  if (comm->me) return;
+  const std::string tail = " than in the run that wrote the " + restart_file_name(lmp);
+  auto say = [&](const std::string &what, const std::vector<std::string> &found) {
+    if (!found.empty())
+      error->warning(FLERR, "{}{} differs{}: {}", WHO, what, tail, utils::join_words(found, "; "));
+  };
+  say("", changes(then->set, set));
+  for (int i = 1; i <= atom_types; i++) {
+    say(fmt::format(": type {} ({})", i, names[i]), changes(then->material[i], material[i]));
+    for (int j = i + 1; j <= atom_types; j++) {
+      const PairLaw &a = then->laws[i * (atom_types + 1) + j], &b = law(i, j);
+      if (a.meeting == b.meeting && a.conductance == b.conductance && a.contact.friction == b.contact.friction &&
+          a.contact.penalty == b.contact.penalty && a.contact.damping == b.contact.damping)
+        continue;
+      error->warning(FLERR, "{}: how types {} and {} meet is set in another way{}", WHO, i, j, tail);
+    }
+  }
 }

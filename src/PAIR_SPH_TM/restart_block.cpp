@@ -6,6 +6,7 @@
 #include "error.h"
 #include "force.h"
 #include "lammps.h"
+#include "utils.h"
 
 #include <cmath>
 #include <cstring>
@@ -13,13 +14,6 @@
 using namespace LAMMPS_NS;
 
 namespace SPHTM_NS {
-
-namespace {
-struct Head {
-  uint64_t magic, values, hash;
-};
-constexpr uint64_t MAGIC = 0x314d545f48505321u;
-}    // namespace
 
 uint64_t hash_bytes(const void *data, size_t bytes, uint64_t seed)
 {
@@ -41,31 +35,59 @@ std::string restart_file_name(LAMMPS *lmp)
   return name.empty() ? "restart file" : "restart file " + name;
 }
 
+void write_checked(FILE *fp, const void *data, size_t bytes)
+{
+  const BlockHead head(data, bytes);
+  fwrite(&head, sizeof(head), 1, fp);
+  fwrite(data, 1, bytes, fp);
+}
+
+// what is wrong with a block of which the head says so and so, or ""
+static std::string block_fault(const BlockHead &head, size_t least, size_t most)
+{
+  if (head.magic != BlockHead::MAGIC) return "is damaged, or was written by another version of the plugin";
+  if (head.bytes < least || head.bytes > most)
+    return fmt::format("is damaged, or was written by another version of the plugin: {} bytes, {} expected", head.bytes,
+                       least == most ? std::to_string(least) : fmt::format("{} to {}", least, most));
+  return "";
+}
+
+void read_checked(LAMMPS *lmp, const std::string &who, FILE *fp, void *data, size_t bytes)
+{
+  int wrong = 0;
+  BlockHead head;
+  if (lmp->comm->me == 0) {
+    utils::sfread(FLERR, &head, sizeof(head), 1, fp, nullptr, lmp->error);
+    wrong = block_fault(head, bytes, bytes).empty() ? 0 : 1;
+    if (!wrong) utils::sfread(FLERR, data, 1, bytes, fp, nullptr, lmp->error);
+    if (!wrong && hash_bytes(data, bytes) != head.hash) wrong = 2;
+  }
+  MPI_Bcast(&wrong, 1, MPI_INT, 0, lmp->world);
+  MPI_Bcast(&head, sizeof(head), MPI_BYTE, 0, lmp->world);
+  if (wrong)
+    lmp->error->all(FLERR, "{}: the {} {}", who, restart_file_name(lmp),
+                    wrong == 1 ? block_fault(head, bytes, bytes) : "is damaged: the checksum does not fit");
+  MPI_Bcast(data, (int) bytes, MPI_BYTE, 0, lmp->world);
+}
+
 void write_restart_block(FILE *fp, const std::vector<double> &values)
 {
   const size_t bytes = values.size() * sizeof(double);
-  const Head head = {MAGIC, values.size(), hash_bytes(values.data(), bytes)};
-  const int size = (int) (sizeof(Head) + bytes);
+  const int size = (int) (sizeof(BlockHead) + bytes);
   fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&head, sizeof(Head), 1, fp);
-  fwrite(values.data(), 1, bytes, fp);
+  write_checked(fp, values.data(), bytes);
 }
 
 std::vector<double> read_restart_block(LAMMPS *lmp, const std::string &who, const char *buf, size_t least, size_t most)
 {
   Error *error = lmp->error;
-  Head head;
-  memcpy(&head, buf, sizeof(Head));
-  const std::string name = restart_file_name(lmp);
-  if (head.magic != MAGIC)
-    error->all(FLERR, "{}: the {} is damaged, or was written by another version of the plugin", who, name);
-  if (head.values < least || head.values > most)
-    error->all(FLERR, "{}: the {} is damaged, or was written by another version of the plugin: {} values, {} expected",
-               who, name, head.values,
-               least == most ? std::to_string(least) : fmt::format("{} to {}", least, most));
-  std::vector<double> values(head.values);
-  memcpy(values.data(), buf + sizeof(Head), head.values * sizeof(double));
-  if (hash_bytes(values.data(), head.values * sizeof(double)) != head.hash)
+  BlockHead head;
+  memcpy(&head, buf, sizeof(head));
+  const std::string name = restart_file_name(lmp), fault = block_fault(head, least * sizeof(double), most * sizeof(double));
+  if (!fault.empty()) error->all(FLERR, "{}: the {} {}", who, name, fault);
+  std::vector<double> values(head.bytes / sizeof(double));
+  memcpy(values.data(), buf + sizeof(head), values.size() * sizeof(double));
+  if (hash_bytes(values.data(), head.bytes) != head.hash)
     error->all(FLERR, "{}: the {} is damaged: the checksum does not fit", who, name);
   for (const double v : values)
     if (!std::isfinite(v))

@@ -21,8 +21,20 @@ namespace SPHTM_NS {
 constexpr uint64_t HASH_SEED = 1469598103934665603u;
 uint64_t hash_bytes(const void *data, size_t bytes, uint64_t seed = HASH_SEED);
 
+// what a block begins with
+struct BlockHead {
+  uint64_t magic, bytes, hash;
+  static constexpr uint64_t MAGIC = 0x324d545f48505321u;
+  BlockHead() = default;
+  BlockHead(const void *data, size_t n) : magic(MAGIC), bytes(n), hash(hash_bytes(data, n)) {}
+};
+
 // the restart file in use, for messages: "restart file name", or "restart file" where its name is not known
 std::string restart_file_name(LAMMPS_NS::LAMMPS *);
+
+// Bytes of the pair style, on the first rank, and back on every rank: `bytes` of them, or an error that names the file
+void write_checked(FILE *, const void *data, size_t bytes);
+void read_checked(LAMMPS_NS::LAMMPS *, const std::string &who, FILE *, void *data, size_t bytes);
 
 // Global state of a fix: on the first rank, from Fix::write_restart
 void write_restart_block(FILE *, const std::vector<double> &values);

@@ -27,8 +27,12 @@ enum tm_status {
   TM_BAD_NAN = 1,          /* a state value is not finite */
   TM_BAD_DENSITY = 2,      /* density not positive */
   TM_BAD_VELOCITY = 3,     /* faster than ten times the speed of sound */
-  TM_BAD_TEMPERATURE = 4   /* temperature not positive */
+  TM_BAD_TEMPERATURE = 4,  /* temperature not positive */
+  TM_BAD_HEAT = 5,         /* temperature above the largest that the run allows */
+  TM_BAD_VOLUME = 6,       /* density over or under the reference by more than the run allows */
+  TM_BAD_STRAIN = 7        /* more plastic strain in a step than TM_STRAIN_STEP */
 };
+#define TM_STRAIN_STEP 1.0
 enum tm_dt_cause {
   TM_DT_SOUND = 0, TM_DT_FORCE = 1, TM_DT_CONDUCTION = 2, TM_DT_CONTACT = 3, TM_DT_MOTION = 4,
   TM_DT_MAXIMUM = 5, TM_DT_CAUSES = 6
@@ -49,11 +53,15 @@ typedef struct {
   tm_real accel_unit;            /* force of the unit style / mass -> acceleration */
   tm_real temperature;           /* of every particle where heat is off */
   tm_real heat_rate, k_max;      /* see tm_heat_time_step */
+  tm_real hottest;               /* largest temperature that goes on */
+  tm_real densest;               /* largest ratio of density and reference density, either way, that goes on */
+  int watch_melt;                /* look for particles above their melting temperature */
 } tm_update_args;
 
 typedef struct {
   int status;                    /* enum tm_status */
   int particle;                  /* whose status it is */
+  int melted;                    /* the first particle above its melting temperature, or INT_MAX */
   tm_real dt[3];                 /* limits by sound, force, conduction (without safety factor) */
   tm_real elastic, plastic, plastic_heat, artificial, kinetic_work, internal_work, heat;
 } tm_update_result;
@@ -62,7 +70,7 @@ TM_FN tm_update_result tm_update_nothing(void)
 {
   tm_update_result r;
   r.status = TM_OK;
-  r.particle = INT_MAX;
+  r.particle = r.melted = INT_MAX;
   r.dt[0] = r.dt[1] = r.dt[2] = 1e300;
   r.elastic = r.plastic = r.plastic_heat = r.artificial = 0.0;
   r.kinetic_work = r.internal_work = r.heat = 0.0;
@@ -77,6 +85,7 @@ TM_FN void tm_update_sum(tm_update_result *sum, const tm_update_result *r, int l
     sum->status = r->status;
     sum->particle = r->particle;
   }
+  if (r->melted < sum->melted) sum->melted = r->melted;
   if (!ledger) return;
   sum->elastic += r->elastic;
   sum->plastic += r->plastic;
@@ -329,6 +338,8 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     if (dmg) check += dmg[0] + dmg[1];
     if (!(check - check == 0.0)) out.status = TM_BAD_NAN;
     else if (!(q.rho > 0.0)) out.status = TM_BAD_DENSITY;
+    else if (q.d_eps > TM_STRAIN_STEP) out.status = TM_BAD_STRAIN;
+    else if (q.rho > a->densest * m->rho0 || (!failed && q.rho * a->densest < m->rho0)) out.status = TM_BAD_VOLUME;
     else if (v2 > 100.0 * rec[tm_part(TM_REC_C)] * rec[tm_part(TM_REC_C)]) out.status = TM_BAD_VELOCITY;
   } else if (effects & TM_FX_HEAT) {
     out.heat = tm_update_temperature(i, a, m, m->rho0, 0.0, effects);
@@ -343,6 +354,8 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     }
     if (out.status == TM_OK && !(T - T == 0.0)) out.status = TM_BAD_NAN;
     else if (out.status == TM_OK && !(T > 0.0)) out.status = TM_BAD_TEMPERATURE;
+    else if (out.status == TM_OK && T > a->hottest) out.status = TM_BAD_HEAT;
+    if (a->watch_melt && m->strength == TM_STRENGTH_JOHNSON_COOK && T > m->t_melt) out.melted = i;
   }
   return out;
 }

@@ -1,0 +1,75 @@
+#include "energy_watch.h"
+
+#include "fmt/format.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace SPHTM_NS {
+
+void EnergyWatch::begin(const Energies &e, double least_)
+{
+  least = least_;
+  base += begun ? e.sum - last_sum : e.sum;
+  given += begun ? std::max(e.kinetic - last_kinetic, 0.0) : e.kinetic;
+  begun = true;
+  look(e, false);
+}
+
+void EnergyWatch::look(const Energies &e, bool last)
+{
+  most_work = std::max(most_work, std::fabs(e.external));
+  into = given + most_work;
+  drifted = e.sum - base;
+  made = e.artificial;
+  last_kinetic = e.kinetic;
+  last_sum = e.sum;
+  auto count = [&](int &looks, bool over) { looks = !over ? 0 : last ? LASTING : looks + 1; };
+  count(drifting, says() && std::fabs(drift()) > DRIFT_WARNED);
+  count(making, says() && std::fabs(artificial()) > ARTIFICIAL_WARNED);
+}
+
+bool EnergyWatch::stops(double drift_allowed)
+{
+  beyond = says() && std::fabs(drift()) > drift_allowed ? beyond + 1 : 0;
+  return beyond >= STOPPING || (beyond && drifting == LASTING);
+}
+
+std::string EnergyWatch::in_words() const
+{
+  return fmt::format("{:.6g} went in; the sum drifted by {:+.3g} % of it, artificial terms took {:+.3g} %", into,
+                     100.0 * drift(), 100.0 * artificial());
+}
+
+std::string EnergyWatch::warning()
+{
+  if (!said_drift && drifting >= LASTING) {
+    said_drift = true;
+    return fmt::format("the sum of the energies has drifted by {:+.3g} % of the {:.6g} that went in", 100.0 * drift(), into);
+  }
+  if (!said_artificial && making >= LASTING) {
+    said_artificial = true;
+    return fmt::format("artificial terms (viscosity, artificial stress, hourglass resistance) have {} {:.3g} % of the {:.6g} "
+                       "that went in", artificial() > 0.0 ? "taken" : "added", 100.0 * std::fabs(artificial()), into);
+  }
+  return "";
+}
+
+std::vector<double> EnergyWatch::state() const
+{
+  return {(double) begun, base, given, most_work, last_kinetic, last_sum, (double) said_drift, (double) said_artificial};
+}
+
+void EnergyWatch::restore(const double *v)
+{
+  begun = v[0] != 0.0;
+  base = v[1];
+  given = v[2];
+  most_work = v[3];
+  last_kinetic = v[4];
+  last_sum = v[5];
+  said_drift = v[6] != 0.0;
+  said_artificial = v[7] != 0.0;
+}
+
+}    // namespace SPHTM_NS

@@ -1,0 +1,51 @@
+/* SPH-TM: what the sum of the energies says while a run goes on: how far it has drifted, and how much of what went in
+   artificial terms have taken, both over what went in: the kinetic energy of the start and the work from outside. */
+#ifndef SPHTM_ENERGY_WATCH_H
+#define SPHTM_ENERGY_WATCH_H
+
+#include <string>
+#include <vector>
+
+namespace SPHTM_NS {
+
+class EnergyWatch {
+ public:
+  struct Energies {
+    double kinetic, artificial, external, sum;    // external: minus the work of all outside
+  };
+  static constexpr double DRIFT_WARNED = 0.01, ARTIFICIAL_WARNED = 0.05;
+  static constexpr int LASTING = 10, STOPPING = 3;    // looks in a row: at a first touch little went in
+
+  // at a set-up: what a script has given to or taken from particles since the last look is no drift. least: energy of
+  // which nothing can be said
+  void begin(const Energies &, double least);
+  // last: of the run, where one look counts
+  void look(const Energies &, bool last);
+  bool says() const { return into > least; }
+  double drift() const { return into > 0.0 ? drifted / into : 0.0; }        // over what went in
+  double artificial() const { return into > 0.0 ? made / into : 0.0; }
+  double went_in() const { return into; }
+  // a warning that is due, each once, or ""
+  std::string warning();
+  bool stops(double drift_allowed);    // asked once after each look
+  std::string in_words() const;
+
+  // of restart files
+  static constexpr int VALUES = 8;
+  std::vector<double> state() const;
+  void restore(const double *);
+
+ private:
+  bool begun = false;
+  double least = 0.0;
+  double base = 0.0, given = 0.0;          // sum without drift; kinetic energy given at starts
+  double most_work = 0.0;                  // largest work from outside so far
+  double last_kinetic = 0.0, last_sum = 0.0;
+  double drifted = 0.0, made = 0.0, into = 0.0;
+  bool said_drift = false, said_artificial = false;
+  int drifting = 0, making = 0, beyond = 0;    // looks in a row
+};
+
+}    // namespace SPHTM_NS
+
+#endif

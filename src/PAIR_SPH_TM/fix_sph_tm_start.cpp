@@ -1,0 +1,257 @@
+/* SPH-TM: fix sph/tm, what a script gets wrong: other fixes and commands, groups, particles that overlap or have another
+   spacing than their masses, what changes between runs. See doc/fix_sph_tm.rst. */
+#include "fix_sph_tm.h"
+
+#include "all_ranks.h"
+#include "pair_sph_tm.h"
+#include "tm_filling.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "force.h"
+#include "group.h"
+#include "input.h"
+#include "modify.h"
+#include "update.h"
+#include "utils.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+using namespace SPHTM_NS;
+
+namespace {
+// lattice sum of the masses over its value on the lattice, and spacing over that of the masses: beyond the first the
+// run stops, beyond the second it warns
+constexpr double DENSE = 1.2, DENSE_WARNED = 1.1, THIN = 1.09, THIN_WARNED = 1.045;
+constexpr double DENSE_OF_SIZES = 1.6, THIN_OF_SIZES = 1.4;    // where particles have sizes of their own
+constexpr double CLOSE = 0.1;                 // of the spacing: in one place
+constexpr double CLOSE_BETWEEN_RUNS = 0.7;    // where it was not so at the end of the last run
+constexpr int ALONE = 20;                     // particles that may have no neighbor at all
+}    // namespace
+
+/* ---------------------------------------------------------------------- other fixes and commands */
+
+void FixSPHTM::check_company()
+{
+  if (utils::strmatch(update->integrate_style, "^respa"))
+    error->all(FLERR, "Fix sph/tm does not work with run_style respa; use run_style verlet");
+  if (update->whichflag == 2)
+    error->all(FLERR, "Fix sph/tm does not work with minimize: the forces follow from the history of the "
+                      "deformation, not from an energy; use run, with fix viscous to bring a body to rest");
+  if (input->command && strcmp(input->command, "rerun") == 0)
+    error->all(FLERR, "Fix sph/tm does not work with rerun: a dump has positions, not the state (stress, density, "
+                      "temperature) that the forces follow from; write the values with the dump, or restart files");
+  if (!force->pair->compute_flag || !pair_sph->compute_flag)
+    error->all(FLERR, "Fix sph/tm needs the forces of pair style sph/tm, which 'pair_modify compute no' leaves out; "
+                      "write 'pair_modify compute yes'");
+  for (const auto &f : modify->get_fix_by_style("^dt/reset"))
+    error->all(FLERR, "Fix {} dt/reset works against fix sph/tm, which sets the time step itself; remove it, and limit "
+                      "the step with the keyword dt/max", f->id);
+  host_particles();
+  check_integrators();
+  const bigint members = group->count(igroup);
+  if (members == 0 && atom->natoms > 0 && comm->me == 0)
+    error->warning(FLERR, "Fix sph/tm {}: group {} is empty: no particle moves", id, group->names[igroup]);
+}
+
+// a particle with two of them would move twice as far
+void FixSPHTM::check_integrators()
+{
+  for (const auto &f : modify->get_fix_list()) {
+    if (f == this || !f->time_integrate) continue;
+    bigint mine = 0, all = 0;
+    for (int i = 0; i < atom->nlocal; i++) mine += (atom->mask[i] & groupbit) && (atom->mask[i] & f->groupbit);
+    MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+    if (all)
+      error->all(FLERR, "Fix {} {} also integrates {} particles of group {} that fix sph/tm {} integrates; remove it, or "
+                        "give the two fixes groups that share no particle", f->id, f->style, all,
+                 group->names[igroup], id);
+  }
+}
+
+/* ---------------------------------------------------------------------- between runs */
+
+// a fix that is written again would begin with an unstressed body
+void FixSPHTM::check_begun()
+{
+  if (started || begin_anew || !pair_sph->has_stepped()) return;
+  error->all(FLERR, "Fix sph/tm {}: the state of the particles (stress, plastic strain, temperature) was lost with the fix "
+                    "that was removed or written again after its first step; change settings with fix_modify, or begin "
+                    "from an unstressed body with the keyword 'state new'", id);
+}
+
+std::vector<bigint> FixSPHTM::particles_of_types(bool old_only)
+{
+  const double *rho = fields[TM_F_RHO].host_read();
+  std::vector<bigint> mine(atom->ntypes + 1, 0), all(atom->ntypes + 1, 0);
+  for (int i = 0; i < atom->nlocal; i++) mine[atom->type[i]] += !old_only || rho[i] != 0.0;
+  MPI_Allreduce(mine.data(), all.data(), atom->ntypes + 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  return all;
+}
+
+void FixSPHTM::remember_particles()
+{
+  host_particles();
+  last_run.types = particles_of_types(false);
+  const double mine = pair_sph->nearest().distance;
+  MPI_Allreduce(&mine, &last_run.nearest, 1, MPI_DOUBLE, MPI_MIN, world);
+}
+
+// before new particles get their state: which are new, and whether others have changed what they are made of
+void FixSPHTM::look_at_changes()
+{
+  fresh.clear();
+  if (!started || last_run.types.empty()) return;
+  const double *rho = fields[TM_F_RHO].host_read();
+  std::vector<tagint> mine;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (rho[i] == 0.0) mine.push_back(atom->tag[i]);
+  fresh = of_all_ranks(mine, world);
+  std::sort(fresh.begin(), fresh.end());
+  const std::vector<bigint> now = particles_of_types(true);
+  for (int t = 1; t <= atom->ntypes; t++)
+    if (now[t] > last_run.types[t])
+      error->all(FLERR, "Fix sph/tm {}: {} particles became type {} ({}) after a run; their state belongs to another "
+                        "material. Set types before the first run, or delete and create the particles", id,
+                 now[t] - last_run.types[t], t, pair_sph->material_name(t));
+}
+
+/* ---------------------------------------------------------------------- particles */
+
+// forces and velocities that are no numbers, particles in one place
+void FixSPHTM::check_values()
+{
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double *x = atom->x[i], *v = atom->v[i], *f = atom->f[i];
+    const char *what = nullptr;
+    for (int k = 0; k < 3; k++) {
+      if (!std::isfinite(f[k])) what = "force";
+      if (!std::isfinite(v[k])) what = "velocity";
+    }
+    if (what)
+      error->one(FLERR, "Fix sph/tm: the {} of particle {} (type {}) at {:.6g} {:.6g} {:.6g} is not a finite "
+                        "number at the start; its velocity is {:.6g} {:.6g} {:.6g}", what, atom->tag[i],
+                 atom->type[i], x[0], x[1], x[2], v[0], v[1], v[2]);
+  }
+}
+
+void FixSPHTM::check_overlap(const tm_nearest &c, double least)
+{
+  const double dp = has(TM_FX_SMOOTHING) ? pair_sph->smallest_spacing() : pair_sph->settings_in_use().spacing;
+  if (!(c.distance < least * dp)) return;
+  double **x = atom->x;
+  const auto pair = std::minmax(c.i, c.j, [&](int i, int j) { return atom->tag[i] < atom->tag[j]; });
+  const int i = pair.first, j = pair.second;
+  error->one(FLERR, "Pair style sph/tm: particles {} and {} are {} at {:.6g} {:.6g} {:.6g}; remove one of "
+                    "them ('delete_atoms overlap {:.6g} all all')",
+             atom->tag[i], atom->tag[j], c.distance == 0.0 ? "in the same place" :
+             fmt::format("only {:.6g} of the spacing apart", c.distance / dp), x[i][0], x[i][1],
+             x[i][2], 0.5 * dp);
+}
+
+// masses against the lattice sum of what is there: of all particles, or of those that came since the last run
+void FixSPHTM::check_filling(bool of_fresh)
+{
+  const PairSPHTM::Settings &set = pair_sph->settings_in_use();
+  tm_filling_args a;
+  a.rows = pair_sph->host_rows();
+  a.rec = pair_sph->host_records();
+  a.kernel = set.kernel;
+  a.dim = domain->dimension;
+  a.h = set.h;
+  if (!has(TM_FX_SMOOTHING)) a.rec.size = nullptr;
+  const double of_lattice = tm_filling_of_lattice(set.kernel, a.dim, set.ratio, 1.0);
+  const bool sizes = has(TM_FX_SMOOTHING);
+  const double thin_sum = tm_filling_of_lattice(set.kernel, a.dim, set.ratio, sizes ? THIN_OF_SIZES : THIN_WARNED);
+
+  Filling mine;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (pair_sph->materials()[atom->type[i]].body != TM_BODY_SOLID) continue;
+    if (of_fresh && !std::binary_search(fresh.begin(), fresh.end(), atom->tag[i])) continue;
+    const tm_filling f = tm_filling_around(i, &a);
+    const double dense = f.sum / of_lattice;
+    const bool thin = f.inside && f.sum < thin_sum;
+    mine.particles++;
+    mine.off += dense > (sizes ? DENSE_OF_SIZES : DENSE_WARNED) || thin;
+    if (dense > mine.densest) {
+      mine.densest = dense;
+      mine.dense_at = i;
+    }
+    if (thin && f.sum < mine.thinnest) {
+      mine.thinnest = f.sum;
+      mine.thin_at = i;
+    }
+  }
+  judge_filling(mine, of_lattice, sizes);
+}
+
+void FixSPHTM::judge_filling(const Filling &mine, double of_lattice, bool sizes)
+{
+  const PairSPHTM::Settings &set = pair_sph->settings_in_use();
+  const double low[2] = {-mine.densest, mine.thinnest};
+  double worst[2], count[2] = {mine.particles, mine.off}, all[2];
+  MPI_Allreduce(low, worst, 2, MPI_DOUBLE, MPI_MIN, world);
+  MPI_Allreduce(count, all, 2, MPI_DOUBLE, MPI_SUM, world);
+  const bool dense = -worst[0] > (sizes ? DENSE_OF_SIZES : DENSE_WARNED);
+  if (!dense && worst[1] >= 1e300) return;
+  const double sum = dense ? -worst[0] * of_lattice : worst[1];
+  const double s = tm_filling_spacing(set.kernel, domain->dimension, set.ratio, sum);
+  const bool stop = dense ? -worst[0] > (sizes ? DENSE_OF_SIZES : DENSE) : s > (sizes ? THIN_OF_SIZES : THIN);
+
+  // who has it says it
+  int i = dense ? mine.dense_at : mine.thin_at;
+  if (dense ? mine.densest < -worst[0] : mine.thinnest > worst[1]) i = -1;
+  int rank = i >= 0 ? comm->me : comm->nprocs, first;
+  MPI_Allreduce(&rank, &first, 1, MPI_INT, MPI_MIN, world);
+  if (first == comm->me) {
+    const double *x = atom->x[i];
+    const std::string remedy = all[1] > 0.3 * all[0]
+        ? fmt::format("write 'spacing {:.6g}' in pair_style (or 'spacing lattice' while the lattice command that made them "
+                      "is in use)", s * set.spacing)
+        : dense ? std::string("two bodies or lattices are too close together or lie over each other: set them one spacing "
+                              "apart, or remove what is double with delete_atoms overlap")
+                : std::string("a part of the particles is further apart than the spacing: create them all on one lattice");
+    const std::string text = fmt::format(
+        "Pair style sph/tm: particle {} (type {}) at {:.6g} {:.6g} {:.6g} has {:.3g} times the mass around it that its "
+        "density says, as if the particles were {:.3g} of the spacing {:.6g} apart; so have {:.0f} of {:.0f} particles, by "
+        "5 % of the spacing or more; {}",
+        atom->tag[i], atom->type[i], x[0], x[1], x[2], sum / of_lattice, s, set.spacing, all[1], all[0], remedy);
+    if (stop) error->one(FLERR, text);
+    error->warning(FLERR, text);
+  }
+  if (stop) MPI_Barrier(world);
+}
+
+void FixSPHTM::check_start()
+{
+  const tm_nearest c = pair_sph->nearest();
+  check_overlap(c, CLOSE);
+  check_values();
+  double mine[2] = {c.sum, c.count}, all[2];
+  MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
+  bigint solids = 0;
+  for (int t = 1; t <= atom->ntypes; t++) solids += pair_sph->materials()[t].body == TM_BODY_SOLID;
+  if (all[1] == 0.0 && atom->natoms > 1 && solids) {
+    const std::string text = fmt::format("Pair style sph/tm: no particle has a neighbor within reach; are the particles "
+                                         "{:.6g} (the keyword spacing) apart?", pair_sph->settings_in_use().spacing);
+    if (atom->natoms >= ALONE) error->all(FLERR, text);
+    if (comm->me == 0) error->warning(FLERR, text);
+  }
+  check_filling(false);
+}
+
+// a run that goes on: what came or was moved since the last one
+void FixSPHTM::check_changes()
+{
+  if (last_run.types.empty()) return;
+  check_values();
+  const tm_nearest c = pair_sph->nearest();
+  const double dp = has(TM_FX_SMOOTHING) ? pair_sph->smallest_spacing() : pair_sph->settings_in_use().spacing;
+  check_overlap(c, std::min(CLOSE_BETWEEN_RUNS, 0.85 * last_run.nearest / dp));
+  if (!fresh.empty()) check_filling(true);
+}
