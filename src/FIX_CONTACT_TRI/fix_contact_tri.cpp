@@ -39,7 +39,7 @@ FixContactTri::FixContactTri(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
   shape.options = tm_mesh_defaults();
 
   parse(narg - 3, arg + 3);
-  const std::string wrong = tool.load(shape, request.two_sided);
+  const std::string wrong = tool.load(world, shape, request.two_sided);
   if (!wrong.empty()) error->all(FLERR, "Fix contact/tri {}: {}", id, wrong);
   reference_local = request.reference_given
       ? tm_vec(request.reference[0], request.reference[1], request.reference[2])
@@ -99,7 +99,7 @@ void FixContactTri::init()
   check_dimension();
   const double reach = pair->settings_in_use().spacing;
   if (reach != indexed_reach) {
-    const std::string wrong = tool.index(reach);
+    const std::string wrong = tool.index(world, reach);
     if (!wrong.empty()) error->all(FLERR, "Fix contact/tri {}: {}", id, wrong);
     const bool first = indexed_reach == 0.0;
     indexed_reach = reach;
