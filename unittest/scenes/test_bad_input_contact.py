@@ -51,6 +51,8 @@ for key, count in (("file", "1 value"), ("move", "3 values"), ("lumped", "3 valu
 wrong("scale with two values", tool("file @ascii.stl scale 1 2"), K, "scale", "3 values")
 wrong("merge 1", tool(AWAY + "merge 1"), K, "merge", "0 to 0.01", "got 1")
 wrong("smooth -1", tool(AWAY + "smooth -1"), K, "smooth", "0 to 90", "-1")
+for bad in ("0", "-1", "0.5", "much"):
+    wrong("maxsize " + bad, tool(AWAY + "maxsize " + bad), K, "maxsize", "MB", "1 to 1000000", bad)
 wrong("flip perhaps", tool(AWAY + "flip perhaps"), K, "flip", "perhaps")
 wrong("overlap perhaps", tool(AWAY + "overlap perhaps"), K, "overlap", "stop or allow", "perhaps")
 wrong("reference nan", tool(AWAY + "reference 0 nan 0"), K, "reference", "nan")
