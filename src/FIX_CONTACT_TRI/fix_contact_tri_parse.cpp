@@ -103,12 +103,12 @@ bool FixContactTri::parse_heat(Keywords &k)
     temperature_given = true;
     k.need(1);
     if (utils::strmatch(k.ahead(0), "^v_")) temperature_variable = k.value() + 2;
-    else temperature = k.positive();
+    else request.temperature = temperature = k.positive();
   } else if (k.is("lumped")) {
     k.need(3);
     const double mass = k.positive("mass");
     request.lumped_capacity = mass * k.positive("heat capacity");
-    temperature = k.positive("temperature");
+    request.temperature = temperature = k.positive("temperature");
     temperature_given = heat_given = true;
   } else if (k.is("share")) request.share = k.share();
   else if (k.is("effusivity")) request.effusivity = k.not_negative();
