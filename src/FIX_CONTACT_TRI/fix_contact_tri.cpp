@@ -150,7 +150,7 @@ void FixContactTri::report()
                    "contact/tri {}: type {}: stiffness {:.6g}, damping {:.4g} of critical, "
                    "friction {}{}\n",
                    id, t, w.stiffness / pair->units().force, w.damping, mu,
-                   state->has(TM_FX_HEAT) ? heat_in_words(t) : "");
+                   state->has(TM_FX_HEAT) && rubs() ? heat_in_words(t) : "");
   }
 }
 
@@ -252,7 +252,7 @@ unsigned FixContactTri::effects(bool output) const
   unsigned fx = 0;
   if (domain->dimension == 3) fx |= TM_CT_3D;
   if (state->has(TM_FX_HEAT)) fx |= TM_CT_HEAT;
-  if (request.friction.n || request.friction.value > 0.0) fx |= TM_CT_FRICTION;
+  if (rubs()) fx |= TM_CT_FRICTION;
   if (request.approach) fx |= TM_CT_APPROACH;
   if (request.f15) fx |= TM_CT_F15;
   if (request.two_sided) fx |= TM_CT_TWO_SIDED;

@@ -123,6 +123,7 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   void check_jump(const tm_pose &end);
   void note_corners(const tm_pose &, tm_vec3 *corner) const;
   void warn_of_empty_group();
+  bool rubs() const { return request.friction.n || request.friction.value > 0.0; }
   void ask_for_heat();
   int type_without_heat(const std::vector<int> &types) const;
   std::vector<int> types_in_reach() const;

@@ -125,23 +125,22 @@ int FixContactTri::type_without_heat(const std::vector<int> &types) const
 void FixContactTri::ask_for_heat()
 {
   if (heat_given) state->need(TM_FX_HEAT, fmt::format("fix contact/tri {} exchanges heat", id));
-  const bool rubs = request.friction.n || request.friction.value > 0.0;
   const char *keyword = request.share >= 0.0 ? "share" : request.effusivity >= 0.0 ? "effusivity" : nullptr;
   const std::vector<int> touched = types_in_reach();
-  if ((!rubs && !keyword) || touched.empty()) return;
+  if ((!rubs() && !keyword) || touched.empty()) return;
 
   std::vector<int> every(atom->ntypes);
   for (int t = 1; t <= atom->ntypes; t++) every[t - 1] = t;
   const int bare = type_without_heat(touched), lacks = bare ? bare : type_without_heat(every);
   const bool some = std::any_of(touched.begin(), touched.end(), [&](int t) { return pair->materials()[t].heat; });
-  const std::string what = rubs ? "friction" : keyword;
+  const std::string what = rubs() ? "friction" : keyword;
   if (!lacks) state->need(TM_FX_HEAT, fmt::format("{} of fix contact/tri {}", what, id));
   if (state->has(TM_FX_HEAT) || warned_heat) return;
   warned_heat = true;
   if (comm->me) return;
   if (!lacks)
-    error->warning(FLERR, "Fix contact/tri {}: heat is forced off in fix sph/tm, so the heat of its friction warms "
-                          "nothing", id);
+    error->warning(FLERR, "Fix contact/tri {}: heat is forced off in fix sph/tm: {}", id,
+                   rubs() ? "the heat of its friction warms nothing" : what + " has no use");
   else if (keyword)
     error->warning(FLERR, "Fix contact/tri {}: {} has no use, heat is off: type {} ({}) has no heat constants", id,
                    keyword, lacks, pair->material_name(lacks));

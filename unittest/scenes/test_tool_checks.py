@@ -1,18 +1,19 @@
 """What fix contact/tri and compute cutting/force notice between and during runs: a tool that jumps, values that are
-asked for when there are none, a restart with another tool. Each is an error or a warning that names what is wrong,
+asked for when there are none, friction heat, a restart with another tool. Each is an error or a warning that names what is wrong,
 where the control beside it runs without a word."""
 import os
 import re
 import shutil
 import struct
 
+from contact_scene import mesh
 from sphtm_scene import SOURCE, Checks, lattice_block, new_folder, run
 
 MESHES = os.path.join(SOURCE, "unittest", "meshes")
 HEAD = lattice_block("0 4e-3 0 4e-3 0 4e-3", "-5e-3 25e-3 -5e-3 15e-3 -5e-3 15e-3", dim=3)
 BODY = """
 pair_style      sph/tm hyperbolic 1.2 spacing 1e-3
-pair_coeff      1 1 density 2700 elastic 70e9 0.33
+pair_coeff      1 1 density 2700 elastic 70e9 0.33{heat}
 fix             body all sph/tm {body}
 """
 TOOL = "fix tool all contact/tri file tool.stl scale 2e-3 move {x} 1e-3 1e-3 "
@@ -20,12 +21,12 @@ T = "contact/tri tool"
 checks = Checks()
 
 
-def scene(text, body="", x="10e-3", tool="", head=HEAD, folder=None, arguments=()):
+def scene(text, body="", x="10e-3", tool="", head=HEAD, folder=None, heat=""):
     folder = folder or new_folder()
     if not os.path.exists(os.path.join(folder, "tool.stl")):
         shutil.copy(os.path.join(MESHES, "ascii.stl"), os.path.join(folder, "tool.stl"))
-    return run(head + BODY.format(body=body) + TOOL.format(x=x) + tool + "\n" + text + "\n", folder=folder,
-               expect_error=True, timeout=120, arguments=arguments)
+    return run(head + BODY.format(body=body, heat=heat) + TOOL.format(x=x) + tool + "\n" + text + "\n", folder=folder,
+               expect_error=True, timeout=120)
 
 
 def judge(name, result, *fragments, warned=False, step=None):
@@ -63,6 +64,12 @@ def jumps():
     judge("variable that is not a number", scene(VARIABLE % "0*exp(1000)" + "run 20"), T, "not a finite number")
     judge("variable that becomes infinite", scene(VARIABLE % "exp(1000*(step>5))-1" + "run 20"), T, "stops at step 6",
           "not a finite number")
+    judge("velocity variable of 1e300", scene(
+        "variable u equal 1e300*(step>3)\nfix_modify tool move variable NULL NULL NULL v_u NULL NULL\nrun 9"), T,
+          "stops at step 4", "not a finite number")
+    judge("variables that contradict each other: no way, but a speed", scene(
+        "variable d equal 0\nvariable u equal 1e9\nfix_modify tool move variable v_d NULL NULL v_u NULL NULL\nrun 9"), T,
+          "1e+09", "ten times the speed of sound")
     judge("variable that begins elsewhere is the place of the tool", scene(VARIABLE % "3e-3" + "run 5"))
     between = VARIABLE % "0" + "run 5\n%s\nrun 5"
     judge("another value between runs", scene(between % "variable d delete\nvariable d equal 2e-3"), T,
@@ -73,6 +80,37 @@ def jumps():
         VARIABLE % "10*time" + "run 5\nfix_modify tool move linear 10 0 0\nrun 5\nfix_modify tool move none\nrun 5"))
     judge("temperature by a variable that is not one",
           scene("variable T equal 300-100*step\nrun 10", tool="temperature v_T"), T, "variable T", "positive")
+
+
+# --- friction heat -------------------------------------------------------------------------------------------------
+
+RUBS = """
+fix_modify tool move linear 0 50 0
+compute T all sph/tm/atom temperature
+compute sum all reduce sum c_T
+thermo 1
+thermo_style custom step dt f_tool[10] f_tool[11] c_sum
+thermo_modify norm no format float %.17g
+run 60
+"""
+
+
+def heat():
+    """Elastic particles with heat constants and a tool with friction: nothing else calls for heat."""
+    for more, share in (("friction 0.3", 0.5), ("friction/table 300 0.3 900 0.2 share 0.25", 0.25)):
+        folder = new_folder()
+        mesh(folder, "tool.stl", "block --size 1 1 1")
+        result = scene(RUBS, x="4.9e-3", folder=folder, tool=more + " overlap allow", heat=" heat 0 900 0.9")
+        why = re.findall("^sph/tm effect heat +(.*)", result.output, re.M)
+        checks.true(more + ": heat is on", "on   friction of fix contact/tri tool" in why, " | ".join(why))
+        t = result.thermo[-1]
+        work = (t["f_tool[10]"][1:] * t["Dt"][1:]).sum()
+        warmth = 2700 * 1e-9 * 900 * (t["c_sum"][-1] - t["c_sum"][0])
+        checks.above("    friction work, J", work, 1e-3)
+        checks.near("    heat of the particles over it", warmth / work, share, absolute=1e-9)
+    for name, more, constants in (("no friction", "", " heat 0 900 0.9"), ("no heat constants", "friction 0.3", "")):
+        why = re.findall("^sph/tm effect heat +(.*)", scene("run 0", tool=more, heat=constants).output, re.M)
+        checks.true(name + ": heat is off", why == ["off  nothing in the scene calls for it"], " | ".join(why))
 
 
 # --- values between runs -------------------------------------------------------------------------------------------
@@ -217,6 +255,7 @@ def restarts_by_variable():
 
 if __name__ == "__main__":
     jumps()
+    heat()
     values()
     restarts()
     restarts_by_variable()
