@@ -233,8 +233,8 @@ void FixContactTri::evaluate_variables(double dt)
                  temperature_variable);
     temperature = input->variable->compute_equal(k);
     if (!(temperature > 0.0 && std::isfinite(temperature)))
-      error->all(FLERR, "Fix contact/tri {} temperature: variable {} is {} at step {}; it must be a positive number", id,
-                 temperature_variable, temperature, update->ntimestep);
+      error->all(FLERR, "Fix contact/tri {} temperature: variable {} is {} at step {}; it must be a positive number",
+                 id, temperature_variable, temperature, update->ntimestep);
   }
   modify->addstep_compute(update->ntimestep + 1);
 }

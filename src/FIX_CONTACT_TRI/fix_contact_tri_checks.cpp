@@ -1,4 +1,4 @@
-/* SPH-TM: what fix contact/tri checks of its scene: extent, speed and jumps of the tool, its group, where its heat goes. */
+/* SPH-TM: what fix contact/tri checks: extent, speed and jumps of the tool, its group, where its heat goes. */
 #include "fix_contact_tri.h"
 
 #include "fix_sph_tm.h"
@@ -75,14 +75,14 @@ void FixContactTri::check_jump(const tm_pose &end)
   if (!std::isfinite(moved))
     error->all(FLERR, "Fix contact/tri {} stops at step {}: the place of the tool is not a finite number; check {}", id,
                update->ntimestep, motion.by_variable() ? "the variables of fix_modify move" : "its motion");
-  const std::string far = fmt::format("the tool has moved by {:.6g}, {:.3g} of the smallest particle spacing,", moved,
-                                      moved / dp);
+  const std::string far = fmt::format("the tool has moved by {:.6g}, {:.3g} times the smallest particle spacing,",
+                                      moved, moved / dp);
   if (step)
     error->all(FLERR,
-               "Fix contact/tri {} stops at step {}: {} in one step of {:.6g}, a speed of {:.6g}; it passes particles "
-               "unseen beyond {} of it. Lower the time step (dt/max of fix sph/tm, or its dt), or check the motion of "
-               "the tool{}", id, update->ntimestep, far, dt, moved / dt, TOO_FAR,
-               motion.by_variable() ? ": a variable of fix_modify move jumps" : "");
+               "Fix contact/tri {} stops at step {}: {} in one step of {:.6g}, a speed of {:.6g}; beyond {} times the "
+               "spacing it passes particles unseen. Lower the time step (dt/max of fix sph/tm, or its dt), or check "
+               "the {}", id, update->ntimestep, far, dt, moved / dt, TOO_FAR,
+               motion.by_variable() ? "variables of fix_modify move: one may jump" : "speed of the tool");
   error->all(FLERR,
              "Fix contact/tri {} stops at step {}: {} since the {}; it must not jump between runs. Check the "
              "variables of fix_modify move, let the tool travel there in a run, or give a new fix contact/tri with "

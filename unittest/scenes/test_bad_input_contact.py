@@ -116,8 +116,9 @@ wrong("tool in 2D that is not extruded", {"more": "fix tool all contact/tri " + 
 
 # --- fix contact/tri: speeds, groups, heat that goes nowhere ------------------------------------------------------
 
-for words, says in (("linear 1e300 0 0", "1e+300"), ("linear 0 0 -1e5", "100000"), ("wiggle 1e-3 0 0 1e-9", "ten times"),
-                    ("rotate 0 0 0 0 0 1 1e-8", "ten times"), ("transrot 1e9 0 0 0 0 0 0 0 1 1", "ten times"),
+for words, says in (("linear 1e300 0 0", "1e+300"), ("linear 0 0 -1e5", "100000"),
+                    ("wiggle 1e-3 0 0 1e-9", "ten times"), ("rotate 0 0 0 0 0 1 1e-8", "ten times"),
+                    ("transrot 1e9 0 0 0 0 0 0 0 1 1", "ten times"),
                     ("rotate 0 0 0 0 0 1 1e-308", "not a finite number")):
     wrong("tool that moves " + words, tool(AWAY, "fix_modify tool move " + words), T, "speed", says, "units")
 fine("tool at 5 km/s", tool(AWAY, "fix_modify tool move linear 5e3 0 0"))

@@ -1,6 +1,6 @@
-"""What fix contact/tri and compute cutting/force notice between and during runs: a tool that jumps, values that are
-asked for when there are none, friction heat, a restart with another tool. Each is an error or a warning that names what is wrong,
-where the control beside it runs without a word."""
+"""What fix contact/tri and compute cutting/force notice during and between runs: a tool that jumps, friction heat,
+values that are asked for when there are none, a restart with another tool. Each is an error or a warning that names
+what is wrong, and the control beside it runs without a word."""
 import os
 import re
 import shutil
@@ -21,12 +21,12 @@ T = "contact/tri tool"
 checks = Checks()
 
 
-def scene(text, body="", x="10e-3", tool="", head=HEAD, folder=None, heat=""):
+def scene(text, body="", x="10e-3", tool="", head=HEAD, folder=None, heat="", ranks=1):
     folder = folder or new_folder()
     if not os.path.exists(os.path.join(folder, "tool.stl")):
         shutil.copy(os.path.join(MESHES, "ascii.stl"), os.path.join(folder, "tool.stl"))
     return run(head + BODY.format(body=body, heat=heat) + TOOL.format(x=x) + tool + "\n" + text + "\n", folder=folder,
-               expect_error=True, timeout=120)
+               ranks=ranks, expect_error=True, timeout=120)
 
 
 def judge(name, result, *fragments, warned=False, step=None):
@@ -51,7 +51,7 @@ LINEAR = "thermo 1\nfix_modify tool move linear %s 0 0\nrun 3"
 def jumps():
     fixed = dict(body="dt 5e-8")
     judge("fixed dt, 0.4 spacings in a step", scene(LINEAR % "8000", **fixed))
-    judge("fixed dt, 0.6 spacings in a step", scene(LINEAR % "12000", **fixed), T, "0.0006", "0.6 of the smallest",
+    judge("fixed dt, 0.6 spacings in a step", scene(LINEAR % "12000", **fixed), T, "0.0006", "0.6 times the smallest",
           "5e-08", "12000", "dt/max")
     judge("away and back within a step", scene("fix_modify tool move wiggle 1e-4 0 0 5e-8\nrun 3", **fixed), T,
           "0.000628", "in one step")
@@ -59,7 +59,9 @@ def jumps():
           "in one step")
     judge("automatic step, no jump", scene(LINEAR % "12000"))
     judge("variable that jumps", scene(VARIABLE % "2e-3*(step>5)" + "run 20"), T, "stops at step 6", "0.002",
-          "2 of the smallest", "variable", step=5)
+          "2 times the smallest", "variable", step=5)
+    judge("variable that jumps, two ranks", scene(VARIABLE % "2e-3*(step>5)" + "run 20", ranks=2), T,
+          "stops at step 6")
     judge("variable that jumps by less than half a spacing", scene(VARIABLE % "0.4e-3*(step>5)" + "run 20"))
     judge("variable that is not a number", scene(VARIABLE % "0*exp(1000)" + "run 20"), T, "not a finite number")
     judge("variable that becomes infinite", scene(VARIABLE % "exp(1000*(step>5))-1" + "run 20"), T, "stops at step 6",
@@ -68,7 +70,7 @@ def jumps():
         "variable u equal 1e300*(step>3)\nfix_modify tool move variable NULL NULL NULL v_u NULL NULL\nrun 9"), T,
           "stops at step 4", "not a finite number")
     judge("variables that contradict each other: no way, but a speed", scene(
-        "variable d equal 0\nvariable u equal 1e9\nfix_modify tool move variable v_d NULL NULL v_u NULL NULL\nrun 9"), T,
+        "variable u equal 1e9\n" + (VARIABLE % "0").replace("v_d NULL NULL NULL", "v_d NULL NULL v_u") + "run 9"), T,
           "1e+09", "ten times the speed of sound")
     judge("variable that begins elsewhere is the place of the tool", scene(VARIABLE % "3e-3" + "run 5"))
     between = VARIABLE % "0" + "run 5\n%s\nrun 5"
@@ -131,6 +133,7 @@ def ask(what):
 
 def values():
     judge("force before the first run", scene(ask("f_tool[1]")), T, "no current values")
+    judge("force before the first run, two ranks", scene(ask("f_tool[1]"), ranks=2), T, "no current values")
     judge("force in a variable before the first run", scene("variable f equal f_tool[13]\n" + ask("v_f")), T,
           "no current values")
     judge("cutting force before the first run", scene(FC + ask("c_fc[1]")), "before initialization by a run")
@@ -156,7 +159,8 @@ def values():
 
     local = "write_dump all local rows.txt f_tool[1]\n"
     for name, text in (("before the first run", "%s"), ("after a run", "run 2\n%s"),
-                       ("after unfix body", "run 2\nunfix body\n%s"), ("after pair_style none", "run 2\npair_style none\n%s")):
+                       ("after unfix body", "run 2\nunfix body\n%s"),
+                       ("after pair_style none", "run 2\npair_style none\n%s")):
         judge("info memory " + name, scene(text % "info memory"))
         judge("restart file " + name, scene(text % "write_restart at.restart"),
               *["sph/tm needs"] * ("unfix" in text or "none" in text))
@@ -203,13 +207,18 @@ def restarts():
 
     again("the same tool")
     again("the same tool, other output", tool=KEYS + "vtk 5 tool.*.vtk overlap allow maxsize 100")
-    again("the same, written otherwise", tool="damping 0.20 friction 2e-1 penalty 5.0e-1 method closest temperature 350.0")
-    prints("restart: place of the tool", scene("run 0\n" + ask("f_tool[7]"), tool=KEYS, head=READ, folder=folder), reached)
+    again("the same, written otherwise", tool="damping 0.20 friction 2e-1 penalty 5.0e-1 sides one temperature 350.0")
+    prints("restart: place of the tool",
+           scene("run 0\n" + ask("f_tool[7]"), tool=KEYS, head=READ, folder=folder), reached)
     again("another placement", T, "tool.stl", "placement", "restart file", x="10.1e-3")
+    two = scene(MOVE + "run 5", tool=KEYS, x="10.1e-3", head=READ, folder=folder, ranks=2)
+    judge("restart: another placement, two ranks", two, T, "placement", warned=True)
+    checks.true("    said once", len(two.warnings()) == 1, "%d warnings" % len(two.warnings()))
     again("another edge angle", T, "tool.stl", "placement", tool=KEYS + "smooth 40")
     again("another friction and penalty", T, "other values of friction, penalty;", "restart file",
           tool="damping 0.2 temperature 350")
-    again("friction by table", T, "other values of friction;", tool=KEYS.replace("friction 0.2", "friction/table 300 0.2 900 0.1"))
+    again("friction by table", T, "other values of friction;",
+          tool=KEYS.replace("friction 0.2", "friction/table 300 0.2 900 0.1"))
     again("sides, method", T, "other values of approach, sides, share;", tool=KEYS + "sides two approach yes share 0.4")
     again("another temperature", T, "other values of temperature;", "350", tool=KEYS.replace("350", "400"))
     prints("restart: the temperature is that of the file",

@@ -45,8 +45,8 @@ def refused(name, file, *fragments, folder=None, **options):
     result, seconds = attempt(file, folder or new_folder(), **options)
     said = result.errors() if result else "it hangs"
     missing = [f for f in ("contact/tri tool", file) + fragments if f not in said]
-    checks.true(name, result and result.status and not missing, "%.1f s; %s%s" % (
-        seconds, said.splitlines()[0][:150] if said else "it ran", "; not said: " + ", ".join(missing) if missing else ""))
+    checks.true(name, result and result.status and not missing, (said.splitlines() or ["it ran"])[0][:150] +
+                "".join("; not said: " + m for m in missing))
     checks.below("    seconds", seconds, 20)
 
 
