@@ -47,12 +47,15 @@ ComputeCuttingForce::~ComputeCuttingForce()
   delete[] vector;
 }
 
-void ComputeCuttingForce::init()
+FixContactTri *ComputeCuttingForce::tool() const
 {
-  tool = dynamic_cast<FixContactTri *>(modify->get_fix_by_id(tool_id));
-  if (!tool)
-    error->all(FLERR, "Compute cutting/force: {} is not the ID of a fix contact/tri", tool_id);
+  auto *found = dynamic_cast<FixContactTri *>(modify->get_fix_by_id(tool_id));
+  if (!found)
+    error->all(FLERR, "Compute cutting/force {}: {} is not the ID of a fix contact/tri", id, tool_id);
+  return found;
 }
+
+void ComputeCuttingForce::init() { tool(); }
 
 /* cutting force against the motion, thrust out of the work, side force, their resultant (per
    width), cutting power; all as the tool feels them */
@@ -60,8 +63,9 @@ void ComputeCuttingForce::compute_vector()
 {
   invoked_vector = update->ntimestep;
   double f[3];
-  tool->tool_force(f);
-  const tm_vec3 v = tool->tool_velocity(), F = tm_vec(f[0], f[1], f[2]);
+  FixContactTri *t = tool();
+  t->tool_force(f);
+  const tm_vec3 v = t->tool_velocity(), F = tm_vec(f[0], f[1], f[2]);
   const double speed = tm_vec_norm(v);
   tm_vec3 u = tm_load3(direction);
   if (!direction_given && speed > 0.0) u = tm_vec_scale(1.0 / speed, v);

@@ -19,8 +19,9 @@ class ComputeCuttingForce : public Compute {
   double compute_scalar() override;
 
  private:
+  class FixContactTri *tool() const;    // looked up each time: it may be gone
+
   std::string tool_id;
-  class FixContactTri *tool = nullptr;
   bool direction_given = false;
   double direction[3] = {-1, 0, 0};    // of cutting: the way the tool goes through the work
   double away[3] = {0, 1, 0};          // out of the work

@@ -4,6 +4,7 @@
 #include "argument.h"
 #include "fix_sph_tm.h"
 #include "pair_sph_tm.h"
+#include "tm_eos.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -32,14 +33,13 @@ FixContactTri::FixContactTri(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
   extvector = 0;
   global_freq = 1;
   restart_global = 1;
-  dynamic_group_allow = 1;
   comm_forward = 1;
   sums = tm_contact_nothing();
   std::fill(totals, totals + 14, 0.0);
   shape.options = tm_mesh_defaults();
 
   parse(narg - 3, arg + 3);
-  const std::string wrong = tool.load(shape, request.two_sided);
+  const std::string wrong = tool.load(world, shape, request.two_sided);
   if (!wrong.empty()) error->all(FLERR, "Fix contact/tri {}: {}", id, wrong);
   reference_local = request.reference_given
       ? tm_vec(request.reference[0], request.reference[1], request.reference[2])
@@ -93,13 +93,14 @@ void FixContactTri::init()
   tool_heat.live_in(state->loops());
   for (auto *a : {&tri_force, &tri_heat}) a->live_in(state->loops());
   tri_count.live_in(state->loops());
-  if (heat_given) state->need(TM_FX_HEAT, fmt::format("fix contact/tri {} exchanges heat", id));
+  warn_of_empty_group();
+  ask_for_heat();
   if (!temperature_given) temperature = state->start_temperature();
   motion.init();
   check_dimension();
   const double reach = pair->settings_in_use().spacing;
   if (reach != indexed_reach) {
-    const std::string wrong = tool.index(reach);
+    const std::string wrong = tool.index(world, reach);
     if (!wrong.empty()) error->all(FLERR, "Fix contact/tri {}: {}", id, wrong);
     const bool first = indexed_reach == 0.0;
     indexed_reach = reach;
@@ -119,6 +120,7 @@ void FixContactTri::limit_time_step()
   state->limit_dt(dt_limit * sqrt(pair->smallest_spacing() / dp), TM_DT_CONTACT, this);
   // no point of the tool moves by more than a fifth of the smallest spacing in a step
   const double speed = motion.top_speed(tool.mesh().lo, tool.mesh().hi);
+  check_speed(speed);
   if (speed > 0.0) state->limit_dt(0.2 * pair->smallest_spacing() / speed, TM_DT_MOTION, this);
 }
 
@@ -148,22 +150,8 @@ void FixContactTri::report()
                    "contact/tri {}: type {}: stiffness {:.6g}, damping {:.4g} of critical, "
                    "friction {}{}\n",
                    id, t, w.stiffness / pair->units().force, w.damping, mu,
-                   state->has(TM_FX_HEAT) ? heat_in_words(t) : "");
+                   state->has(TM_FX_HEAT) && rubs() ? heat_in_words(t) : "");
   }
-}
-
-// in 2d the sides of the tool must reach beyond the plane of the particles
-void FixContactTri::check_dimension()
-{
-  if (domain->dimension == 3) return;
-  const tm_mesh &m = tool.mesh();
-  const double need = 2.0 * pair->settings_in_use().spacing;
-  if (m.lo[2] > -need || m.hi[2] < need)
-    error->all(FLERR,
-               "Fix contact/tri {}: the mesh spans z from {:.6g} to {:.6g}; in 2d it must be "
-               "extruded along z to at least {:.6g} on both sides of z = 0: use 'scale' with "
-               "three factors or 'move'",
-               id, m.lo[2], m.hi[2], need);
 }
 
 tm_contact_law FixContactTri::make_law(int type)
@@ -202,10 +190,13 @@ void FixContactTri::make_laws()
   const double dp = pair->settings_in_use().spacing;
   laws.assign(atom->ntypes + 1, tm_contact_law{});
   dt_limit = 1e300;
+  sound_speed = 0.0;
   for (int t = 1; t <= atom->ntypes; t++) {
     laws[t] = make_law(t);
     if (!laws[t].active) continue;
-    const double mass = pair->materials()[t].rho0 * pow(dp, domain->dimension);
+    const tm_material &m = pair->materials()[t];
+    sound_speed = std::max(sound_speed, tm_eos_sound_speed(&m, m.rho0, 0.0));
+    const double mass = m.rho0 * pow(dp, domain->dimension);
     // 0.35: stability of the half-step prediction, 0.78 without and 0.70 with damping, of 2
     dt_limit =
         std::min(dt_limit, 0.35 * tm_contact_time_step(laws[t].stiffness, mass, laws[t].damping));
@@ -216,6 +207,7 @@ void FixContactTri::make_laws()
 void FixContactTri::setup(int vflag)
 {
   evaluate_variables(0.0);
+  check_jump(pose_now());
   if (!checked && !restored && clock == 0.0 && !request.overlap_allowed) check_overlap();
   checked = true;
   post_force(vflag);
@@ -240,6 +232,9 @@ void FixContactTri::evaluate_variables(double dt)
       error->all(FLERR, "Fix contact/tri {} temperature: no equal-style variable {}", id,
                  temperature_variable);
     temperature = input->variable->compute_equal(k);
+    if (!(temperature > 0.0 && std::isfinite(temperature)))
+      error->all(FLERR, "Fix contact/tri {} temperature: variable {} is {} at step {}; it must be a positive number",
+                 id, temperature_variable, temperature, update->ntimestep);
   }
   modify->addstep_compute(update->ntimestep + 1);
 }
@@ -257,7 +252,7 @@ unsigned FixContactTri::effects(bool output) const
   unsigned fx = 0;
   if (domain->dimension == 3) fx |= TM_CT_3D;
   if (state->has(TM_FX_HEAT)) fx |= TM_CT_HEAT;
-  if (request.friction.n || request.friction.value > 0.0) fx |= TM_CT_FRICTION;
+  if (rubs()) fx |= TM_CT_FRICTION;
   if (request.approach) fx |= TM_CT_APPROACH;
   if (request.f15) fx |= TM_CT_F15;
   if (request.two_sided) fx |= TM_CT_TWO_SIDED;
@@ -319,6 +314,7 @@ void FixContactTri::post_force(int)
   if (output) clear_triangles();
   if (request.body_type) tool_heat.resize(std::max(atom->nmax, 1));
   const tm_pose pose = motion.pose(clock, state->time_ahead(), state->step_dt());
+  if (!update->setupflag) check_jump(motion.pose(clock, state->step_dt(), state->step_dt()));
   start_contact(make_args(pose, output), effects(output));
   unfinished = true;
   totals_step = -1;

@@ -15,6 +15,7 @@
 #include "tool_motion.h"
 #include "tri_tool.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,7 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
     bool reference_given = false;
     double reference[3] = {0, 0, 0};
     double lumped_capacity = 0.0;    // mass c_p of the tool, 0: temperature is given
+    double temperature = 0.0;        // the number given, or 0
   } request;
 
   SPHTM_NS::TriTool tool;
@@ -72,7 +74,7 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   FixSPHTM *state = nullptr;
   class PairSPHTM *pair = nullptr;
   double clock = 0.0;          // time since the fix was made
-  double temperature = 0.0;    // of the tool
+  double temperature = 0.0;    // of the tool; 0: not known yet
   std::string temperature_variable;
   bool temperature_given = false, heat_given = false;
   tm_vec3 reference_local;             // reference point in the tool's frame
@@ -80,8 +82,11 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   SPHTM_NS::LoopArray<tm_contact_law> loop_laws;
   SPHTM_NS::LoopTool loop_tool;
   double dt_limit = 0.0;               // of the contact springs
+  double sound_speed = 0.0;            // of the fastest solid, 0: there is none
   double indexed_reach = 0.0;
-  bool restored = false, checked = false, warned_deep = false;
+  bool restored = false, checked = false, warned_deep = false, warned_empty = false, warned_heat = false;
+  tm_vec3 last_corner[8];              // of the mesh's box after the last step, here or before a restart
+  bool seen = false;                   // there was one
 
   tm_contact_result sums;    // of this rank, this step
   bool unfinished = false;   // not yet there
@@ -114,6 +119,14 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   void limit_time_step();
   tm_contact_law make_law(int type);
   void check_dimension();
+  void check_speed(double speed) const;
+  void check_jump(const tm_pose &end);
+  void note_corners(const tm_pose &, tm_vec3 *corner) const;
+  void warn_of_empty_group();
+  bool rubs() const { return request.friction.n || request.friction.value > 0.0; }
+  void ask_for_heat();
+  int type_without_heat(const std::vector<int> &types) const;
+  std::vector<int> types_in_reach() const;
   void check_overlap();
   bool overlaps(const tm_contact_args &, tm_vec3 shift, int *worst) const;
   double way_out(const tm_contact_args &, tm_vec3 direction, double limit) const;
@@ -129,6 +142,9 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   virtual int run_divide(const tm_spread_args &);
   virtual void run_collect(const tm_spread_args &);
   tm_pose pose_now() const { return motion.pose(clock, 0.0, 0.0); }
+  FixSPHTM *current_state() const;    // or an error: there are no values
+  std::vector<uint64_t> keyword_hashes() const;
+  void warn_of_other_input(const std::vector<double> &written);
   void book(double dt);
   void update_temperature();
   void place_body(const tm_pose &from, const tm_pose &to);

@@ -29,6 +29,7 @@ FixContactTriKokkos::~FixContactTriKokkos()
 
 void FixContactTriKokkos::init()
 {
+  atomKK->sync(Host, TYPE_MASK | MASK_MASK);    // which types it can touch
   FixContactTri::init();
   if (owner) return;
   owner = &state->loops();

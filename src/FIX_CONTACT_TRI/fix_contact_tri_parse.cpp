@@ -15,7 +15,7 @@ using namespace SPHTM_NS;
 static const char *const KEYWORDS =
     "file, scale, move, rotate, friction, friction/table, friction/shear, penalty, damping, "
     "approach, method, sides, heat, temperature, lumped, share, effusivity, particles, reference, "
-    "vtk, stl, local, flip, merge, smooth, overlap";
+    "vtk, stl, local, flip, merge, smooth, maxsize, overlap";
 
 // each parser returns whether the keyword is its own
 
@@ -24,6 +24,7 @@ bool FixContactTri::parse_mesh(Keywords &k)
   if (k.is("file")) shape.file = k.value();
   else if (k.is("flip")) shape.flip = k.yes();
   else if (k.is("merge")) shape.options.tolerance = k.between(0.0, 0.01);
+  else if (k.is("maxsize")) shape.max_bytes = 1000000 * (size_t) k.integer(1, 1000000, "(MB)");
   else if (k.is("smooth")) shape.options.smooth_angle = k.between(0.0, 90.0);
   else return false;
   return true;
@@ -102,12 +103,12 @@ bool FixContactTri::parse_heat(Keywords &k)
     temperature_given = true;
     k.need(1);
     if (utils::strmatch(k.ahead(0), "^v_")) temperature_variable = k.value() + 2;
-    else temperature = k.positive();
+    else request.temperature = temperature = k.positive();
   } else if (k.is("lumped")) {
     k.need(3);
     const double mass = k.positive("mass");
     request.lumped_capacity = mass * k.positive("heat capacity");
-    temperature = k.positive("temperature");
+    request.temperature = temperature = k.positive("temperature");
     temperature_given = heat_given = true;
   } else if (k.is("share")) request.share = k.share();
   else if (k.is("effusivity")) request.effusivity = k.not_negative();

@@ -126,28 +126,41 @@ int tm_mesh_read_buffer(const void *data, size_t size, tm_soup *soup, char *msg,
   return status;
 }
 
-/* The whole of a file; the size is found by reading, so that pipes work too. */
-static unsigned char *slurp(FILE *file, size_t *size)
+int tm_mesh_read_bytes(FILE *file, size_t most, unsigned char **data, size_t *size, char *msg, size_t nmsg)
 {
-  unsigned char *data = NULL;
   size_t room = 0;
+  *data = NULL;
   *size = 0;
+  errno = 0;
   for (;;) {
     if (*size == room) {
       room = room ? 2 * room : 65536;
-      unsigned char *more = (unsigned char *) realloc(data, room);
-      if (!more) break;
-      data = more;
+      if (room > most) room = most + 1;   /* one more, to notice it */
+      unsigned char *more = (unsigned char *) realloc(*data, room);
+      if (!more) {
+        snprintf(msg, nmsg, "no memory for the file");
+        break;
+      }
+      *data = more;
     }
-    const size_t got = fread(data + *size, 1, room - *size, file);
+    const size_t got = fread(*data + *size, 1, room - *size, file);
     *size += got;
-    if (got == 0) return data;
+    if (*size > most) {
+      snprintf(msg, nmsg, "the file has more than %llu bytes", (unsigned long long) most);
+      break;
+    }
+    if (got > 0) continue;
+    if (!ferror(file)) return TM_MESH_OK;
+    snprintf(msg, nmsg, "cannot read the file: %s", strerror(errno));
+    break;
   }
-  free(data);
-  return NULL;
+  free(*data);
+  *data = NULL;
+  *size = 0;
+  return ferror(file) ? TM_MESH_NO_FILE : TM_MESH_TOO_LARGE;
 }
 
-int tm_mesh_read_file(const char *path, tm_soup *soup, char *msg, size_t nmsg)
+int tm_mesh_read_file(const char *path, size_t most, tm_soup *soup, char *msg, size_t nmsg)
 {
   memset(soup, 0, sizeof *soup);
   errno = 0;
@@ -156,19 +169,11 @@ int tm_mesh_read_file(const char *path, tm_soup *soup, char *msg, size_t nmsg)
     snprintf(msg, nmsg, "cannot open the file: %s", strerror(errno));
     return TM_MESH_NO_FILE;
   }
-  size_t size = 0;
-  unsigned char *data = slurp(file, &size);
-  const int bad = ferror(file), code = errno;
+  unsigned char *data;
+  size_t size;
+  int status = tm_mesh_read_bytes(file, most, &data, &size, msg, nmsg);
   fclose(file);
-  int status = TM_MESH_TOO_LARGE;
-  if (bad) {
-    snprintf(msg, nmsg, "cannot read the file: %s", strerror(code));
-    status = TM_MESH_NO_FILE;
-  } else if (!data) {
-    snprintf(msg, nmsg, "no memory for the file");
-  } else {
-    status = tm_mesh_read_buffer(data, size, soup, msg, nmsg);
-  }
+  if (status == TM_MESH_OK) status = tm_mesh_read_buffer(data, size, soup, msg, nmsg);
   free(data);
   return status;
 }

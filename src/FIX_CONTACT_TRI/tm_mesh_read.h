@@ -10,15 +10,20 @@
 #ifndef TM_MESH_READ_H
 #define TM_MESH_READ_H
 
+#include <stdio.h>
+
 #include "tm_mesh.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* Both return an enum tm_mesh_status; on error msg says what is wrong and soup is empty. */
+/* All return an enum tm_mesh_status; on error msg says what is wrong and soup is empty. A file of more than `most`
+   bytes is refused. */
 int tm_mesh_read_buffer(const void *data, size_t size, tm_soup *soup, char *msg, size_t nmsg);
-int tm_mesh_read_file(const char *path, tm_soup *soup, char *msg, size_t nmsg);
+int tm_mesh_read_file(const char *path, size_t most, tm_soup *soup, char *msg, size_t nmsg);
+/* The bytes from here to the end of the file, to be freed; on error there are none. */
+int tm_mesh_read_bytes(FILE *file, size_t most, unsigned char **data, size_t *size, char *msg, size_t nmsg);
 
 #ifdef __cplusplus
 }

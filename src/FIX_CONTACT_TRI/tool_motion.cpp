@@ -20,6 +20,7 @@ namespace SPHTM_NS {
 ToolMotion::ToolMotion(LAMMPS *lmp) : lmp(lmp)
 {
   memset(&motion, 0, sizeof(motion));
+  motion.period = 1.0;
   base = tm_pose_rest();
   moved = moved_next = rate = tm_vec(0, 0, 0);
   std::fill(variable, variable + 6, -1);
@@ -117,6 +118,7 @@ int ToolMotion::parse(int narg, char **arg, double clock)
     m.ramp = k.not_negative("(time)");
   }
   keep_if_restarted(m, clock);
+  restarted_variable = false;
   motion = m;
   names = vars;
   return narg - k.rest();
@@ -174,7 +176,11 @@ void ToolMotion::evaluate_next(double dt)
 
 tm_pose ToolMotion::pose(double clock, double ahead, double dt) const
 {
-  if (names.empty()) return tm_motion_pose(&motion, &base, clock - start + ahead);
+  if (names.empty()) {
+    tm_pose p = tm_motion_pose(&motion, &base, clock - start + ahead);
+    p.shift = tm_vec_add(p.shift, moved);    // by variables before a restart, else 0
+    return p;
+  }
   tm_pose p = base;
   const double part = dt > 0.0 ? ahead / dt : 0.0;
   p.shift = tm_vec_add(p.shift, tm_vec_axpy(moved, part, tm_vec_sub(moved_next, moved)));
@@ -185,9 +191,9 @@ tm_pose ToolMotion::pose(double clock, double ahead, double dt) const
 
 double ToolMotion::top_speed(const double *lo, const double *hi) const
 {
-  if (!names.empty()) return tm_vec_norm(rate);
+  if (!names.empty()) return std::hypot(rate.x, rate.y, rate.z);
   const double w = 2.0 * TM_PI / fabs(motion.period);
-  double speed = motion.kind == TM_MOTION_NONE ? 0.0 : tm_vec_norm(motion.v);
+  double speed = motion.kind == TM_MOTION_NONE ? 0.0 : std::hypot(motion.v.x, motion.v.y, motion.v.z);
   if (motion.kind == TM_MOTION_WIGGLE) speed *= w;
   if (motion.kind != TM_MOTION_ROTATE && motion.kind != TM_MOTION_TRANSROT) return speed;
   double far = 0.0;
@@ -214,8 +220,22 @@ std::vector<double> ToolMotion::pack() const
   return v;
 }
 
-void ToolMotion::unpack(const double *v)
+// a motion that its command could have given, in a frame that is turned only
+static bool possible(const tm_motion &m, const tm_pose &base)
 {
+  const bool turns = m.kind == TM_MOTION_ROTATE || m.kind == TM_MOTION_TRANSROT;
+  if (m.period == 0.0 || m.ramp < 0.0 || (turns && !(tm_vec_norm(m.axis) > 0.0))) return false;
+  const tm_mat3 &r = base.turn;
+  const tm_vec3 row[3] = {tm_vec(r.xx, r.xy, r.xz), tm_vec(r.yx, r.yy, r.yz), tm_vec(r.zx, r.zy, r.zz)};
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 3; j++)
+      if (!(fabs(tm_vec_dot(row[i], row[j]) - (i == j)) < 1e-6)) return false;
+  return true;
+}
+
+bool ToolMotion::unpack(const double *v)
+{
+  if (!(v[0] >= TM_MOTION_NONE && v[0] <= TM_MOTION_TRANSROT && v[0] == floor(v[0]))) return false;
   memset(&motion, 0, sizeof(motion));
   motion.kind = (int) v[0];
   motion.period = v[1];
@@ -237,6 +257,7 @@ void ToolMotion::unpack(const double *v)
   m.zz = r[8];
   restarted = true;
   restarted_variable = v[28] != 0.0;
+  return possible(motion, base);
 }
 
 }    // namespace SPHTM_NS

@@ -36,7 +36,8 @@ class ToolMotion {
   double top_speed(const double *lo, const double *hi) const;
 
   std::vector<double> pack() const;
-  void unpack(const double *values);    // of a restart file: valid until another motion is given
+  // of a restart file: valid until another motion is given; false: they cannot be
+  bool unpack(const double *values);
   static constexpr int PACKED = 30;
 
  private:

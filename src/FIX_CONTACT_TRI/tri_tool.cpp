@@ -1,7 +1,9 @@
 #include "tri_tool.h"
 
+#include "restart_block.h"
 #include "tm_mesh_read.h"
 #include "tm_mesh_transform.h"
+#include "tool_file.h"
 
 #include "fmt/format.h"
 
@@ -42,20 +44,39 @@ static void place(tm_soup *soup, tm_vec3 *origin, const TriTool::Placement &p)
   }
 }
 
-std::string TriTool::load(const Shape &shape, bool two_sided)
+uint64_t TriTool::Shape::hash() const
+{
+  std::vector<double> all = {flip == 1 ? 1.0 : 0.0, options.tolerance, options.smooth_angle};
+  for (const Placement &p : placement) {
+    all.push_back(p.kind);
+    all.insert(all.end(), p.value, p.value + (p.kind == Placement::ROTATE ? 4 : 3));
+  }
+  return hash_bytes(all.data(), all.size() * sizeof(double));
+}
+
+std::string TriTool::build(const Shape &shape, const unsigned char *data, size_t size)
 {
   char msg[256];
   tm_soup soup;
-  int status = tm_mesh_read_file(shape.file.c_str(), &soup, msg, sizeof msg);
+  int status = tm_mesh_read_buffer(data, size, &soup, msg, sizeof msg);
   if (status == TM_MESH_OK) {
     for (const auto &p : shape.placement) place(&soup, &origin_, p);
     if (shape.flip == 1) tm_soup_flip(&soup);
     status = tm_mesh_build(&soup, &shape.options, &mesh_, msg, sizeof msg);
     tm_soup_free(&soup);
   }
-  if (status != TM_MESH_OK)
-    return fmt::format("mesh file {} ({}): {}", shape.file, tm_mesh_status_name(status), msg);
-  if (two_sided) return "";
+  if (status == TM_MESH_OK) return "";
+  return fmt::format("mesh file {} ({}): {}", shape.file, tm_mesh_status_name(status), msg);
+}
+
+std::string TriTool::load(MPI_Comm world, const Shape &shape, bool two_sided)
+{
+  ToolFile file;
+  std::string wrong = file.read(world, shape.file, shape.max_bytes);
+  if (!wrong.empty()) return wrong;
+  content_ = hash_bytes(file.data(), file.size());
+  wrong = first_said(world, build(shape, file.data(), file.size()));
+  if (!wrong.empty() || two_sided) return wrong;
   if (mesh_.inconsistent_edges)
     return fmt::format("mesh file {}: the triangles at {} edges disagree about which side is out; "
                        "repair it (admesh, MeshLab), or use 'sides two'",
@@ -67,12 +88,12 @@ std::string TriTool::load(const Shape &shape, bool two_sided)
   return "";
 }
 
-std::string TriTool::index(double reach)
+std::string TriTool::index(MPI_Comm world, double reach)
 {
   tm_tri_grid_free(&grid_);
-  if (tm_tri_grid_build(&grid_, &mesh_, reach, TM_GRID_BUDGET) == TM_MESH_OK) return "";
-  return fmt::format("no memory for the search grid of {} triangles with reach {}", mesh_.nt,
-                     reach);
+  const bool built = tm_tri_grid_build(&grid_, &mesh_, reach, TM_GRID_BUDGET) == TM_MESH_OK;
+  return first_said(world, built ? "" : fmt::format("no memory for the search grid of {} triangles with reach {}",
+                                                    mesh_.nt, reach));
 }
 
 std::string TriTool::summary() const

@@ -5,6 +5,8 @@
 #include "tm_mesh.h"
 #include "tm_tri_grid.h"
 
+#include <cstdint>
+#include <mpi.h>
 #include <string>
 #include <vector>
 
@@ -24,14 +26,17 @@ class TriTool {
   };
   struct Shape {
     std::string file;
+    size_t max_bytes = 512000000;    // of the file
     std::vector<Placement> placement;
     tm_mesh_options options;
     int flip = -1;    // 1: turn facets round, 0: leave them, -1: not said
+
+    uint64_t hash() const;    // of all that changes what is in the file
   };
 
-  // empty, or what is wrong and how to mend it
-  std::string load(const Shape &shape, bool two_sided);
-  std::string index(double reach);
+  // empty, or what is wrong and how to mend it; the same on all ranks (collective)
+  std::string load(MPI_Comm world, const Shape &shape, bool two_sided);
+  std::string index(MPI_Comm world, double reach);
   // what a reader of the log wants to know, in one line
   std::string summary() const;
   // less serious flaws, one line each
@@ -42,12 +47,15 @@ class TriTool {
   const tm_grid_view &grid() const { return grid_.view; }
   int grid_blocks() const { return grid_.nblocks; }
   tm_vec3 origin() const { return origin_; }    // where the file's origin came to lie
+  uint64_t content() const { return content_; }    // hash of the file's bytes
   double bytes() const;
 
  private:
+  std::string build(const Shape &shape, const unsigned char *data, size_t size);
   tm_mesh mesh_;
   tm_tri_grid grid_;
   tm_vec3 origin_;
+  uint64_t content_ = 0;
 };
 
 }    // namespace SPHTM_NS

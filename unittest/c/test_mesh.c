@@ -15,7 +15,7 @@
 static int read_and_build(const char *path, tm_mesh *m, char *msg, size_t nmsg)
 {
   tm_soup soup;
-  int status = tm_mesh_read_file(path, &soup, msg, nmsg);
+  int status = tm_mesh_read_file(path, 100000000, &soup, msg, nmsg);
   memset(m, 0, sizeof *m);
   if (status == TM_MESH_OK) status = tm_mesh_build(&soup, NULL, m, msg, nmsg);
   tm_soup_free(&soup);
@@ -86,6 +86,21 @@ static void every_length(void)
     }
     UT_TRUE(accepted >= 1 && accepted <= 16);   /* only what the last line end is cut from */
   }
+}
+
+/* A file may have as many bytes as are allowed and not one more. */
+static void limit_of_size(void)
+{
+  char msg[256];
+  tm_soup s;
+  UT_TRUE(tm_mesh_read_file(MESHES "binary.stl", 484, &s, msg, sizeof msg) == TM_MESH_OK);   /* 84 + 50 n */
+  UT_TRUE(s.n == 8);
+  tm_soup_free(&s);
+  UT_TRUE(tm_mesh_read_file(MESHES "binary.stl", 483, &s, msg, sizeof msg) == TM_MESH_TOO_LARGE);
+  UT_TRUE(s.n == 0 && strstr(msg, "more than 483 bytes") != NULL);
+  UT_TRUE(tm_mesh_read_file(MESHES "nowhere.stl", 483, &s, msg, sizeof msg) == TM_MESH_NO_FILE);
+  UT_TRUE(tm_mesh_read_file(MESHES, 483, &s, msg, sizeof msg) == TM_MESH_NO_FILE);   /* a directory */
+  UT_TRUE(s.n == 0 && msg[0] != '\0');
 }
 
 /* The wedge of the corpus: LIGGGHTS's list has three neighbours for every facet, too. */
@@ -212,6 +227,7 @@ int main(void)
 {
   corpus();
   every_length();
+  limit_of_size();
   wedge_topology();
   pseudo_normals();
   placement();

@@ -1,7 +1,7 @@
 """Malformed scripts: fix contact/tri and compute cutting/force. See bad_input.py."""
 import os
 
-from bad_input import HEAT, JC, THREE_D, coeff, fine, run_all, warned, wrong
+from bad_input import GOOD, HEAT, JC, THREE_D, coeff, fine, run_all, warned, wrong
 from sphtm_scene import SOURCE
 
 T = "contact/tri tool"
@@ -51,6 +51,8 @@ for key, count in (("file", "1 value"), ("move", "3 values"), ("lumped", "3 valu
 wrong("scale with two values", tool("file @ascii.stl scale 1 2"), K, "scale", "3 values")
 wrong("merge 1", tool(AWAY + "merge 1"), K, "merge", "0 to 0.01", "got 1")
 wrong("smooth -1", tool(AWAY + "smooth -1"), K, "smooth", "0 to 90", "-1")
+for bad in ("0", "-1", "0.5", "much"):
+    wrong("maxsize " + bad, tool(AWAY + "maxsize " + bad), K, "maxsize", "MB", "1 to 1000000", bad)
 wrong("flip perhaps", tool(AWAY + "flip perhaps"), K, "flip", "perhaps")
 wrong("overlap perhaps", tool(AWAY + "overlap perhaps"), K, "overlap", "stop or allow", "perhaps")
 wrong("reference nan", tool(AWAY + "reference 0 nan 0"), K, "reference", "nan")
@@ -110,7 +112,33 @@ wrong("tool before the state", dict(tool(AWAY), fix="", more="fix tool all conta
 wrong("tool without the state", dict(tool(AWAY), fix="", compute="", pair_style="pair_style zero 3e-3",
                                      pair_coeff="pair_coeff * *\nmass 1 1"), K, "fix body all sph/tm")
 wrong("tool in 2D that is not extruded", {"more": "fix tool all contact/tri " + AWAY.replace("@", MESH)}, K, "2d",
-      "extruded", "scale")
+      "extruded", "scale", "ascii.stl")
+
+# --- fix contact/tri: speeds, groups, heat that goes nowhere ------------------------------------------------------
+
+for words, says in (("linear 1e300 0 0", "1e+300"), ("linear 0 0 -1e5", "100000"),
+                    ("wiggle 1e-3 0 0 1e-9", "ten times"), ("rotate 0 0 0 0 0 1 1e-8", "ten times"),
+                    ("transrot 1e9 0 0 0 0 0 0 0 1 1", "ten times"),
+                    ("rotate 0 0 0 0 0 1 1e-308", "not a finite number")):
+    wrong("tool that moves " + words, tool(AWAY, "fix_modify tool move " + words), T, "speed", says, "units")
+fine("tool at 5 km/s", tool(AWAY, "fix_modify tool move linear 5e3 0 0"))
+GROUP = "group some dynamic all every 1\nfix tool some contact/tri " + AWAY.replace("@", MESH)
+wrong("tool with a dynamic group", dict(THREE_D, more=GROUP), "contact/tri", "dynamic group")
+NOBODY = "group nobody empty\nfix tool nobody contact/tri " + AWAY.replace("@", MESH)
+warned("tool with an empty group", dict(THREE_D, more=NOBODY), T, "group nobody", "no particles")
+warned("share without heat constants", tool(AWAY + "friction 0.3 share 0.4"), T, "share has no use", "type 1",
+       "no heat constants")
+warned("effusivity without heat constants", tool(AWAY + "effusivity 5000"), T, "effusivity has no use", "type 1")
+fine("friction without heat constants", tool(AWAY + "friction 0.3"))
+fine("friction with heat constants", dict(tool(AWAY + "friction 0.3"), **coeff(GOOD + HEAT)))
+FORCED = dict(tool(AWAY + "friction 0.3"), fix="fix body all sph/tm effects heat off", **coeff(GOOD + HEAT))
+warned("friction with heat forced off", FORCED, T, "heat is forced off", "friction warms nothing")
+warned("share with heat forced off", dict(FORCED, more=FORCED["more"].replace("friction 0.3", "share 0.3")), T,
+       "heat is forced off", "share has no use")
+MIXED = dict(tool(AWAY + "friction 0.3"), create_box="create_box 2 box", **coeff(GOOD + HEAT))
+MIXED["pair_coeff"] += "\npair_coeff 2 2 " + GOOD + "\npair_coeff 1 2 none"
+warned("friction with a type that has no heat constants", MIXED, T, "friction warms nothing", "type 2",
+       "no heat constants")
 
 # --- fix contact/tri: overlap at the start; the mesh is the octahedron or wedge of unittest/meshes -------------
 
