@@ -73,8 +73,8 @@ void AdaptLists::check_kernel()
   const bool kept_before = quiet.capacity > 0 && kept_kernel >= 0;
   if (kept_before && (kept_kernel != set.kernel || std::fabs(kept_h - set.h) > 1e-9 * set.h))
     fix.host()->error->all(FLERR, "Fix adapt/neigh threshold {}: rows were kept with the {} kernel and the smoothing "
-                                  "length {:.6g}, pair_style sph/tm now has {} and {:.6g}; write the same, or remove the "
-                                  "fix and write it again: then all is searched again", threshold,
+                                  "length {:.6g}, pair_style sph/tm now has {} and {:.6g}; write the same, or remove "
+                                  "the fix and write it again: then all is searched again", threshold,
                            PairSPHTM::kernel_name(kept_kernel), kept_h, PairSPHTM::kernel_name(set.kernel), set.h);
   kept_kernel = set.kernel;
   kept_h = set.h;

@@ -303,8 +303,8 @@ void FixAdaptNeigh::unpack_restart(int i, int nth)
     at += n;
   }
   if (at != end)
-    error->one(FLERR, "Fix adapt/neigh: the {} was written with other keywords; write the same ones: particle {} has {} "
-                      "values, {} expected", restart_file_name(lmp), atom->tag[i], (int) *row - 1, at - row - 1);
+    error->one(FLERR, "Fix adapt/neigh: the {} was written with other keywords; write the same ones: particle {} has "
+                      "{} values, {} expected", restart_file_name(lmp), atom->tag[i], (int) *row - 1, at - row - 1);
   unpack_exchange(i, const_cast<double *>(row) + 1);
   read.rows++;
   read.hash += hash_bytes(row, (int) *row * sizeof(double));
@@ -368,8 +368,8 @@ void FixAdaptNeigh::check_restart()
   uint64_t mine[2] = {read.rows, read.hash}, all[2];
   MPI_Allreduce(mine, all, 2, MPI_UINT64_T, MPI_SUM, world);
   if (all[0] > 0 && all[0] == read.rows_written && all[1] != read.hash_written)
-    error->all(FLERR, "Fix adapt/neigh: the {} is damaged: the values of its particles do not have the checksum written "
-                      "with them", restart_file_name(lmp));
+    error->all(FLERR, "Fix adapt/neigh: the {} is damaged: the values of its particles do not have the checksum "
+                      "written with them", restart_file_name(lmp));
   read = {};
 }
 

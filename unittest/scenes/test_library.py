@@ -58,7 +58,8 @@ class Lammps:
 
     def places(self):
         n = int(self.lib.lammps_extract_setting(self.handle, b"nlocal"))
-        x = ctypes.cast(self.lib.lammps_extract_atom(self.handle, b"x"), ctypes.POINTER(ctypes.POINTER(ctypes.c_double)))
+        rows = ctypes.POINTER(ctypes.POINTER(ctypes.c_double))
+        x = ctypes.cast(self.lib.lammps_extract_atom(self.handle, b"x"), rows)
         return [x[i][d] for i in range(n) for d in range(2)]
 
     def fix(self, name, kind=VECTOR, i=0, j=0):
@@ -195,8 +196,8 @@ if __name__ == "__main__":
         sys.exit(SKIPPED)
     checks = Checks()
     for name in cases:    # each in a process of its own, which may crash
-        done = subprocess.run([sys.executable, __file__, name], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                              timeout=120)
+        done = subprocess.run([sys.executable, __file__, name], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              text=True, timeout=120)
         checks.say(done.returncode == 0, name, "status %d" % done.returncode + "\n" * (done.returncode != 0) +
                    done.stdout[-2500:] * (done.returncode != 0))
     checks.end()

@@ -12,8 +12,9 @@ pair_coeff      1 1 density 2700 elastic 70e9 0.33 strength plastic 300e6 1e9
 """
 REFINE = "refine square epsilon 0.4 alpha 0.6 when region half level 2 every 5"
 KEPT = "threshold inf"
-HEAD = lattice_block("0 8e-3 0 8e-3", "-5e-3 15e-3 -5e-3 15e-3") + PAIR + "region half block 0 2e-3 0 2e-3 INF INF units box\n"
-READ = "read_restart %s\nregion half block 0 2e-3 0 2e-3 INF INF units box\n"
+HALF = "region half block 0 2e-3 0 2e-3 INF INF units box\n"
+HEAD = lattice_block("0 8e-3 0 8e-3", "-5e-3 15e-3 -5e-3 15e-3") + PAIR + HALF
+READ = "read_restart %s\n" + HALF
 REST = """
 fix             body all sph/tm
 fix             ad all adapt/neigh %s
@@ -32,7 +33,7 @@ def made(keywords, name):
 
 
 def rows(data, keywords):
-    """Where the values of a particle begin, and how many they are; a row of refinement has level, mark and two families."""
+    """Where the values of particles begin, and how many they are; those of refinement are level, mark, two families."""
     found = []
     for at in range(len(data) - 40):
         n, first, second = struct.unpack_from("<3d", data, at)
@@ -48,7 +49,8 @@ def attempt(arguments):
     with open(os.path.join(folder, name), "wb") as f:
         f.write(data)
     own = new_folder()
-    return run(READ % os.path.join(folder, name) + REST % keywords + "run 6\n", folder=own, expect_error=True, timeout=60)
+    return run(READ % os.path.join(folder, name) + REST % keywords + "run 6\n", folder=own, expect_error=True,
+               timeout=60)
 
 
 def try_all(what, keywords, damaged, *fragments):
@@ -111,6 +113,7 @@ for what, head, keywords, fragments in (
         ("another kernel", file + PAIR.replace("hyperbolic", "cubic"), KEPT, ("hyperbolic kernel", "cubic"))):
     error = ends(head, keywords, expect_error=True).errors()
     checks.say(all(f in error for f in fragments), "kept rows read with " + what, error)
-error = ends(HEAD + "group half region half\n", KEPT, "run 5\n" + PAIR.replace("1.2", "1.3"), expect_error=True).errors()
+error = ends(HEAD + "group half region half\n", KEPT, "run 5\n" + PAIR.replace("1.2", "1.3"),
+             expect_error=True).errors()
 checks.say("rows were kept" in error, "another ratio between runs", error)
 checks.end()
