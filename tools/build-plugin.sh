@@ -8,8 +8,8 @@ host=${1:?usage: build-plugin.sh HOST [TARGET...]}
 shift
 [ $# -gt 0 ] || set -- sphtmplugin
 build=$root/build/${host##*/host-}
-mkdir -p "$build"
-lock "plugin-$(echo "$build" | cksum | cut -d ' ' -f 1)"
+make_folder "$build"
+lock "$(build_lock "$build")"
 if [ ! -f "$build/build.ninja" ]; then
   say "configuring $build"
   cmake -S "$root" -B "$build" -G Ninja -D LAMMPS_SOURCE_DIR="$(cat "$host/source")" -D LAMMPS_BUILD_DIR="$host" \

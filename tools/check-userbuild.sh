@@ -9,7 +9,7 @@ trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
 cmake -S "$root" -B "$work/build" -D LAMMPS_SOURCE_DIR="$1" -D LAMMPS_BUILD_DIR="$2"
 cmake --build "$work/build" --target sphtmplugin -j "$jobs"
-printf 'plugin load %s/build/sphtmplugin.so\nplugin list\n' "$work" > "$work/in.load"
+printf 'plugin load "%s/build/sphtmplugin.so"\nplugin list\n' "$work" > "$work/in.load"
 unset LAMMPS_PLUGIN_PATH
 "$SPHTM_LMP" -in "$work/in.load" -log none > "$work/out" 2>&1 || { cat "$work/out"; die "lmp failed"; }
 cat "$work/out"

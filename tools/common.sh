@@ -1,19 +1,90 @@
 # Sourced by the other scripts: where things are, and how to say what is going on.
 # Progress goes to stderr, so that a script's answer can stand alone on stdout.
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
-cache=${SPHTM_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/sphtm}
-case $cache in /*) ;; *) cache=$PWD/$cache ;; esac
+cache=${SPHTM_CACHE:-}    # empty: nobody says where
+[ -n "$cache" ] || [ -z "${XDG_CACHE_HOME:-}" ] || cache=$XDG_CACHE_HOME/sphtm
+[ -n "$cache" ] || [ -z "${HOME:-}" ] || cache=$HOME/.cache/sphtm
+case $cache in /*|'') ;; *) cache=$PWD/$cache ;; esac
 jobs=${SPHTM_JOBS:-$(getconf _NPROCESSORS_ONLN)}
 
 say() { echo "sphtm: $*" >&2; }
 die() { echo "sphtm: $*" >&2; exit 1; }
 
+# What clean.sh may remove carries a mark: a folder the file $mark with the folder's name, so that no copy counts; a
+# file such a file beside it, with its checksum; a lock its text.
+mark=.sphtm-made
+lock_text='lock of ./sphtm'
+
+# make_folder FOLDER [NAME]: marks it, for NAME where it moves there later; one that holds something already is left
+make_folder() {
+  mkdir -p "$1" || die "cannot make the folder $1"
+  [ -n "$(ls -A "$1")" ] || echo "${2:-${1##*/}}" > "$1/$mark" || die "cannot write into $1"
+}
+is_marked() { [ -d "$1" ] && [ ! -L "$1" ] && is_plain "$1/$mark" && [ "$(head -n 1 "$1/$mark")" = "${1##*/}" ]; }
+mark_file() { (cd "${1%/*}" && sha256sum "${1##*/}" > ".${1##*/}$mark"); }
+is_plain() { [ -f "$1" ] && [ ! -L "$1" ]; }
+
+# Makes way for what is about to be made: make_way PATH...; what is not ours stops it
+make_way() {
+  for path; do
+    if is_marked "$path"; then rm -rf "$path"
+    elif [ -e "$path" ] || [ -L "$path" ]; then
+      die "$path is in the way, not made by ./sphtm: move it, or set SPHTM_CACHE"
+    fi
+  done
+}
+# The same for what an interrupted call left: sweep PATH...
+sweep() {
+  for path; do ! is_marked "$path" || rm -rf "$path"; done
+}
+
+# The folder for what is built once; made here it says so, so that an empty one may go: need_cache
+cache_text="the folder alone, not what is in it"
+name_cache() {
+  [ -n "$cache" ] ||
+    die "HOME is not set, so there is no place for LAMMPS and its builds: set HOME, or SPHTM_CACHE to a folder for them"
+}
+need_cache() {
+  name_cache
+  [ ! -d "$cache" ] || return 0
+  why=$(mkdir -p "$cache" 2>&1) || die "cannot make the cache folder: $why; set SPHTM_CACHE to one that can be written"
+  echo "$cache_text" > "$cache/$mark" || die "cannot write into the cache folder $cache"
+}
+
+# need_space MEBIBYTES WHAT: in the cache
+need_space() {
+  free=$(df -Pk "$cache" 2> /dev/null | awk 'NR == 2 { print int($4 / 1024) }')
+  [ -z "$free" ] || [ "$free" -ge "$1" ] ||
+    die "$2 needs $1 MiB, and the disk of $cache has $free MiB left: make room, or set SPHTM_CACHE"
+}
+
+# What a log says of the machine, or nothing: cause_in LOG
+cause_in() {
+  if grep -qE 'No space left on device|Disk quota exceeded' "$1"; then echo ': the disk is full'
+  elif grep -qE 'Read-only file system' "$1"; then echo ': the disk is read-only'
+  elif grep -qE 'Killed signal|Killed \(program|virtual memory exhausted|out of memory' "$1"; then
+    echo ': not enough memory; SPHTM_JOBS=1 takes less'
+  elif grep -qE 'Could not (resolve|connect)|Temporary failure|Unable to connect|Cannot initiate' "$1" ||
+    grep -qE 'Network is unreachable|Connection (timed out|refused|failed)' "$1"; then
+    echo ': no network, or no way to the mirror (behind a proxy: set http_proxy)'
+  fi
+}
+
 # One at a time: lock NAME waits until no other call holds NAME; the lock ends with the script.
 lock() {
-  mkdir -p "$cache"
-  exec 9> "$cache/$1.lock"
-  flock -n 9 || { say "waiting for another sphtm that works on $1"; flock 9; }
+  need_cache
+  [ ! -e "$cache/$1.lock" ] || is_plain "$cache/$1.lock" || die "$cache/$1.lock is not a file: move it away"
+  true 2> /dev/null >> "$cache/$1.lock" ||
+    die "cannot write into the cache folder $cache: set SPHTM_CACHE to a folder that can be written"
+  exec 9>> "$cache/$1.lock"
+  [ -s "$cache/$1.lock" ] || echo "$lock_text" >&9 || die "cannot write into the cache folder $cache: is the disk full?"
+  flock -n 9 && return 0
+  say "waiting for another sphtm that works on $1"
+  flock -w 10800 9 || die "another sphtm has held $cache/$1.lock for three hours: end it, then try again"
 }
+
+# the name of the lock of a build folder
+build_lock() { echo "plugin-$(echo "$1" | cksum | cut -d ' ' -f 1)"; }
 
 # Ninja with its hundreds of lines thinned to one for every five percent: thin_ninja LOG ARGS...
 thin_ninja() {
@@ -26,12 +97,14 @@ thin_ninja() {
              fflush() } }' >&2
   case $(tail -n 1 "$log") in
     'exit 0') return 0 ;;
-    *) grep -v '^\[' "$log" | head -n 80 >&2; return 1 ;;
+    *) grep -v '^\[' "$log" | head -n 80 >&2; cause=$(cause_in "$log"); [ -z "$cause" ] || say "the build stopped$cause"
+       return 1 ;;
   esac
 }
 
 # How to start n ranks here: Open MPI refuses root and more ranks than cores unless told otherwise.
 mpirun_command() {
+  command -v mpirun > /dev/null || die "no mpirun on PATH: install an MPI (Debian: openmpi-bin), or add it to PATH"
   case $(mpirun --version 2> /dev/null) in
     *'Open MPI'*) echo 'mpirun --allow-run-as-root --oversubscribe --bind-to none' ;;
     *) echo mpirun ;;
@@ -52,13 +125,14 @@ prepare() {
 results_in() {
   SPHTM_OUT=$root/out/$1
   export SPHTM_OUT
-  mkdir -p "$SPHTM_OUT"
+  make_folder "$SPHTM_OUT"
   cd "$root"
 }
 
 # What demo.py, the tests and the bench find in their environment: use_host HOST PLUGIN
 use_host() {
-  SPHTM_LMP=$1/lmp LAMMPS_PLUGIN_PATH=$2 SPHTM_SOURCE=$root SPHTM_BUILD=$2 SPHTM_MPIRUN=$(mpirun_command)
+  SPHTM_MPIRUN=$(mpirun_command)
+  SPHTM_LMP=$1/lmp LAMMPS_PLUGIN_PATH=$2 SPHTM_SOURCE=$root SPHTM_BUILD=$2
   OMP_NUM_THREADS=${OMP_NUM_THREADS:-1}
   export SPHTM_LMP LAMMPS_PLUGIN_PATH SPHTM_SOURCE SPHTM_BUILD SPHTM_MPIRUN OMP_NUM_THREADS
 }

@@ -10,7 +10,7 @@ case $devices in cuda|openmp) ;; *) die "gpu-bundle.sh [cuda|openmp]" ;; esac
 limit=60    # MiB, of the archive
 
 "$root/tools/packages.sh" demo
-case $(mpirun --version 2> /dev/null) in *'Open MPI'*) ;; *) die "the bundle carries Open MPI, and mpirun here is another" ;; esac
+case $(mpirun_command) in *oversubscribe*) ;; *) die "the bundle carries Open MPI, and mpirun here is another" ;; esac
 plain_host=$("$root/tools/host-plain.sh")
 plain_plugin=$("$root/tools/build-plugin.sh" "$plain_host")
 host=$("$root/tools/host-kokkos.sh" "$devices")
@@ -20,6 +20,7 @@ name=gpu-bundle
 [ $devices = cuda ] || name=$devices-bundle
 mkdir -p "$root/build"
 work=$(mktemp -d "$root/build/bundle.XXXXXX")
+make_folder "$work"
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
 top=$work/$name
@@ -104,5 +105,6 @@ tar -C "$work" -cJf "$work/$name.tar.xz" "$name"
 size=$(($(stat -c %s "$work/$name.tar.xz") / 1048576))
 [ $size -lt $limit ] || die "the archive has $size MiB, more than $limit"
 mv "$work/$name.tar.xz" "$root/out/$name.tar.xz"
+mark_file "$root/out/$name.tar.xz"
 say "$size MiB; on the other machine: tar -xf $name.tar.xz && $name/run test"
 echo "$root/out/$name.tar.xz"

@@ -18,13 +18,17 @@ host_key() {
 #   prepare_tree     command with SOURCE and a folder: fills the folder with the source to build, if not SOURCE itself
 #   check_host       command that shows in folder $work/host that the new lmp runs
 build_host() {
+  need_cache
   host=$cache/host-$1-$2
   [ -x "$host/lmp" ] && return
   lock "host-$1"
   [ -x "$host/lmp" ] && return
 
-  rm -rf "$cache/build-$1".*    # what an interrupted build left
+  make_way "$host"
+  sweep "$cache/build-$1".*
+  need_space 1500 "building LAMMPS"
   work=$(mktemp -d "$cache/build-$1.XXXXXX")
+  make_folder "$work"
   trap 'rm -rf "$work"' EXIT
   trap 'exit 130' INT TERM
   say "building the $1 LAMMPS host once (about $3 minutes on two cores); later calls reuse it"
@@ -32,10 +36,10 @@ build_host() {
   if [ -n "${prepare_tree:-}" ]; then tree=$work/source; $prepare_tree "$4" "$tree"; fi
   # shellcheck disable=SC2086
   cmake -S "$tree/cmake" -B "$work" -G Ninja $5 > "$work/configure.log" 2>&1 ||
-    { tail -n 40 "$work/configure.log" >&2; die "CMake could not configure LAMMPS"; }
+    { tail -n 40 "$work/configure.log" >&2; die "CMake could not configure LAMMPS$(cause_in "$work/configure.log")"; }
   thin_ninja "$work/build.log" -C "$work" || die "LAMMPS did not build"
 
-  mkdir "$work/host"
+  make_folder "$work/host" "${host##*/}"
   cp -P "$work"/lmp "$work"/liblammps.so* "$work/CMakeCache.txt" "$work/host/"
   echo "$4" > "$work/host/source"
   if [ -d "$work/kokkos_build-prefix/include" ]; then    # the Kokkos that LAMMPS downloaded: the plugin needs its headers

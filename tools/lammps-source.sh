@@ -16,6 +16,7 @@ if [ -n "${SPHTM_LAMMPS_SOURCE:-}" ]; then
   echo "$SPHTM_LAMMPS_SOURCE"; exit 0
 fi
 
+need_cache
 source=$cache/lammps-$version
 [ -f "$source/src/version.h" ] && { echo "$source"; exit 0; }
 lock source
@@ -23,8 +24,11 @@ lock source
 command -v apt-get > /dev/null ||
   die "no apt-get here: unpack LAMMPS 4 Feb 2025 yourself and set SPHTM_LAMMPS_SOURCE to its folder"
 
-rm -rf "$cache"/unpack.*    # what an interrupted call left
+make_way "$source"
+sweep "$cache"/unpack.*
+need_space 1000 "LAMMPS's source"
 work=$(mktemp -d "$cache/unpack.XXXXXX")
+make_folder "$work"
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
 
@@ -42,7 +46,12 @@ private() {
 }
 
 say "reading the source index of Debian $suite"
-private apt-get -q update > "$work/log" 2>&1 || { cat "$work/log" >&2; die "apt-get could not read it"; }
+# an index that cannot be fetched is a warning to apt-get, unless told otherwise
+private apt-get -q -o APT::Update::Error-Mode=any update > "$work/log" 2>&1 || {
+  cat "$work/log" >&2
+  die "the source index of Debian $suite could not be fetched from $mirror$(cause_in "$work/log"). With a LAMMPS 4 Feb 2025" \
+    "of your own, set SPHTM_LAMMPS_SOURCE to its folder"
+}
 line=$(private apt-get -q source --print-uris --only-source lammps 2> "$work/log" | grep -F " $tarball ") ||
   { cat "$work/log" >&2; die "Debian $suite no longer has $tarball: set SPHTM_LAMMPS_SOURCE"; }
 uri=$(echo "$line" | cut -d "'" -f 2)
@@ -50,13 +59,13 @@ uri=$(echo "$line" | cut -d "'" -f 2)
 
 say "downloading $tarball (132 MB)"
 private /usr/lib/apt/apt-helper download-file "$uri" "$work/$tarball" "SHA256:$sha256" > "$work/log" 2>&1 ||
-  { cat "$work/log" >&2; die "download failed"; }
+  { cat "$work/log" >&2; die "$tarball could not be downloaded$(cause_in "$work/log")"; }
 echo "$sha256  $work/$tarball" | sha256sum --check --quiet - >&2 || die "$tarball is damaged"
 
 say "unpacking"
-mkdir "$work/tree"
+make_folder "$work/tree" "${source##*/}"
 tar -xJf "$work/$tarball" -C "$work/tree" --strip-components=1 \
-  --exclude='*/examples/*' --exclude='*/bench/*' --exclude='*/doc/*' --exclude='*/tools/*' --exclude='*/potentials/*'
-rm -rf "$source"
+  --exclude='*/examples/*' --exclude='*/bench/*' --exclude='*/doc/*' --exclude='*/tools/*' --exclude='*/potentials/*' \
+  2> "$work/log" || { cat "$work/log" >&2; die "$tarball could not be unpacked$(cause_in "$work/log")"; }
 mv "$work/tree" "$source"
 echo "$source"

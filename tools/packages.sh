@@ -44,6 +44,7 @@ say "installing$missing"
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 wait='-o DPkg::Lock::Timeout=600'
-$sudo apt-get -q $wait update > "$log" 2>&1 || { tail -n 20 "$log" >&2; say "apt-get update had trouble; going on"; }
+$sudo apt-get -q $wait -o APT::Update::Error-Mode=any update > "$log" 2>&1 ||
+  { tail -n 20 "$log" >&2; say "apt-get update had trouble$(cause_in "$log"); going on"; }
 $sudo env DEBIAN_FRONTEND=noninteractive apt-get -q -y $wait install --no-install-recommends $missing > "$log" 2>&1 ||
-  { tail -n 20 "$log" >&2; die "apt-get could not install$missing"; }
+  { tail -n 20 "$log" >&2; die "apt-get could not install$missing$(cause_in "$log")"; }

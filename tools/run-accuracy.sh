@@ -4,4 +4,5 @@ set -eu
 . "$(dirname -- "$0")/common.sh"
 
 prepare demo or-given
+[ -n "${SPHTM_OUT:-}" ] || make_folder "$root/out/accuracy"
 exec /usr/bin/python3 "$root/bench/accuracy/run.py" "$@"

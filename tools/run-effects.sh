@@ -7,7 +7,7 @@ prepare effects
 SPHTM_MINIMAL_PLUGINS=
 for effects in 'none' 'viscosity;plasticity;heat'; do
   build=$root/build/minimal-$(echo "$effects" | tr ';' '-')
-  mkdir -p "$build"
+  make_folder "$build"
   cmake -S "$root" -B "$build" -G Ninja -D LAMMPS_SOURCE_DIR="$(cat "$host/source")" -D LAMMPS_BUILD_DIR="$host" \
     -D SPHTM_TESTS=OFF -D SPHTM_MINIMAL_EFFECTS="$effects" > "$build/configure.log" 2>&1 ||
     { cat "$build/configure.log" >&2; die "CMake failed"; }

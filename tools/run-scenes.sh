@@ -15,6 +15,7 @@ done
 [ -n "$names" ] || names=$(cd "$root/examples" && printf ' %s' */scene.py | sed 's,/scene.py,,g')
 
 prepare demo or-given
+[ -n "${SPHTM_OUT:-}" ] || make_folder "$root/out/scenes"
 SPHTM_OUT=${SPHTM_OUT:-$root/out/scenes}
 export SPHTM_OUT
 failed=

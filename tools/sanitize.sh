@@ -14,7 +14,7 @@ host=$("$root/tools/host-plain.sh")
 build=$root/build/sanitize
 flags='-g1 -O1 -fno-omit-frame-pointer -fsanitize=address,undefined'
 flags="$flags -fno-sanitize=vptr,object-size,pointer-overflow,null -fno-sanitize-recover=undefined"    # address sees those too
-mkdir -p "$build"
+make_folder "$build"
 lock sanitize
 [ -f "$build/build.ninja" ] ||
   cmake -S "$root" -B "$build" -G Ninja -D LAMMPS_SOURCE_DIR="$(cat "$host/source")" -D LAMMPS_BUILD_DIR="$host" \

@@ -41,7 +41,26 @@ void AdaptLists::init()
   PairSPHTM &pair = fix.pair();
   const PairSPHTM::Settings &set = pair.settings_in_use();
   const int dim = lmp->domain->dimension;
-  backend = &fix.body().loops();
+  if (strain < 0.0) strain = std::isinf(threshold) ? INFINITY : 0.2;
+  if (approach < 0.0) approach = std::isinf(threshold) ? INFINITY : 0.01;
+  cover_reach();
+  const double cut = (reach + margin) / set.spacing;
+  const double lattice = dim == 3 ? 4.0 / 3.0 * TM_PI * cut * cut * cut : TM_PI * cut * cut;
+  const double more = margin > 0.0 ? 1.5 : 2.0;    // than in the lattice
+  room = rows ? 8 * ((rows + 7) / 8) : std::min((int) TM_SEARCH_MOST, 8 * (int) ceil(more * lattice / 8.0 + 1.0));
+  if (keeps()) check_kernel();
+  const std::vector<std::vector<double>> rows_of = take_rows();
+  move_to(fix.body().loops());
+  if (keeps()) make_room(lmp->atom->nmax);
+  put_rows(rows_of);
+  weight_unit = tm_kept_unit(set.kernel);
+  fix.update_packed_size();
+}
+
+// arrays live where the loops run
+void AdaptLists::move_to(Backend &loops)
+{
+  backend = &loops;
   for (auto *t : {&table, &quiet, &other}) t->move_to(*backend);
   for (auto *a : {&cells.cell, &cells.begin, &cells.index, &cells.marked, &kept, &which, &which_border, &which_near,
                   &names, &holder, &other_holder})
@@ -54,16 +73,6 @@ void AdaptLists::init()
   weight.move_to(*backend);
   place.move_to(*backend);
   reaches.move_to(*backend);
-  if (strain < 0.0) strain = std::isinf(threshold) ? INFINITY : 0.2;
-  if (approach < 0.0) approach = std::isinf(threshold) ? INFINITY : 0.01;
-  cover_reach();
-  const double cut = (reach + margin) / set.spacing;
-  const double lattice = dim == 3 ? 4.0 / 3.0 * TM_PI * cut * cut * cut : TM_PI * cut * cut;
-  const double more = margin > 0.0 ? 1.5 : 2.0;    // than in the lattice
-  room = rows ? 8 * ((rows + 7) / 8) : std::min((int) TM_SEARCH_MOST, 8 * (int) ceil(more * lattice / 8.0 + 1.0));
-  if (keeps()) make_room(lmp->atom->nmax);
-  weight_unit = tm_kept_unit(set.kernel);
-  fix.update_packed_size();
 }
 
 bool AdaptLists::own_reach() const { return fix.body().has(TM_FX_SMOOTHING); }
@@ -209,17 +218,17 @@ void AdaptLists::search(RowTable &t, int segments, double within, int n, const i
   for (int s = 0; s < TM_SEGMENTS; s++) a.count[s] = t.count[s].loop_write();
   const int longest = backend->search(n, a);
   if (longest <= t.capacity) return;
-  if (rows || keeps() || longest > TM_SEARCH_MOST) stop_on_long_row(t, longest);
+  if (rows || keeps() || longest > TM_SEARCH_MOST) stop_on_long_row(t.capacity, longest);
   room = std::min((int) TM_SEARCH_MOST, 8 * (int) ceil(1.25 * longest / 8.0));
   t.make_room(own(), room);
   search(t, segments, within, own());
 }
 
-void AdaptLists::stop_on_long_row(const RowTable &t, int longest)
+void AdaptLists::stop_on_long_row(int capacity, int longest)
 {
   fix.host()->error->one(FLERR, "Fix adapt/neigh: at step {} a particle has {}{} neighbors, its row has room for {}; "
                                 "write 'rows {}'", fix.host()->update->ntimestep,
-                         longest > TM_SEARCH_MOST ? "at least " : "", longest, t.capacity,
+                         longest > TM_SEARCH_MOST ? "at least " : "", longest, capacity,
                          8 * (int) ceil(1.5 * longest / 8.0));
 }
 

@@ -35,11 +35,12 @@ class AdaptLists : public AdaptPart, public RowSource {
   int most_packed() const override;
   int pack(int, double *) override;
   int unpack(int, const double *) override;
+  int look(const double *, int, std::string &) const override;
   void reorder(int, const int *) override;
   void send(int, const int *, const int *, double *) override;
   void receive(int, const int *, double *) override;
   std::vector<double> state() override;
-  void restore(const double *, size_t) override;
+  bool restore(const double *, size_t) override;
 
   std::vector<std::string> outputs() const override { return {"fraction", "searches", "entries in rows"}; }
   double output(int) override;
@@ -90,6 +91,8 @@ class AdaptLists : public AdaptPart, public RowSource {
   LoopArray<ptrdiff_t> fresh_first;
   LoopArray<short> weight;
   double weight_unit = 1.0;
+  int kept_kernel = -1;       // that rows were kept with
+  double kept_h = 0.0;
   LoopArray<tm_real> memory, shown, told, next, correction;
   LoopArray<double> place, reaches;    // at the last search
   LoopArray<unsigned char> marks, was, now, dirty;
@@ -108,6 +111,10 @@ class AdaptLists : public AdaptPart, public RowSource {
   double spare() const;
   void cover_reach();
   void make_room(int);
+  void move_to(Backend &);
+  std::vector<std::vector<double>> take_rows();
+  void put_rows(const std::vector<std::vector<double>> &);
+  void check_kernel();
   tm_kept_rows kept_rows(bool on_host = false);
   tm_kept_store kept_store(bool on_host = false);
   tm_kept_args kept_args(const tm_records &);
@@ -131,7 +138,7 @@ class AdaptLists : public AdaptPart, public RowSource {
   void search_moved(bool all_of_them);
   void watch();
   double entries();
-  void stop_on_long_row(const RowTable &, int longest);
+  void stop_on_long_row(int capacity, int longest);
 };
 
 }    // namespace SPHTM_NS

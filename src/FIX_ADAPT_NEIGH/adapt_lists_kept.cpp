@@ -7,11 +7,13 @@
 #include "pair_sph_tm.h"
 
 #include "atom.h"
+#include "error.h"
 #include "lammps.h"
 #include "update.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 using namespace LAMMPS_NS;
 
@@ -34,6 +36,48 @@ void AdaptLists::make_room(int n)
   fresh_first.resize(quiet.particles);
   weight.resize(quiet.slots() * TM_WEIGHTS);
   memory.resize((size_t) quiet.particles * TM_K);
+}
+
+// Rows of particles, packed, where they must go to a table of another shape; then into it
+std::vector<std::vector<double>> AdaptLists::take_rows()
+{
+  const int stride = fix.body().loops().shared() ? 1 : TM_ROW_SLICE_GPU;
+  const bool same = room == quiet.capacity && stride == quiet.stride;
+  std::vector<std::vector<double>> rows_of(same || quiet.capacity == 0 ? 0 : std::min(own(), (int) kept.size()));
+  std::vector<int> entry(by_tag ? n_names : all());
+  std::iota(entry.begin(), entry.end(), 0);
+  for (size_t i = 0; i < rows_of.size(); i++) {
+    const tm_kept_store s = kept_store(true);
+    if (s.rows.kept[i] > room) stop_on_long_row(room, s.rows.kept[i]);
+    rows_of[i].resize(tm_kept_packed(s.rows.kept[i]));
+    tm_kept_pack((int) i, &s, entry.data(), rows_of[i].data());
+  }
+  return rows_of;
+}
+
+void AdaptLists::put_rows(const std::vector<std::vector<double>> &rows_of)
+{
+  std::vector<int> entry(room);
+  for (size_t i = 0; i < rows_of.size(); i++) {
+    const tm_kept_store s = kept_store(true);
+    tm_kept_unpack((int) i, &s, rows_of[i].data(), 0, entry.data());
+    int *row = s.rows.index + s.rows.first[i];
+    for (int e = 0; e < s.rows.kept[i]; e++) row[e * s.rows.stride] = entry[e];
+  }
+}
+
+// kept gradients are those of one kernel and one h
+void AdaptLists::check_kernel()
+{
+  const PairSPHTM::Settings &set = fix.pair().settings_in_use();
+  const bool kept_before = quiet.capacity > 0 && kept_kernel >= 0;
+  if (kept_before && (kept_kernel != set.kernel || std::fabs(kept_h - set.h) > 1e-9 * set.h))
+    fix.host()->error->all(FLERR, "Fix adapt/neigh threshold {}: rows were kept with the {} kernel and the smoothing "
+                                  "length {:.6g}, pair_style sph/tm now has {} and {:.6g}; write the same, or remove "
+                                  "the fix and write it again: then all is searched again", threshold,
+                           PairSPHTM::kernel_name(kept_kernel), kept_h, PairSPHTM::kernel_name(set.kernel), set.h);
+  kept_kernel = set.kernel;
+  kept_h = set.h;
 }
 
 // where the loops run, or on the host

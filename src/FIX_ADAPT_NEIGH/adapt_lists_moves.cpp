@@ -168,6 +168,26 @@ int AdaptLists::unpack(int i, const double *buf)
   return tm_kept_unpack(i, &s, buf, first, names.host_write());
 }
 
+// the row of tm_kept_pack()
+int AdaptLists::look(const double *row, int n, std::string &why) const
+{
+  if (!keeps() || quiet.capacity == 0) return 0;
+  const int most = quiet.capacity;
+  if (n < tm_kept_packed(0) || !is_whole(row[0], 0, most) || n < tm_kept_packed((int) row[0])) {
+    why = fmt::format("a kept row of {} entries in {} values, 0 to {} entries expected", n ? row[0] : 0.0, n, most);
+    return -1;
+  }
+  const double *value = row + 1, *end = row + tm_kept_packed((int) row[0]);
+  for (int c = 0; c < TM_K; c++, value++)
+    if (!std::isfinite(*value)) why = fmt::format("{} in the memory of its kept row", *value);
+  for (; why.empty() && value < end; value += 1 + TM_WEIGHTS) {
+    if (!is_whole(*value, 1, MAXSMALLINT)) why = fmt::format("a neighbor {} in its kept row", *value);
+    for (int c = 1; c <= TM_WEIGHTS; c++)
+      if (!is_whole(value[c], -32768, 32767)) why = fmt::format("a weight {} in its kept row", value[c]);
+  }
+  return why.empty() ? tm_kept_packed((int) row[0]) : -1;
+}
+
 void AdaptLists::reorder(int n, const int *order)
 {
   if (!keeps() || quiet.capacity == 0) return;
@@ -207,23 +227,29 @@ std::vector<double> AdaptLists::state()
 {
   double sum = 0.0;
   MPI_Allreduce(&sum_searched, &sum, 1, MPI_DOUBLE, MPI_SUM, fix.host()->world);
-  return {(double) room, first_search ? 1.0 : 0.0, sum, time_now, time_watched, next_watch};
+  return {(double) room, first_search ? 1.0 : 0.0, sum, time_now, time_watched, next_watch, (double) kept_kernel,
+          kept_h};
 }
 
 // rows of a file have the room of that run
-void AdaptLists::restore(const double *value, size_t n)
+bool AdaptLists::restore(const double *value, size_t n)
 {
   LAMMPS *lmp = fix.host();
-  if (n != 6) lmp->error->all(FLERR, "Fix adapt/neigh: the restart file was written with other keywords");
+  if (n != 8 || !is_whole(value[0] / 8.0, 0, TM_SEARCH_MOST / 8) || !is_whole(value[1], 0, 1) ||
+      !is_whole(value[6], -1, TM_KERNEL_COUNT - 1))
+    return false;
   first_search = value[1] > 0.5;
   sum_searched = lmp->comm->me == 0 ? value[2] : 0.0;
   time_now = value[3];
   time_watched = value[4];
   next_watch = value[5];
-  if (!keeps()) return;
+  kept_kernel = (int) value[6];
+  kept_h = value[7];
+  if (!keeps()) return true;
   room = (int) value[0];
   if (room > 0) make_room(lmp->atom->nmax);
   fix.update_packed_size();
+  return true;
 }
 
 void *AdaptLists::extract(const char *what)

@@ -3,6 +3,7 @@
 #ifndef SPHTM_ADAPT_PART_H
 #define SPHTM_ADAPT_PART_H
 
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -16,6 +17,9 @@ class FixAdaptNeigh;
 namespace SPHTM_NS {
 
 class Keywords;
+
+// a value of a restart file is a whole number in that range
+inline bool is_whole(double v, double lo, double hi) { return v >= lo && v <= hi && v == std::floor(v); }
 
 class AdaptPart {
  public:
@@ -55,6 +59,8 @@ class AdaptPart {
   virtual int most_packed() const { return 0; }    // values of one particle, at most
   virtual int pack(int /*i*/, double *) { return 0; }
   virtual int unpack(int /*i*/, const double *) { return 0; }
+  // how many of the n values of a particle in a restart file are this part's; -1 and why where they cannot be
+  virtual int look(const double *, int /*n*/, std::string & /*why*/) const { return 0; }
   // the same where the loops run, with Kokkos: particle order[i] to place i; those that go to another rank, with who
   // takes their places (or -1), and those that come from one, to a place (or -1), as most_packed() values each
   virtual void reorder(int /*n*/, const int * /*order*/) {}
@@ -62,7 +68,7 @@ class AdaptPart {
   virtual void receive(int /*n*/, const int * /*place*/, double *) {}
   // values of the whole, for restart files
   virtual std::vector<double> state() { return {}; }
-  virtual void restore(const double *, size_t) {}
+  virtual bool restore(const double *, size_t) { return true; }    // false: they cannot be this part's
 
   // outputs: entries of the fix's vector, with their names for the doc and messages
   virtual std::vector<std::string> outputs() const { return {}; }

@@ -7,6 +7,7 @@
 #include "fix_sph_tm.h"
 #include "pair_sph_tm.h"
 #include "refinement.h"
+#include "restart_block.h"
 
 #include "atom.h"
 #include "atom_masks.h"
@@ -14,6 +15,7 @@
 #include "domain.h"
 #include "error.h"
 #include "force.h"
+#include "group.h"
 #include "modify.h"
 #include "update.h"
 
@@ -22,6 +24,8 @@
 using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
 using namespace FixConst;
+
+static constexpr size_t MOST_STATE = 128;    // values of all parts in a restart file
 
 FixAdaptNeigh::FixAdaptNeigh(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
@@ -53,6 +57,7 @@ FixAdaptNeigh::FixAdaptNeigh(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
 
 void FixAdaptNeigh::post_constructor()
 {
+  check_lengths();
   for (AdaptPart *p : used) p->ready();
 }
 
@@ -92,7 +97,15 @@ void FixAdaptNeigh::init()
   if (!pair_sph) error->all(FLERR, "Fix adapt/neigh needs pair style sph/tm");
   if (modify->get_fix_by_style("^adapt/neigh").size() > 1)
     error->all(FLERR, "More than one fix adapt/neigh: write all its keywords in one");
+  check_group();
+  check_restart();
   for (AdaptPart *p : used) p->init();
+}
+
+void FixAdaptNeigh::check_group()
+{
+  if (atom->natoms > 0 && group->count(igroup) == 0 && comm->me == 0)
+    error->warning(FLERR, "Fix adapt/neigh {}: there is no particle in its group {}", id, group->names[igroup]);
 }
 
 void FixAdaptNeigh::setup_pre_exchange()
@@ -143,6 +156,7 @@ void FixAdaptNeigh::post_run()
 
 double FixAdaptNeigh::compute_vector(int n)
 {
+  FixSPHTM::current(lmp, sph, fmt::format("Fix adapt/neigh {}", id));
   for (AdaptPart *p : used) {
     const int of_part = (int) p->outputs().size();
     if (n < of_part) return p->output(n);
@@ -254,14 +268,48 @@ int FixAdaptNeigh::pack_restart(int i, double *buf)
   buf[0] = m;
   return m;
 }
+// the values of this fix, the nth of those that the file has for owned particle i: their number, then they
+const double *FixAdaptNeigh::restart_row(int i, int nth)
+{
+  const double *extra = atom->extra[i];
+  int m = 0;
+  for (int k = 0;; k++) {
+    const int left = atom->nextra_store - m;
+    if (left < 1 || !is_whole(extra[m], 1, left))
+      error->one(FLERR, "Fix adapt/neigh: the {} is damaged: the values of particle {} have no proper length",
+                 restart_file_name(lmp), atom->tag[i]);
+    if (k == nth) return extra + m;
+    m += (int) extra[m];
+  }
+}
+
+// of what a restart file has for particles; LAMMPS's fixes, and those that parts add, believe them
+void FixAdaptNeigh::check_lengths()
+{
+  const int fixes = atom->nextra_store ? modify->nfix_restart_peratom : 0;
+  for (int i = 0; fixes && i < atom->nlocal; i++) restart_row(i, fixes - 1);
+}
+
 void FixAdaptNeigh::unpack_restart(int i, int nth)
 {
-  double *extra = atom->extra[i];
-  int m = 0;
-  for (int k = 0; k < nth; k++) m += static_cast<int>(extra[m]);
-  if (unpack_exchange(i, extra + m + 1) + 1 != static_cast<int>(extra[m]))
-    error->one(FLERR, "Fix adapt/neigh: the restart file was written with other keywords; write the same ones");
+  const double *row = restart_row(i, nth), *at = row + 1;
+  const double *end = row + (int) *row;
+  for (AdaptPart *p : used) {
+    std::string why;
+    const int n = p->look(at, (int) (end - at), why);
+    if (n < 0)
+      error->one(FLERR, "Fix adapt/neigh: particle {} in the {} has {}: it is damaged, or was written with other "
+                        "keywords; write the same ones", atom->tag[i], restart_file_name(lmp), why);
+    at += n;
+  }
+  if (at != end)
+    error->one(FLERR, "Fix adapt/neigh: the {} was written with other keywords; write the same ones: particle {} has "
+                      "{} values, {} expected", restart_file_name(lmp), atom->tag[i], (int) *row - 1, at - row - 1);
+  unpack_exchange(i, const_cast<double *>(row) + 1);
+  read.rows++;
+  read.hash += hash_bytes(row, (int) *row * sizeof(double));
 }
+
 // LAMMPS writes as many values as this says
 int FixAdaptNeigh::size_restart(int i)
 {
@@ -270,29 +318,59 @@ int FixAdaptNeigh::size_restart(int i)
 }
 int FixAdaptNeigh::maxsize_restart() { return 1 + maxexchange; }
 
-// per part: number of values, values
+// How many particles with what checksum; then of every part that is in use its place among all, the number of its
+// values, and they. A block has room for MOST_STATE
 void FixAdaptNeigh::write_restart(FILE *fp)
 {
-  std::vector<double> all;
-  for (AdaptPart *p : used) {
-    const std::vector<double> s = p->state();
-    all.push_back((double) s.size());
+  std::vector<double> row(maxexchange + 1), all;
+  uint64_t mine[2] = {0, 0}, sum[2];
+  for (int i = 0; has_values && i < atom->nlocal; i++) {
+    const int n = pack_restart(i, row.data());
+    mine[0]++;
+    mine[1] += hash_bytes(row.data(), n * sizeof(double));
+  }
+  MPI_Reduce(mine, sum, 2, MPI_UINT64_T, MPI_SUM, 0, world);
+  for (const uint64_t bits : sum) append_bits(all, bits);
+  for (size_t k = 0; k < parts.size(); k++) {
+    if (!parts[k]->in_use()) continue;
+    const std::vector<double> s = parts[k]->state();
+    all.insert(all.end(), {(double) k, (double) s.size()});
     all.insert(all.end(), s.begin(), s.end());
   }
-  if (comm->me) return;
-  const int size = (int) (all.size() * sizeof(double));
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(all.data(), 1, size, fp);
+  if (comm->me == 0) write_restart_block(fp, all);
 }
 
 void FixAdaptNeigh::restart(char *buf)
 {
-  const auto *value = (const double *) buf;
-  for (AdaptPart *p : used) {
-    const auto n = (size_t) *value++;
-    p->restore(value, n);
-    value += n;
+  const std::vector<double> all = read_restart_block(lmp, "Fix adapt/neigh", buf, 4, MOST_STATE);
+  read.rows_written = take_bits(&all[0]);
+  read.hash_written = take_bits(&all[2]);
+  size_t at = 4;
+  for (size_t k = 0; k < parts.size(); k++) {
+    if (!parts[k]->in_use()) continue;
+    const bool fits = at + 2 <= all.size() && all[at] == (double) k && is_whole(all[at + 1], 0, all.size() - at - 2);
+    const size_t n = fits ? (size_t) all[at + 1] : 0;
+    if (!fits || !parts[k]->restore(all.data() + at + 2, n)) refuse_restart();
+    at += 2 + n;
   }
+  if (at != all.size()) refuse_restart();
+}
+
+void FixAdaptNeigh::refuse_restart()
+{
+  error->all(FLERR, "Fix adapt/neigh: the {} was written with other keywords; write the same ones",
+             restart_file_name(lmp));
+}
+
+// all rows that were written have been read, and are not what was written
+void FixAdaptNeigh::check_restart()
+{
+  uint64_t mine[2] = {read.rows, read.hash}, all[2];
+  MPI_Allreduce(mine, all, 2, MPI_UINT64_T, MPI_SUM, world);
+  if (all[0] > 0 && all[0] == read.rows_written && all[1] != read.hash_written)
+    error->all(FLERR, "Fix adapt/neigh: the {} is damaged: the values of its particles do not have the checksum "
+                      "written with them", restart_file_name(lmp));
+  read = {};
 }
 
 double FixAdaptNeigh::memory_usage()

@@ -9,6 +9,7 @@
 
 #include "adapt_part.h"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -75,8 +76,16 @@ class FixAdaptNeigh : public Fix {
   double *forwarded = nullptr;
   int forwarded_columns = 0;
   bool has_values = false;    // that move with the particles
+  struct {
+    uint64_t rows = 0, hash = 0, rows_written = 0, hash_written = 0;
+  } read;                     // from a restart file, until it is checked
 
   void read_keywords(SPHTM_NS::Keywords);
+  void check_restart();
+  void check_group();
+  const double *restart_row(int i, int nth);
+  void check_lengths();
+  [[noreturn]] void refuse_restart();
   std::string known_words() const;
 };
 

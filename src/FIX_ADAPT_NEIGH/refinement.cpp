@@ -48,7 +48,7 @@ void Refinement::read_refine(Keywords &k)
   if (kind >= 0) error->all(FLERR, "{} is given twice; join criteria with and, or", k.what());
   read_pattern(k);
   while (k.option(options())) {
-    if (k.is("epsilon")) epsilon = k.positive();
+    if (k.is("epsilon")) read_epsilon(k);
     else if (k.is("alpha")) alpha = k.within(0.0, 1.0);
     else if (k.is("level")) most_level = k.integer(1, 8);
     else if (k.is("every")) every = k.integer(1, 1000000000);
@@ -59,6 +59,16 @@ void Refinement::read_refine(Keywords &k)
       when.read(k.what(), k);
     }
   }
+}
+
+void Refinement::read_epsilon(Keywords &k)
+{
+  epsilon = k.positive();
+  if (epsilon <= 1.0) return;
+  lmp()->error->all(FLERR, "{} must be above 0 and at most 1, got {}: it is how far children are from the particle that "
+                           "is split, in its smoothing lengths; beyond 1 they lie among its neighbors. 0.35 to 0.5 is "
+                           "usual",
+                    k.what(), k.given());
 }
 
 void Refinement::read_pattern(Keywords &k)
@@ -281,6 +291,17 @@ int Refinement::unpack(int i, const double *buf)
   return 2 + most_level;
 }
 
+// level, fresh or not, families
+int Refinement::look(const double *row, int n, std::string &why) const
+{
+  if (n < 2 + most_level) why = fmt::format("{} values for refinement, {} expected", n, 2 + most_level);
+  else if (!is_whole(row[0], 0, most_level)) why = fmt::format("level {}, 0 to {} expected", row[0], most_level);
+  else if (!is_whole(row[1], 0, 1)) why = fmt::format("a mark of refinement {}, 0 or 1 expected", row[1]);
+  for (int k = 1; why.empty() && k <= most_level; k++)
+    if (!is_whole(row[1 + k], k <= row[0], MAXTAGINT)) why = fmt::format("family {} at level {}", row[1 + k], k);
+  return why.empty() ? 2 + most_level : -1;
+}
+
 /* ---------------------------------------------------------------------- restart, outputs */
 
 namespace {
@@ -305,18 +326,20 @@ std::vector<double> Refinement::state()
   return s;
 }
 
-void Refinement::restore(const double *s, size_t n)
+bool Refinement::restore(const double *s, size_t n)
 {
+  if (n != SAVED || !is_whole(s[KIND], 0, TM_SPLIT_KINDS - 1) || !is_whole(s[LEVELS], 1, 8) ||
+      !is_whole(s[NEXT_TAG], 0, MAXTAGINT) || !is_whole(s[TOLD], 0, 8))
+    return false;
   const auto text = [](double k, double e, double a, double l) {
     return fmt::format("{} epsilon {:.8g} alpha {:.8g} level {}", tm_split_name((int) k), e, a, (int) l);
   };
-  if (n != SAVED) lmp()->error->all(FLERR, "Fix adapt/neigh refine: the restart file is of another version");
   if (s[KIND] != kind || s[EPSILON] != epsilon || s[ALPHA] != alpha || s[LEVELS] != most_level)
     lmp()->error->all(FLERR, "Fix adapt/neigh refine {}: the restart file was written with {}; write the same",
                       text(kind, epsilon, alpha, most_level), text(s[KIND], s[EPSILON], s[ALPHA], s[LEVELS]));
   next_tag = s[NEXT_TAG];
   levels_told = (int) s[TOLD];
-  if (lmp()->comm->me) return;
+  if (lmp()->comm->me) return true;
   n_splits = s[SPLITS];
   n_merges = s[MERGES];
   n_outside = s[OUTSIDE];
@@ -325,6 +348,7 @@ void Refinement::restore(const double *s, size_t n)
   error.angular = tm_vec(s[LX], s[LY], s[LZ]);
   error.kinetic = s[KINETIC];
   error.elastic = s[ELASTIC];
+  return true;
 }
 
 std::vector<std::string> Refinement::outputs() const

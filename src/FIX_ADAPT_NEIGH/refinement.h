@@ -45,8 +45,9 @@ class Refinement : public AdaptPart {
   int most_packed() const override { return 2 + most_level; }
   int pack(int i, double *) override;
   int unpack(int i, const double *) override;
+  int look(const double *, int n, std::string &why) const override;
   std::vector<double> state() override;
-  void restore(const double *, size_t) override;
+  bool restore(const double *, size_t) override;
 
   std::vector<std::string> outputs() const override;
   double output(int) override;
@@ -104,6 +105,7 @@ class Refinement : public AdaptPart {
 
   LAMMPS_NS::LAMMPS *lmp() const;
   void read_refine(Keywords &);
+  void read_epsilon(Keywords &);
   void read_pattern(Keywords &);
   void make_pattern(int kernel);
   LAMMPS_NS::bigint next_check() const;

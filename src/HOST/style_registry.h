@@ -3,11 +3,15 @@
 #define SPHTM_STYLE_REGISTRY_H
 
 #include "error.h"
+#include "force.h"
 #include "lammps.h"
 #include "lammpsplugin.h"
+#include "modify.h"
 #include "sphtm_config.h"
 
+#include <cstring>
 #include <list>
+#include <map>
 #include <string>
 
 namespace SPHTM_NS {
@@ -42,12 +46,12 @@ inline void *refuse_with_args(void *lmp, int, char **arg) { return refuse(lmp, a
 class Registry {
  public:
   Registry(void *lmp, void *handle, void *regfunc) :
-      lmp_(lmp), register_((lammpsplugin_regfunc) regfunc)
+      lmp_(static_cast<LAMMPS_NS::LAMMPS *>(lmp)), register_((lammpsplugin_regfunc) regfunc)
   {
     plugin_.version = SPHTM_LAMMPS_VERSION;
     plugin_.author = "SPH-TM developers";
     plugin_.handle = handle;
-    kokkos_ = static_cast<LAMMPS_NS::LAMMPS *>(lmp)->kokkos;
+    kokkos_ = lmp_->kokkos;
   }
   template <class STYLE, class KOKKOS = STYLE> void pair(const char *name, const char *info)
   {
@@ -103,10 +107,23 @@ class Registry {
     plugin_.name = name;
     plugin_.info = info;
     (*register_)(&plugin_, lmp_);
+    add_here();
+  }
+  // LAMMPS registers a style once in a process: a second instance in it would not know the style
+  void add_here()
+  {
+    using namespace LAMMPS_NS;
+    if (!strcmp(plugin_.style, "pair")) put<Force::PairCreator>(*lmp_->force->pair_map, plugin_.creator.v1);
+    else if (!strcmp(plugin_.style, "fix")) put<Modify::FixCreator>(*lmp_->modify->fix_map, plugin_.creator.v2);
+    else put<Modify::ComputeCreator>(*lmp_->modify->compute_map, plugin_.creator.v2);
+  }
+  template <class CREATOR, class FUNCTION> void put(std::map<std::string, CREATOR> &known, FUNCTION *create)
+  {
+    known.insert({plugin_.name, (CREATOR) create});    // where it is missing
   }
   lammpsplugin_t plugin_;
   bool kokkos_ = false;    // LAMMPS runs with it
-  void *lmp_;
+  LAMMPS_NS::LAMMPS *lmp_;
   lammpsplugin_regfunc register_;
 };
 

@@ -7,14 +7,14 @@ static constexpr double MOL = 1.0 / 6.02214129e23;    // as in LAMMPS
 
 static const StyleUnits STYLE_UNITS[] = {
     // style     mass              length            time   energy             pressure density
-    {"si",       1.0,              1.0,              1.0,   1.0,               1.0,      1.0},
-    {"cgs",      1e-3,             1e-2,             1.0,   1e-7,              0.1,      1e3},
-    {"real",     1e-3 * MOL,       1e-10,            1e-15, 4184.0 * MOL,      101325.0, 1e3},
-    {"metal",    1e-3 * MOL,       1e-10,            1e-12, 1.6021765e-19,     1e5,      1e3},
+    {"si",       1.0,              1.0,              1.0,   1.0,               1.0,      1.0, "Pa", "kg/m3"},
+    {"cgs",      1e-3,             1e-2,             1.0,   1e-7,              0.1,      1e3, "dyn/cm2", "g/cm3"},
+    {"real",     1e-3 * MOL,       1e-10,            1e-15, 4184.0 * MOL,      101325.0, 1e3, "atm", "g/cm3"},
+    {"metal",    1e-3 * MOL,       1e-10,            1e-12, 1.6021765e-19,     1e5,      1e3, "bar", "g/cm3"},
     {"electron", 1.66053906660e-27, 5.29177210903e-11, 1e-15, 4.3597447222e-18, 1.0,
-     1.66053906660e-27 / (5.29177210903e-11 * 5.29177210903e-11 * 5.29177210903e-11)},
-    {"micro",    1e-15,            1e-6,             1e-6,  1e-15,             1e3,      1e3},
-    {"nano",     1e-21,            1e-9,             1e-9,  1e-21,             1e6,      1e6},
+     1.66053906660e-27 / (5.29177210903e-11 * 5.29177210903e-11 * 5.29177210903e-11), "Pa", "amu/bohr3"},
+    {"micro",    1e-15,            1e-6,             1e-6,  1e-15,             1e3,      1e3, "pg/(um us2)", "pg/um3"},
+    {"nano",     1e-21,            1e-9,             1e-9,  1e-21,             1e6,      1e6, "ag/(nm ns2)", "ag/nm3"},
 };
 
 const StyleUnits *find_style_units(const std::string &style)
@@ -37,6 +37,21 @@ double si_value(Unit unit, const StyleUnits &u)
     case CAPACITY: return u.energy / u.mass;
     default: return 1.0;
   }
+}
+
+const char *si_name(Unit unit)
+{
+  static const char *const NAME[] = {"", "kg/m3", "Pa", "m/s", "1/s", "K", "W/(m K)", "J/(kg K)"};
+  return NAME[unit];
+}
+
+std::string style_name(Unit unit, const StyleUnits &u)
+{
+  const bool si = std::string(u.style) == "si" || unit == TEMPERATURE;
+  if (unit == DENSITY) return u.density_name;
+  if (unit == STRESS) return u.pressure_name;
+  if (si) return si_name(unit);
+  return unit == CAPACITY ? "energy/(mass K)" : "energy/(time length K)";
 }
 
 bool in_range(Range range, double x)

@@ -13,6 +13,7 @@ namespace SPHTM_NS {
 struct StyleUnits {
   const char *style;
   double mass, length, time, energy, pressure, density;
+  const char *pressure_name, *density_name;
 };
 const StyleUnits *find_style_units(const std::string &style);    // nullptr: lj and unknown ones
 
@@ -21,6 +22,8 @@ namespace Material {
 enum Unit { PLAIN, DENSITY, STRESS, SPEED, RATE, TEMPERATURE, CONDUCTIVITY, CAPACITY };
 
 double si_value(Unit unit, const StyleUnits &u);
+const char *si_name(Unit unit);
+std::string style_name(Unit unit, const StyleUnits &u);    // of the unit in the style
 
 enum Range { ANY, POSITIVE, NOT_NEGATIVE, SHARE, POISSON };
 bool in_range(Range range, double x);

@@ -2,8 +2,11 @@
 #include "material_input.h"
 
 #include "material_card.h"
+#include "material_check.h"
 #include "material_constants.h"
+#include "tm_damage.h"
 
+#include "comm.h"
 #include "error.h"
 #include "lammps.h"
 #include "update.h"
@@ -31,7 +34,7 @@ struct Words {
 
 class MaterialReader {
  public:
-  MaterialReader(LAMMPS *l, const char *s) : error(l->error), style(s) {}
+  MaterialReader(LAMMPS *l, const char *s) : lmp(l), error(l->error), style(s) {}
 
   // source names the place for messages: empty for the input script
   void read(const std::vector<std::string> &list, const std::string &source);
@@ -44,6 +47,7 @@ class MaterialReader {
     const Constant *constant;
     tm_real value;
   };
+  LAMMPS *lmp;
   Error *error;
   std::string style, where;
   tm_material m = {};
@@ -56,6 +60,7 @@ class MaterialReader {
   void group(Words &w);
   void change(Words &w);
   void apply_changes();
+  void check_damage();
 };
 
 double MaterialReader::number(Words &w, const std::string &what, Range range)
@@ -201,6 +206,26 @@ void MaterialReader::apply_changes()
   }
 }
 
+// a strain at fracture that is not positive: the material would fail with the first plastic strain
+void MaterialReader::check_damage()
+{
+  if (m.damage != TM_DAMAGE_JOHNSON_COOK) return;
+  const auto fracture = [this](double s) { return m.d1 + m.d2 * exp(m.d3 * s); };
+  const std::string what = fmt::format("{}: damage johnson/cook {:.6g} {:.6g} {:.6g}: the strain at fracture", where, m.d1,
+                                       m.d2, m.d3);
+  if (!(fracture(1.0 / 3.0) > TM_FRACTURE_STRAIN_MIN))
+    error->all(FLERR, "{} in tension, d1 + d2 exp(d3 s) at s = 1/3, is {:.6g}, and must be above 0; for no damage write "
+                      "'damage none'", what, fracture(1.0 / 3.0));
+  if (lmp->comm->me) return;
+  for (const double s : {TM_TRIAXIALITY_MIN, TM_TRIAXIALITY_MAX})
+    if (!(fracture(s) > TM_FRACTURE_STRAIN_MIN))
+      error->warning(FLERR, "{} d1 + d2 exp(d3 s) is {:.6g} at s = {:.6g} (mean stress over von Mises stress): there it "
+                            "fails at once", what, fracture(s), s);
+  if (m.d5 <= -1.0)
+    error->warning(FLERR, "{} goes with 1 + d5 T*, d5 = {:.6g}, and is not above 0 at the melting temperature: hot "
+                          "material fails at once", what, m.d5);
+}
+
 // what follows from the constants, and what must hold between them
 tm_material MaterialReader::finish(const std::string &source)
 {
@@ -222,6 +247,7 @@ tm_material MaterialReader::finish(const std::string &source)
       (m.d4 != 0.0 || m.d5 != 0.0))
     error->all(FLERR, "{}: damage johnson/cook with d4 or d5 needs the reference rate and the "
                "temperatures of strength johnson/cook; use 0 for both", where);
+  check_damage();
   m.shear = m.young / (2.0 * (1.0 + m.poisson));
   m.bulk = m.young / (3.0 * (1.0 - 2.0 * m.poisson));
   return m;
@@ -268,11 +294,17 @@ tm_material read_material(LAMMPS *lmp, const char *style, int narg, char **arg)
 {
   if (narg < 1) lmp->error->all(FLERR, "{}: needs {}, or a file and a material name", style,
                                 known_keywords());
-  if (is_keyword(arg[0])) return material_from_args(lmp, style, narg, arg);
+  if (is_keyword(arg[0])) {
+    const tm_material m = material_from_args(lmp, style, narg, arg);
+    warn_of_units(lmp, style, m);
+    return m;
+  }
   if (narg < 2)
     lmp->error->all(FLERR, "{}: '{}' is neither a keyword ({}) nor a material file followed by the "
                     "name of a material", style, arg[0], known_keywords());
-  return material_from_card(lmp, style, arg[0], arg[1], narg, arg, 2);
+  const tm_material m = material_from_card(lmp, style, arg[0], arg[1], narg, arg, 2);
+  warn_of_units(lmp, style, m);
+  return m;
 }
 
 std::string material_title(int narg, char **arg)

@@ -1,5 +1,5 @@
 """Malformed scripts: fix adapt/neigh, refine and asph. See bad_input.py."""
-from bad_input import fine, run_all, wrong
+from bad_input import fine, run_all, warned, wrong
 
 AN = "adapt/neigh"
 PATTERN = "refine square epsilon 0.4 alpha 0.6 "
@@ -26,6 +26,9 @@ wrong("refine without when", adapt(PATTERN), AN, "refine square", "when")
 for bad in ("0", "-1", "nan"):
     wrong("refine epsilon " + bad, adapt("refine square epsilon %s alpha 0.6 when neighbors above 1" % bad), AN,
           "epsilon", bad)
+for far in ("1.01", "9"):
+    wrong("refine epsilon " + far, adapt("refine square epsilon %s alpha 0.6 when neighbors above 1" % far), AN,
+          "epsilon", "at most 1", far, "smoothing lengths", "neighbors")
 for bad in ("0", "1.1", "nan"):
     wrong("refine alpha " + bad, adapt("refine square epsilon 0.4 alpha %s when neighbors above 1" % bad), AN, "alpha",
           bad)
@@ -102,5 +105,13 @@ for key in ("threshold", "rows", "margin", "stretch", "approach"):
 wrong("rows 2.5", asph("threshold 0 rows 2.5"), "fix adapt/neigh rows", "2.5")
 wrong("adapt/neigh with an unknown keyword", asph("h psi"), "fix adapt/neigh", "h", "asph")
 fine("asph", asph("asph psi every 2 limits 0.5 2"))
+
+# --- groups ------------------------------------------------------------------------------------------------
+
+for words in "threshold 0", PATTERN + "when pstrain above 0.1":
+    warned("an empty group, " + words.split()[0],
+           {"more": "group none empty\nfix ad none adapt/neigh " + words}, AN + " ad", "no particle", "group none")
+wrong("a dynamic group",
+      {"more": "group moving dynamic all region work every 5\nfix ad moving adapt/neigh threshold 0"}, AN, "dynamic group")
 
 run_all()

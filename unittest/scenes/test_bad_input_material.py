@@ -1,5 +1,5 @@
 """Malformed scripts: pair_coeff, its constants, cards and how types meet. See bad_input.py."""
-from bad_input import CARD, GOOD, HEAT, JC, TWO, coeff, fine, run_all, wrong
+from bad_input import CARD, GOOD, HEAT, JC, TWO, coeff, fine, run_all, warned, wrong
 
 S = "sph/tm"
 C = "sph/tm coeff"
@@ -40,6 +40,15 @@ wrong("shock c0 0", coeff(GOOD + " eos shock 0 1.4 2"), C, "c0", "0")
 wrong("tait without exponent", coeff(GOOD + " eos tait"), C, "tait", "missing")
 wrong("damage of an elastic material", coeff(GOOD + " damage strain 0.3"), C, "damage", "plastic")
 wrong("damage strain negative", coeff(JC + " damage strain -0.3"), C, "strain_max", "-0.3")
+wrong("damage strain 0", coeff(JC + " damage strain 0"), C, "strain_max", "0")
+for zeros in ("0 0 0 0 0", "-0.1 0.05 -1 0 0"):
+    wrong("damage johnson/cook " + zeros, coeff(JC + " damage johnson/cook " + zeros), C, "damage johnson/cook",
+          "strain at fracture", "s = 1/3", "above 0", "damage none")
+wrong("damage set to 0", coeff(JC + " damage johnson/cook 0.1 0 0 0 0 set d1 0"), C, "strain at fracture")
+warned("damage at once where it is pulled from all sides", coeff(JC + " damage johnson/cook -0.09 0.25 -1.5 0 0"),
+       "damage johnson/cook -0.09", "s = 1.5", "at once")
+warned("damage at once where it is hot", coeff(JC + " damage johnson/cook 0.5 1 -3 0 -1.2"), "d5 = -1.2", "melting")
+fine("damage", coeff(JC + HEAT + " damage johnson/cook 0.05 3.44 -2.12 0.002 0.61"))
 wrong("heat with two values", coeff(JC + " heat 200 900"), C, "heat", "missing")
 wrong("negative conductivity", coeff(JC + " heat -200 900 0.9"), C, "conductivity", "-200")
 wrong("capacity 0", coeff(JC + " heat 200 0 0.9"), C, "capacity", "0")
@@ -55,6 +64,41 @@ wrong("set of an unknown constant", coeff(JC + " set jc_q 0"), C, "jc_q", "jc_c"
 wrong("set of a constant that is not there", coeff(GOOD + " set jc_c 0"), C, "jc_c", "johnson/cook")
 wrong("set without value", coeff(JC + " set jc_c"), C, "jc_c", "missing")
 wrong("set twice", coeff(JC + " set jc_c 0 set jc_c 1"), C, "jc_c", "twice")
+
+# --- pair_coeff: numbers in other units -------------------------------------------------------------------------
+
+PLASTIC = " strength plastic "
+warned("density in g/cm3", coeff("density 2.7 elastic 70e9 0.33 strength plastic 300e6 1e9"),
+       "pair_coeff 1 1: density 2.7 in units si is 2.7 kg/m3", "100 to 25000", "was it given in g/cm3? units si takes kg/m3")
+warned("density in t/mm3", coeff("density 2.7e-9 elastic 70e9 0.33 strength plastic 300e6 1e9"), "t/mm3")
+warned("density too large", coeff("density 27000 elastic 70e9 0.33 strength plastic 300e6 1e9"), "density 27000")
+warned("all stresses in MPa", coeff("density 2700 elastic 70e3 0.33 strength plastic 300 1000"), "young 70000",
+       "70000 Pa", "yield 300", "was it given in MPa? units si takes Pa")
+warned("yield in MPa", coeff(GOOD + " strength johnson/cook 428 327 1.008 0.01 1.31 293 855 1"), "jc_a + jc_b 755",
+       "MPa?")
+warned("yield beyond a tenth of E", coeff(GOOD + PLASTIC + "10e9 0"), "yield 1e+10", "10000 to 7e+09")
+warned("melting at 150 K", coeff(GOOD + " strength johnson/cook 428e6 327e6 1.008 0.01 1.31 100 150 1"), "t_melt 150",
+       "at least 200")
+warned("capacity in J/(g K)", coeff(JC + " heat 200 0.9 0.9"), "capacity 0.9", "J/(g K)?", "takes J/(kg K)")
+warned("a capacity table", coeff(JC + " heat 200 table/2 300 0.9 800 900 0.9"), "capacity 0.9")
+warned("conductivity in mW/(m K)", coeff(JC + " heat 200e3 900 0.9"), "conductivity 200000", "at most 10000",
+       "mW/(m K)?")
+warned("a second type", dict(TWO, more="pair_coeff 2 2 density 2.7 elastic 70e9 0.33 strength plastic 300e6 1e9"),
+       "pair_coeff 2 2: density")
+warned("a card in other units", coeff("cards.sphtm one"), "density 2.7", "g/cm3",
+       files={"cards.sphtm": CARD.replace("2700", "2.7")})
+CGS = {"units": "units cgs", "lattice": "lattice sq 0.1 origin 0.5 0.5 0",
+       "box": "region box block -0.5 1.5 -0.5 1.5 -0.05 0.05 units box",
+       "work": "region work block 0 0.8 0 0.8 INF INF units box",
+       "pair_style": "pair_style sph/tm hyperbolic 1.2 spacing 0.1"}
+warned("SI numbers in units cgs", dict(CGS, **coeff("density 2700 elastic 70e9 0.33 strength plastic 300e6 1e9")),
+       "density 2700 in units cgs is 2.7e+06 kg/m3", "was it given in kg/m3? units cgs takes g/cm3")
+fine("units cgs", dict(CGS, **coeff("density 2.7 elastic 70e10 0.33 strength plastic 300e7 1e10 heat 2e7 9e6 0.9")))
+fine("a mass scaled by 1000", coeff(JC.replace("2700", "2.7e6") + " heat 200 0.9 0.9"))
+fine("an elastic body of any density", coeff("density 1 elastic 1e4 0.3"))
+fine("a tungsten", coeff("density 19300 elastic 400e9 0.28 strength johnson/cook 1500e6 180e6 0.12 0.016 1 293 3695 1 "
+                         "heat 170 134 0.9"))
+fine("polythene as a metal", coeff("density 950 elastic 1e9 0.4 strength plastic 25e6 0 heat 0.4 2300 0.9"))
 
 # --- pair_coeff: cards --------------------------------------------------------------------------------------
 
