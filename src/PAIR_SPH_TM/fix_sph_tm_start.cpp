@@ -31,7 +31,6 @@ constexpr double DENSE = 1.2, DENSE_WARNED = 1.1, THIN = 1.09, THIN_WARNED = 1.0
 constexpr double DENSE_OF_SIZES = 1.6, THIN_OF_SIZES = 1.4;    // where particles have sizes of their own
 constexpr double CLOSE = 0.1;                 // of the spacing: in one place
 constexpr double CLOSE_BETWEEN_RUNS = 0.7;    // where it was not so at the end of the last run
-constexpr int ALONE = 20;                     // particles that may have no neighbor at all
 }    // namespace
 
 /* ---------------------------------------------------------------------- other fixes and commands */
@@ -210,7 +209,12 @@ void FixSPHTM::judge_filling(const Filling &mine, double of_lattice, bool sizes)
   MPI_Allreduce(&rank, &first, 1, MPI_INT, MPI_MIN, world);
   if (first == comm->me) {
     const double *x = atom->x[i];
-    const std::string remedy = all[1] > 0.3 * all[0]
+    const tm_real *r = pair_sph->host_records().main + tm_record(i, TM_REC);
+    const double mass = r[tm_part(TM_REC_M)], due = r[tm_part(TM_REC_RHO)] * pow(set.spacing, domain->dimension);
+    const std::string remedy = !sizes && fabs(mass / due - 1.0) > 0.05
+        ? fmt::format("its mass is {:.6g}, density times spacing gives {:.6g}: leave out the mass command, or 'set type {} "
+                      "mass {:.6g}' where particles have masses of their own", mass, due, atom->type[i], due)
+        : all[1] > 0.3 * all[0]
         ? fmt::format("write 'spacing {:.6g}' in pair_style (or 'spacing lattice' while the lattice command that made them "
                       "is in use)", s * set.spacing)
         : dense ? std::string("two bodies or lattices are too close together or lie over each other: set them one spacing "
@@ -239,7 +243,8 @@ void FixSPHTM::check_start()
   if (all[1] == 0.0 && atom->natoms > 1 && solids) {
     const std::string text = fmt::format("Pair style sph/tm: no particle has a neighbor within reach; are the particles "
                                          "{:.6g} (the keyword spacing) apart?", pair_sph->settings_in_use().spacing);
-    if (atom->natoms >= ALONE) error->all(FLERR, text);
+    const double of_lattice = pair_sph->lattice_spacing(), off = of_lattice / pair_sph->settings_in_use().spacing;
+    if (off > THIN) error->all(FLERR, "{} The lattice in use has {:.6g}: write 'spacing lattice'", text, of_lattice);
     if (comm->me == 0) error->warning(FLERR, text);
   }
   check_filling(false);

@@ -68,8 +68,8 @@ std::map<unsigned, double> FixSPHTM::probe_effects(double seconds, bigint steps)
 void FixSPHTM::post_run()
 {
   remember_particles();
-  if (timing) watch_energy(LAST_LOOK);
   const bigint steps = update->ntimestep - clock_step;
+  if (timing) watch_energy(steps >= nevery ? LAST_LOOK : LOOK);
   if (!want_table || !timing || steps < TABLE_STEPS || atom->natoms == 0) return;
   const double total = run_clock.total();
   timing = false;

@@ -68,6 +68,8 @@ class PairSPHTM : public Pair {
   // for fix sph/tm, fix contact/tri and the computes
   void steps() { stepped = true; }
   bool has_stepped() const { return stepped; }    // a fix sph/tm has taken steps with it
+  // distance of particles that each have the volume (in 2d the area) of one on the lattice in use; 0: there is none
+  double lattice_spacing() const;
   bool has_fix() const;    // the one of the last init is still there
   bool belongs_to(const FixSPHTM *f) const { return fix == f; }    // since the last init
   const std::string &restart_file() const { return restart_name; }    // that was read, or empty

@@ -39,13 +39,10 @@ void PairSPHTM::allocate()
   laws.assign((size_t) n * n, PairLaw());
 }
 
-// distance of particles that each have the volume (in 2d the area) of one on the lattice in use
-static double lattice_spacing(LAMMPS *lmp)
+double PairSPHTM::lattice_spacing() const
 {
-  Lattice *lattice = lmp->domain->lattice;
-  if (!lattice || lattice->style == Lattice::NONE)
-    lmp->error->all(FLERR, "Pair style sph/tm spacing lattice: there is no lattice in use; write a lattice command before "
-                           "it, or the spacing as a number");
+  Lattice *lattice = domain->lattice;
+  if (!lattice || lattice->style == Lattice::NONE) return 0.0;
   tm_vec3 edge[3], origin = tm_vec(0, 0, 0);
   lattice->lattice2box(origin.x, origin.y, origin.z);
   for (int k = 0; k < 3; k++) {
@@ -54,7 +51,7 @@ static double lattice_spacing(LAMMPS *lmp)
     edge[k] = tm_vec_sub(edge[k], origin);
   }
   const tm_vec3 face = tm_vec_cross(edge[0], edge[1]);
-  if (lmp->domain->dimension == 2) return sqrt(fabs(face.z) / lattice->nbasis);
+  if (domain->dimension == 2) return sqrt(fabs(face.z) / lattice->nbasis);
   return cbrt(fabs(tm_vec_dot(face, edge[2])) / lattice->nbasis);
 }
 
@@ -78,8 +75,16 @@ void PairSPHTM::settings(int narg, char **arg)
 
   Keywords k(lmp, "Pair style sph/tm", narg - 2, arg + 2);
   while (k.next()) {
-    if (k.is("spacing")) set.spacing = k.take("lattice") ? lattice_spacing(lmp) : k.positive();
-    else if (k.is("viscosity")) {
+    if (k.is("spacing")) {
+      if (k.take("lattice")) set.spacing = lattice_spacing();
+      else {
+        set.spacing = k.positive();
+        continue;
+      }
+      if (set.spacing == 0.0)
+        error->all(FLERR, "{} lattice: there is no lattice in use; write a lattice command before it, or the spacing as a "
+                          "number", k.what());
+    } else if (k.is("viscosity")) {
       k.need(2);
       set.visc_alpha = k.not_negative("alpha");
       set.visc_beta = k.not_negative("beta");

@@ -61,8 +61,9 @@ wrong("two particles almost in one place",
       S, "apart", "delete_atoms overlap")
 wrong("a velocity that is no number", {"more": "variable bad atom exp(1000)\nvelocity all set v_bad NULL NULL"}, F,
       "velocity", "particle")
-warned("mass of another material", {"more": "mass 1 5.0"}, S, "mass", "type 1", "0.0027")
-warned("atom style with masses of its own", {"atom_style": "atom_style sphere"}, S, "mass", "0.0027", "set type")
+wrong("mass of another material", {"more": "mass 1 5.0"}, S, "its mass is 5", "0.0027", "mass command")
+wrong("atom style with masses of its own", {"atom_style": "atom_style sphere"}, S, "its mass", "0.0027",
+      "set type 1 mass 0.0027")
 
 # --- compute ------------------------------------------------------------------------------------------------
 
@@ -81,7 +82,21 @@ warned("Johnson-Cook without heat constants", coeff(JC), F, "Johnson-Cook", "hea
 warned("plasticity forced off", fix("effects plasticity off"), F, "plasticity is forced off", "yields")
 warned("damage forced off", dict(coeff(JC + HEAT + " damage strain 0.3"), **fix("effects damage off")), F,
        "damage is forced off", "damage law")
-warned("another integrator", {"more": "fix 2 all nve"}, "nve", "also integrates")
+wrong("another integrator", {"more": "fix 2 all nve"}, "Fix 2 nve", "also integrates 64 particles", "group")
+wrong("another integrator for some of them", {"more": "group some id 1:5\nfix 2 some nve/limit 0.1"}, "Fix 2 nve/limit",
+      "5 particles")
+wrong("fix dt/reset", {"more": "fix 2 all dt/reset 10 NULL NULL 1e-5"}, "Fix 2 dt/reset", "dt/max")
+wrong("pair_modify compute no", {"more": "pair_modify compute no"}, F, "pair_modify compute yes")
+wrong("a dynamic group", {"fix": "variable fast atom vx>0\ngroup quick dynamic all var fast\nfix body quick sph/tm"},
+      "body", "dynamic group")
+warned("an empty group", {"fix": "group nobody empty\nfix body nobody sph/tm"}, F, "group nobody is empty")
+wrong("dt above what a contact of bodies allows",
+      dict(TWO, **fix("dt 3e-8"), more="pair_coeff 2 2 %s\npair_coeff 1 2 contact penalty 100" % GOOD), F, "dt 3e-08",
+      "contact stiffness")
+wrong("temperature/max of 0", fix("temperature/max 0"), F, "temperature/max")
+wrong("density/max of 1", fix("density/max 1"), F, "density/max", "above 1")
+wrong("energy/drift of nothing", fix("energy/drift -1"), F, "energy/drift")
+wrong("state of another kind", fix("state old"), F, "state", "keep", "new")
 fine("effects forced on that have no use", fix("effects damage on effects surface on effects xsph on"))
 fine("everything off",
      dict(style("hyperbolic 1.2 spacing 1e-3 viscosity 0 0 artstress 0 4"), **fix("effects heat off")))

@@ -39,8 +39,8 @@ wrong("plane stress in 3D", dict(THREE_D, **style("hyperbolic 1.2 spacing 1e-3 p
       "dimension 2")
 warned("spacing far below the lattice", style("hyperbolic 1.2 spacing 0.1e-3"), S, "spacing", "0.0001",
        "no particle has a neighbor")
-warned("spacing below the lattice", style("hyperbolic 1.2 spacing 0.6e-3"), S, "spacing", "0.0006", "0.001")
-warned("spacing above the lattice", style("hyperbolic 1.2 spacing 2e-3"), S, "spacing", "0.002", "0.001")
+wrong("spacing below the lattice", style("hyperbolic 1.2 spacing 0.6e-3"), S, "spacing", "0.0006", "spacing 0.001'")
+wrong("spacing above the lattice", style("hyperbolic 1.2 spacing 2e-3"), S, "spacing", "0.002", "spacing 0.001")
 wrong("spacing in another unit", style("hyperbolic 1.2 spacing 1"), S, "spacing 1", "area of 64", "0.0004")
 wrong("/kk without Kokkos", {"pair_style": "pair_style sph/tm/kk hyperbolic 1.2 spacing 1e-3"}, "sph/tm/kk", "KOKKOS")
 wrong("fix /kk", {"fix": "fix body all sph/tm/kk"}, "sph/tm/kk", "sph/tm")
