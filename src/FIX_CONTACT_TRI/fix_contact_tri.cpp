@@ -334,8 +334,8 @@ void FixContactTri::finish_contact()
     warned_deep = true;
     error->warning(FLERR,
                    "Fix contact/tri {}: a particle's centre lies {:.2f} spacings behind the "
-                   "surface; beyond 1 it is no longer pushed out: raise penalty or lower the speed",
-                   id, sums.inner / deep);
+                   "surface; beyond 1 it is no longer pushed out: raise penalty or lower the speed{}",
+                   id, sums.inner / deep, request.overlap_allowed ? ", or start without overlap" : "");
   }
   state->contact_spring += sums.spring;
 }
