@@ -39,6 +39,7 @@ class AdaptLists : public AdaptPart, public RowSource {
   void reorder(int, const int *) override;
   void send(int, const int *, const int *, double *) override;
   void receive(int, const int *, double *) override;
+  void changed(bool moved, bool renamed) override;
   std::vector<double> state() override;
   bool restore(const double *, size_t) override;
 

@@ -222,6 +222,22 @@ void AdaptLists::receive(int n, const int *place_of, double *buf)
   backend->kept_receive(n, {kept_store(), names.loop_write(), place_of, nullptr, buf, most_packed(), first});
 }
 
+// rows that know their neighbors by what is not so any more: all are searched as at the start
+void AdaptLists::changed(bool moved, bool renamed)
+{
+  if (!keeps() || quiet.capacity == 0) return;
+  backend->zero(kept.loop_write(), kept.bytes());
+  backend->zero(memory.loop_write(), memory.bytes());
+  first_search = true;
+  time_now = time_watched = next_watch = 0.0;
+  LAMMPS *lmp = fix.host();
+  if (lmp->comm->me) return;
+  const std::string what = !renamed ? "places" : moved ? "places and IDs" : "IDs";
+  lmp->error->warning(FLERR, "Fix adapt/neigh threshold {}: particles have got other {} since the last run: all rows are "
+                             "searched again, as at the start{}", threshold, what,
+                      renamed ? " ('delete_atoms ... compress no' leaves the IDs as they are)" : "");
+}
+
 // of all ranks
 std::vector<double> AdaptLists::state()
 {

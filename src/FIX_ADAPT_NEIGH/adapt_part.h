@@ -66,6 +66,8 @@ class AdaptPart {
   virtual void reorder(int /*n*/, const int * /*order*/) {}
   virtual void send(int /*n*/, const int * /*sent*/, const int * /*filled_by*/, double *) {}
   virtual void receive(int /*n*/, const int * /*place*/, double *) {}
+  // before a run: since the last one particles were moved, or have got other IDs, by other commands
+  virtual void changed(bool /*moved*/, bool /*renamed*/) {}
   // values of the whole, for restart files
   virtual std::vector<double> state() { return {}; }
   virtual bool restore(const double *, size_t) { return true; }    // false: they cannot be this part's

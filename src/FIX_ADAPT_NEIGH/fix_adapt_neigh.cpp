@@ -25,6 +25,27 @@ using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
 using namespace FixConst;
 
+namespace {
+// IDs and positions of owned particles, which may be newer where the loops run
+struct PlacesOnHost {
+  explicit PlacesOnHost(FixAdaptNeigh &fix) : tags(fix.body().loops()), places(fix.body().loops())
+  {
+    const size_t n = fix.host()->atom->nlocal;
+    Backend &loops = fix.body().loops();
+    tags.resize(n + 1);
+    places.resize(3 * n + 1);
+    loops.copy(tags.loop_write(), fix.pair().loop_tags(), n * sizeof(int));
+    loops.copy(places.loop_write(), fix.body().state().x, 3 * n * sizeof(double));
+    tag = tags.host_read();
+    x = places.host_read();
+  }
+  LoopArray<int> tags;
+  LoopArray<double> places;
+  const int *tag;
+  const double *x;
+};
+}    // namespace
+
 static constexpr size_t MOST_STATE = 128;    // values of all parts in a restart file
 
 FixAdaptNeigh::FixAdaptNeigh(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
@@ -110,6 +131,8 @@ void FixAdaptNeigh::check_group()
 
 void FixAdaptNeigh::setup_pre_exchange()
 {
+  end_watch();
+  if (!update->setupflag) begin_watch();    // of write_restart or write_data
   for (AdaptPart *p : used) p->setup_pre_exchange();
 }
 void FixAdaptNeigh::setup_pre_force(int)
@@ -122,6 +145,7 @@ void FixAdaptNeigh::setup(int)
 }
 void FixAdaptNeigh::pre_exchange()
 {
+  forget_places();    // with 'run pre no' it is still on
   const auto timed = sph->run_clock.timed(this);
   for (AdaptPart *p : used) p->pre_exchange();
 }
@@ -152,6 +176,7 @@ void FixAdaptNeigh::renew_lists() { next_reneighbor = update->ntimestep + 1; }
 void FixAdaptNeigh::post_run()
 {
   for (AdaptPart *p : used) p->post_run();
+  begin_watch();
 }
 
 double FixAdaptNeigh::compute_vector(int n)
@@ -187,6 +212,55 @@ void FixAdaptNeigh::remade(int i, double factor)
 void FixAdaptNeigh::neighborhood_changed(int i)
 {
   for (AdaptPart *p : used) p->neighborhood_changed(i);
+}
+
+/* ---------------------------------------------------------------------- between runs
+
+   delete_atoms and reset_atoms give particles other IDs, displace_atoms, change_box and set other places, and no style is
+   told. Parts that know particles by them ask here. */
+
+void FixAdaptNeigh::remember(int i, int tag, const double *x)
+{
+  if (i >= (int) then.tag.size()) {
+    then.tag.resize(atom->nmax, 0);
+    then.x.resize(3 * (size_t) atom->nmax, 0.0);
+  }
+  then.tag[i] = tag;
+  std::copy_n(x, 3, &then.x[3 * (size_t) i]);
+}
+
+void FixAdaptNeigh::compare(int i, int tag, const double *x)
+{
+  if (i >= (int) then.tag.size() || then.tag[i] == 0) return;
+  const double *was = &then.x[3 * (size_t) i], least = 1e-6 * pair_sph->settings_in_use().spacing;
+  double dx = x[0] - was[0], dy = x[1] - was[1], dz = x[2] - was[2];
+  domain->minimum_image(dx, dy, dz);
+  then.renamed = then.renamed || tag != then.tag[i];
+  then.moved = then.moved || dx * dx + dy * dy + dz * dz > least * least;
+}
+
+void FixAdaptNeigh::begin_watch()
+{
+  if (!has_values) return;
+  then = {};
+  then.on = true;
+  const PlacesOnHost now(*this);
+  for (int i = 0; i < atom->nlocal; i++) remember(i, now.tag[i], now.x + 3 * (size_t) i);
+}
+
+void FixAdaptNeigh::end_watch()
+{
+  if (!has_values) return;
+  if (then.on) {
+    const PlacesOnHost now(*this);
+    for (int i = 0; i < atom->nlocal; i++) compare(i, now.tag[i], now.x + 3 * (size_t) i);
+  }
+  const int mine[2] = {then.moved, then.renamed};
+  int any[2];
+  MPI_Allreduce(mine, any, 2, MPI_INT, MPI_MAX, world);
+  then = {};
+  if (any[0] || any[1])
+    for (AdaptPart *p : used) p->changed(any[0], any[1]);
 }
 
 /* ---------------------------------------------------------------------- to ghosts */
@@ -232,34 +306,44 @@ void FixAdaptNeigh::grow_arrays(int nmax)
 }
 void FixAdaptNeigh::copy_arrays(int from, int to, int)
 {
+  if (then.on && from < (int) then.tag.size()) {
+    const double x[3] = {then.x[3 * (size_t) from], then.x[3 * (size_t) from + 1], then.x[3 * (size_t) from + 2]};
+    remember(to, then.tag[from], x);
+  }
   for (AdaptPart *p : used) p->copy(from, to);
 }
 void FixAdaptNeigh::set_arrays(int i)
 {
+  if (then.on) remember(i, 0, atom->x[i]);
   for (AdaptPart *p : used) p->set_new(i);
 }
 int FixAdaptNeigh::pack_exchange(int i, double *buf)
 {
+  if (then.on) compare(i, (int) atom->tag[i], atom->x[i]);
   int m = 0;
   for (AdaptPart *p : used) m += p->pack(i, buf + m);
   return m;
 }
 int FixAdaptNeigh::unpack_exchange(int i, double *buf)
 {
+  if (then.on) remember(i, (int) atom->tag[i], atom->x[i]);
   int m = 0;
   for (AdaptPart *p : used) m += p->unpack(i, buf + m);
   return m;
 }
 void FixAdaptNeigh::reorder_arrays(int n, const int *order)
 {
+  forget_places();
   for (AdaptPart *p : used) p->reorder(n, order);
 }
 void FixAdaptNeigh::send_arrays(int n, const int *sent, const int *filled_by, double *buf)
 {
+  forget_places();
   for (AdaptPart *p : used) p->send(n, sent, filled_by, buf);
 }
 void FixAdaptNeigh::receive_arrays(int n, const int *place, double *buf)
 {
+  forget_places();
   for (AdaptPart *p : used) p->receive(n, place, buf);
 }
 int FixAdaptNeigh::pack_restart(int i, double *buf)

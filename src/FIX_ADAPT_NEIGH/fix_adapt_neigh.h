@@ -77,6 +77,16 @@ class FixAdaptNeigh : public Fix {
   int forwarded_columns = 0;
   bool has_values = false;    // that move with the particles
   struct {
+    bool on = false, moved = false, renamed = false;
+    std::vector<int> tag;     // of owned particles; 0: not known
+    std::vector<double> x;
+  } then;                     // at the end of the last run, and what was seen since
+  void remember(int i, int tag, const double *x);
+  void compare(int i, int tag, const double *x);
+  void forget_places() { then.on = false; }    // particles get others unseen
+  void begin_watch();
+  void end_watch();
+  struct {
     uint64_t rows = 0, hash = 0, rows_written = 0, hash_written = 0;
   } read;                     // from a restart file, until it is checked
 

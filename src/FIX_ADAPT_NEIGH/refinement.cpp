@@ -134,6 +134,7 @@ void Refinement::init()
   when.init(every);
   coarsen_when.init(every);
   forget_plans();
+  warn_of_lost_levels();
   tools.clear();
   int dim;
   for (Fix *f : lmp()->modify->get_fix_by_style("^contact/tri"))
@@ -291,6 +292,35 @@ int Refinement::unpack(int i, const double *buf)
   return 2 + most_level;
 }
 
+// families are IDs
+void Refinement::changed(bool, bool renamed)
+{
+  if (!renamed) return;
+  std::fill(family.begin(), family.end(), 0.0);
+  const int n = lmp()->atom->nlocal;
+  int mine = std::any_of(level.begin(), level.begin() + n, [](double l) { return l > 0.0; }), any;
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, lmp()->world);
+  if (any && coarsen != NEVER && lmp()->comm->me == 0)
+    lmp()->error->warning(FLERR, "Fix adapt/neigh coarsen: particles have got other IDs since the last run: those that were "
+                                 "split before are not merged any more ('delete_atoms ... compress no' leaves the IDs as "
+                                 "they are)");
+}
+
+// particles of another such fix, that is gone
+void Refinement::warn_of_lost_levels()
+{
+  if (asked_levels) return;
+  asked_levels = true;
+  const double least = fix.body().sizes().smallest_dp;
+  const int n = lmp()->atom->nlocal;
+  int mine = std::any_of(level.begin(), level.begin() + n, [](double l) { return l > 0.0; }), any;
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, lmp()->world);
+  if (!any && fix.body().restored() && least < 0.99 * fix.pair().settings_in_use().spacing && lmp()->comm->me == 0)
+    lmp()->error->warning(FLERR, "Fix adapt/neigh refine: some particles are smaller than the spacing of pair_style; where "
+                                 "another fix adapt/neigh has split them before, that is forgotten: they are of level 0 "
+                                 "and may be split again");
+}
+
 // level, fresh or not, families
 int Refinement::look(const double *row, int n, std::string &why) const
 {
@@ -298,7 +328,7 @@ int Refinement::look(const double *row, int n, std::string &why) const
   else if (!is_whole(row[0], 0, most_level)) why = fmt::format("level {}, 0 to {} expected", row[0], most_level);
   else if (!is_whole(row[1], 0, 1)) why = fmt::format("a mark of refinement {}, 0 or 1 expected", row[1]);
   for (int k = 1; why.empty() && k <= most_level; k++)
-    if (!is_whole(row[1 + k], k <= row[0], MAXTAGINT)) why = fmt::format("family {} at level {}", row[1 + k], k);
+    if (!is_whole(row[1 + k], 0, MAXTAGINT)) why = fmt::format("family {} at level {}", row[1 + k], k);
   return why.empty() ? 2 + most_level : -1;
 }
 

@@ -46,6 +46,7 @@ class Refinement : public AdaptPart {
   int pack(int i, double *) override;
   int unpack(int i, const double *) override;
   int look(const double *, int n, std::string &why) const override;
+  void changed(bool moved, bool renamed) override;
   std::vector<double> state() override;
   bool restore(const double *, size_t) override;
 
@@ -97,6 +98,7 @@ class Refinement : public AdaptPart {
   double n_splits = 0, n_merges = 0, n_outside = 0;
   tm_content error;                    // what splits and merges changed
   double next_tag = 0;                 // of all ranks
+  bool asked_levels = false;           // whether those of particles are known
   int levels_told = 0;                 // the log has said what the first split to this level costs
   std::vector<double> summed;          // the outputs of step summed_at
   LAMMPS_NS::bigint summed_at = -1;
@@ -110,6 +112,7 @@ class Refinement : public AdaptPart {
   void make_pattern(int kernel);
   LAMMPS_NS::bigint next_check() const;
   void forget_plans();
+  void warn_of_lost_levels();
   void decide();
   enum { NOTHING, SPLIT, FALLEN_BACK, STAYS };    // marks
   std::vector<char> mark();
