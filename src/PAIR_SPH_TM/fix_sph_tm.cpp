@@ -120,8 +120,9 @@ void FixSPHTM::derive_effects()
                           "'heat k cp chi' to its pair_coeff, with k 0 where it does not conduct, or "
                           "force the effect off with 'effects heat off'", plan.heat_reason, t,
                    pair_sph->material_name(t));
-  const unsigned before = fx;
   fx = plan.effects;
+  report = plan.report;
+  warnings = plan.warnings;
   // nothing is dropped before the set-up: a fix whose turn is still to come may ask for what a
   // restart file has brought
   const unsigned had = fields.mask();
@@ -139,11 +140,16 @@ void FixSPHTM::derive_effects()
     const tm_size_range r = sizes();
     pair_sph->cover_sizes(r.largest_h, r.smallest_dp);
   }
-  if (comm->me == 0 && (before != fx || !reported)) {
-    for (const auto &line : plan.report) utils::logmesg(lmp, "{}\n", line);
-    for (const auto &w : plan.warnings) error->warning(FLERR, w);
-    reported = true;
-  }
+}
+
+// at a set-up, when all fixes have asked for what they need
+void FixSPHTM::report_effects()
+{
+  if (report == reported) return;
+  reported = report;
+  if (comm->me) return;
+  for (const auto &line : report) utils::logmesg(lmp, "{}\n", line);
+  for (const auto &w : warnings) error->warning(FLERR, w);
 }
 
 void FixSPHTM::init()
@@ -245,6 +251,7 @@ AccuracyMeter *FixSPHTM::audit_now()
 void FixSPHTM::begin_forces()
 {
   if (update->setupflag) {
+    report_effects();
     fields.enable(fx, atom->nmax);
     maxexchange = fields.columns();
     initialise_particles();

@@ -143,7 +143,8 @@ class FixSPHTM : public Fix {
   unsigned forced_on = 0, forced_off = 0;
   unsigned asked = 0;              // by other fixes
   std::vector<std::pair<unsigned, std::string>> asked_reasons;
-  bool reported = false;           // the effects were printed
+  std::vector<std::string> report, warnings, reported;    // of the effects; what was printed
+  void report_effects();
   bool has_forces = false;         // of a set-up or step
   struct Preset {
     int bit;
@@ -213,7 +214,7 @@ class FixSPHTM : public Fix {
   std::string limiting_particle();
   // what a script gets wrong, fix_sph_tm_start.cpp
   struct Filling {                 // of the particles of this rank
-    double particles = 0, off = 0, densest = 0.0, thinnest = 1e300;
+    double particles = 0, off = 0, right = 0, densest = 0.0, thinnest = 1e300;
     int dense_at = -1, thin_at = -1;
   };
   struct {
@@ -231,6 +232,7 @@ class FixSPHTM : public Fix {
   void check_values();
   void check_overlap(const tm_nearest &, double least);
   void check_filling(bool of_fresh);
+  std::string spacing_in_words(double) const;
   void judge_filling(const Filling &, double of_lattice, bool sizes);
   void check_start();
   void check_changes();

@@ -27,7 +27,7 @@ using namespace SPHTM_NS;
 namespace {
 // lattice sum of the masses over its value on the lattice, and spacing over that of the masses: beyond the first the
 // run stops, beyond the second it warns
-constexpr double DENSE = 1.2, DENSE_WARNED = 1.1, THIN = 1.09, THIN_WARNED = 1.045;
+constexpr double DENSE = 1.17, DENSE_WARNED = 1.1, THIN = 1.09, THIN_WARNED = 1.045;
 constexpr double DENSE_OF_SIZES = 1.6, THIN_OF_SIZES = 1.4;    // where particles have sizes of their own
 constexpr double CLOSE = 0.1;                 // of the spacing: in one place
 constexpr double CLOSE_BETWEEN_RUNS = 0.7;    // where it was not so at the end of the last run
@@ -164,9 +164,16 @@ void FixSPHTM::check_filling(bool of_fresh)
   a.dim = domain->dimension;
   a.h = set.h;
   if (!has(TM_FX_SMOOTHING)) a.rec.size = nullptr;
-  const double of_lattice = tm_filling_of_lattice(set.kernel, a.dim, set.ratio, 1.0);
+  const double of_lattice = tm_filling_of_lattice(set.kernel, a.dim, set.ratio, 1.0).sum;
+  std::vector<tm_filling> wider;    // lattices, each wider by a hundredth
+  for (double s = 1.0; s < 2.6; s += 0.01) wider.push_back(tm_filling_of_lattice(set.kernel, a.dim, set.ratio, s));
+  // one that ends within the reach of the kernel is not wide, its spread is smaller
+  auto as_wide = [&wider](const tm_filling &f) {
+    const auto at = std::find_if(wider.begin(), wider.end(), [&f](const tm_filling &w) { return w.sum < f.sum; });
+    return f.spread > 0.9 * (at == wider.end() ? wider.back() : *at).spread;
+  };
   const bool sizes = has(TM_FX_SMOOTHING);
-  const double thin_sum = tm_filling_of_lattice(set.kernel, a.dim, set.ratio, sizes ? THIN_OF_SIZES : THIN_WARNED);
+  const double thin_sum = tm_filling_of_lattice(set.kernel, a.dim, set.ratio, sizes ? THIN_OF_SIZES : THIN_WARNED).sum;
 
   Filling mine;
   for (int i = 0; i < atom->nlocal; i++) {
@@ -174,8 +181,9 @@ void FixSPHTM::check_filling(bool of_fresh)
     if (of_fresh && !std::binary_search(fresh.begin(), fresh.end(), atom->tag[i])) continue;
     const tm_filling f = tm_filling_around(i, &a);
     const double dense = f.sum / of_lattice;
-    const bool thin = f.inside && f.sum < thin_sum;
+    const bool thin = f.inside && f.sum < thin_sum && as_wide(f);
     mine.particles++;
+    mine.right += f.inside && fabs(dense - 1.0) < 0.03;
     mine.off += dense > (sizes ? DENSE_OF_SIZES : DENSE_WARNED) || thin;
     if (dense > mine.densest) {
       mine.densest = dense;
@@ -189,13 +197,21 @@ void FixSPHTM::check_filling(bool of_fresh)
   judge_filling(mine, of_lattice, sizes);
 }
 
+// the spacing of the lattice in use where it is that
+std::string FixSPHTM::spacing_in_words(double spacing) const
+{
+  const double of_lattice = pair_sph->lattice_spacing();
+  return fabs(of_lattice - spacing) < 0.02 * spacing ? fmt::format("{:.6g}' or 'spacing lattice", of_lattice)
+                                                     : fmt::format("{:.3g}", spacing);
+}
+
 void FixSPHTM::judge_filling(const Filling &mine, double of_lattice, bool sizes)
 {
   const PairSPHTM::Settings &set = pair_sph->settings_in_use();
   const double low[2] = {-mine.densest, mine.thinnest};
-  double worst[2], count[2] = {mine.particles, mine.off}, all[2];
+  double worst[2], count[3] = {mine.particles, mine.off, mine.right}, all[3];
   MPI_Allreduce(low, worst, 2, MPI_DOUBLE, MPI_MIN, world);
-  MPI_Allreduce(count, all, 2, MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(count, all, 3, MPI_DOUBLE, MPI_SUM, world);
   const bool dense = -worst[0] > (sizes ? DENSE_OF_SIZES : DENSE_WARNED);
   if (!dense && worst[1] >= 1e300) return;
   const double sum = dense ? -worst[0] * of_lattice : worst[1];
@@ -214,9 +230,9 @@ void FixSPHTM::judge_filling(const Filling &mine, double of_lattice, bool sizes)
     const std::string remedy = !sizes && fabs(mass / due - 1.0) > 0.05
         ? fmt::format("its mass is {:.6g}, density times spacing gives {:.6g}: leave out the mass command, or 'set type {} "
                       "mass {:.6g}' where particles have masses of their own", mass, due, atom->type[i], due)
-        : all[1] > 0.3 * all[0]
-        ? fmt::format("write 'spacing {:.6g}' in pair_style (or 'spacing lattice' while the lattice command that made them "
-                      "is in use)", s * set.spacing)
+        : all[1] > 0.3 * all[0] && all[2] < 0.05 * all[0]
+        ? fmt::format("write 'spacing {}' in pair_style{}", spacing_in_words(s * set.spacing),
+                      dense ? ", or delete what was created twice" : "")
         : dense ? std::string("two bodies or lattices are too close together or lie over each other: set them one spacing "
                               "apart, or remove what is double with delete_atoms overlap")
                 : std::string("a part of the particles is further apart than the spacing: create them all on one lattice");

@@ -5,8 +5,8 @@
      S(s) = s^-dim sum over the lattice of W at h/(s dp),  falling with s,
    so s follows from S: 1 where all is right, less where two lattices lie over each other, more where the spacing of the
    pair style is too small. At a free surface S is low too: only where the neighbors lie around evenly,
-     |sum V W x_ij| << h S  and  sum V W x_ij x_ij nearly isotropic,
-   does a low S tell of the spacing. */
+     |sum V W x_ij| << h S,  sum V W x_ij x_ij nearly isotropic,  sum V W r^2/(h^2 S) that of a lattice
+   does a low S tell of the spacing; the last is lower in the middle of a body that ends within the reach. */
 #ifndef TM_FILLING_H
 #define TM_FILLING_H
 
@@ -22,20 +22,28 @@ typedef struct {
 
 typedef struct {
   tm_real sum;          /* S */
+  tm_real spread;       /* sum V W r^2/(h^2 S) */
   int inside;           /* its neighbors lie around it evenly */
 } tm_filling;
 
-/* S on the lattice: h over the spacing of the masses, s: true spacing over theirs. */
-TM_FN tm_real tm_filling_of_lattice(int kernel, int dim, tm_real h, tm_real s)
+/* On the lattice: h over the spacing of the masses, s: true spacing over theirs. */
+TM_FN tm_filling tm_filling_of_lattice(int kernel, int dim, tm_real h, tm_real s)
 {
+  tm_filling out;
   const tm_real of = h / s, norm = tm_kernel_norm(kernel, dim, of);
   const int reach = (int) (tm_kernel_support(kernel) * of), nz = dim == 3 ? reach : 0;
-  tm_real sum = 0.0;
+  tm_real sum = 0.0, second = 0.0;
   for (int x = -reach; x <= reach; x++)
     for (int y = -reach; y <= reach; y++)
-      for (int z = -nz; z <= nz; z++)
-        sum += norm * tm_kernel_shape(kernel, sqrt((tm_real) (x * x + y * y + z * z)) / of);
-  return sum / (dim == 3 ? s * s * s : s * s);
+      for (int z = -nz; z <= nz; z++) {
+        const tm_real r2 = x * x + y * y + z * z, w = norm * tm_kernel_shape(kernel, sqrt(r2) / of);
+        sum += w;
+        second += w * r2;
+      }
+  out.sum = sum / (dim == 3 ? s * s * s : s * s);
+  out.spread = second / (of * of * sum);
+  out.inside = 1;
+  return out;
 }
 
 /* The s with that S, within 0.3 to 3. */
@@ -44,7 +52,7 @@ TM_FN tm_real tm_filling_spacing(int kernel, int dim, tm_real h, tm_real sum)
   tm_real lo = 0.3, hi = 3.0;
   for (int k = 0; k < 40; k++) {
     const tm_real mid = 0.5 * (lo + hi);
-    if (tm_filling_of_lattice(kernel, dim, h, mid) > sum) lo = mid;
+    if (tm_filling_of_lattice(kernel, dim, h, mid).sum > sum) lo = mid;
     else hi = mid;
   }
   return 0.5 * (lo + hi);
@@ -75,6 +83,7 @@ TM_FN tm_filling tm_filling_around(int i, const tm_filling_args *a)
     }
   }
   tm_real uneven = 0.0, trace = 0.0;
+  out.spread = (second[0][0] + second[1][1] + second[2][2]) / (h * h * out.sum);
   for (int c = 0; c < a->dim; c++) trace += second[c][c] / a->dim;
   for (int c = 0; c < a->dim; c++)
     for (int e = 0; e < a->dim; e++) uneven = tm_max(uneven, fabs(second[c][e] - (c == e ? trace : 0.0)));

@@ -88,7 +88,7 @@ wrong("another integrator for some of them", {"more": "group some id 1:5\nfix 2 
 wrong("fix dt/reset", {"more": "fix 2 all dt/reset 10 NULL NULL 1e-5"}, "Fix 2 dt/reset", "dt/max")
 wrong("pair_modify compute no", {"more": "pair_modify compute no"}, F, "pair_modify compute yes")
 wrong("a dynamic group", {"fix": "variable fast atom vx>0\ngroup quick dynamic all var fast\nfix body quick sph/tm"},
-      "body", "dynamic group")
+      F, "dynamic group")
 warned("an empty group", {"fix": "group nobody empty\nfix body nobody sph/tm"}, F, "group nobody is empty")
 wrong("dt above what a contact of bodies allows",
       dict(TWO, **fix("dt 3e-8"), more="pair_coeff 2 2 %s\npair_coeff 1 2 contact penalty 100" % GOOD), F, "dt 3e-08",

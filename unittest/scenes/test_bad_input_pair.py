@@ -37,10 +37,39 @@ wrong("correction with form f14", style("hyperbolic 1.2 spacing 1e-3 correction 
 wrong("plane bend", style("hyperbolic 1.2 spacing 1e-3 plane bend"), S, "plane", "strain or stress", "bend")
 wrong("plane stress in 3D", dict(THREE_D, **style("hyperbolic 1.2 spacing 1e-3 plane stress")), S, "plane stress",
       "dimension 2")
-warned("spacing far below the lattice", style("hyperbolic 1.2 spacing 0.1e-3"), S, "spacing", "0.0001",
-       "no particle has a neighbor")
+wrong("spacing far below the lattice", style("hyperbolic 1.2 spacing 0.1e-3"), S, "no particle has a neighbor", "0.0001",
+      "lattice in use has 0.001", "spacing lattice")
 wrong("spacing below the lattice", style("hyperbolic 1.2 spacing 0.6e-3"), S, "spacing", "0.0006", "spacing 0.001'")
 wrong("spacing above the lattice", style("hyperbolic 1.2 spacing 2e-3"), S, "spacing", "0.002", "spacing 0.001")
+wrong("spacing 10 % below the lattice", style("hyperbolic 1.2 spacing 0.9e-3"), S, "spacing 0.0009", "spacing 0.001'")
+wrong("spacing 10 % above the lattice", style("hyperbolic 1.2 spacing 1.1e-3"), S, "spacing 0.0011", "spacing 0.001'")
+warned("spacing 6 % below the lattice", style("hyperbolic 1.2 spacing 0.94e-3"), S, "spacing 0.00094", "spacing 0.001'")
+warned("spacing 6 % above the lattice", style("hyperbolic 1.2 spacing 1.06e-3"), S, "spacing 0.00106", "spacing 0.001'")
+fine("spacing 3 % above the lattice", style("hyperbolic 1.2 spacing 1.03e-3"))
+for kernel in "hyperbolic", "cubic", "quintic", "wendland/c2", "wendland/c4":
+    for ratio in "1", "1.2", "1.6", "2.2":
+        fine("lattices of %s %s" % (kernel, ratio), style(kernel + " " + ratio + " spacing lattice"))
+        fine("cubic lattices of %s %s" % (kernel, ratio),
+             dict(THREE_D, **style(kernel + " " + ratio + " spacing lattice")))
+for lattice in "fcc", "bcc", "hcp", "diamond":
+    case = fine if lattice != "diamond" else lambda *a: None    # no packing that a body has
+    case(lattice, dict(THREE_D, lattice="lattice %s 1e-3" % lattice, **style("hyperbolic 1.4 spacing lattice")))
+fine("hexagons", dict({"lattice": "lattice hex 1e-3"}, **style("hyperbolic 1.2 spacing lattice")))
+fine("a turned lattice", dict({"lattice": "lattice sq 1e-3 orient x 1 1 0 orient y -1 1 0"},
+                              **style("hyperbolic 1.2 spacing lattice")))
+wrong("no lattice to take the spacing from", dict({"lattice": "", "atoms": "create_atoms 1 random 60 1 work"},
+                                                  **style("hyperbolic 1.2 spacing lattice")), S, "spacing lattice",
+      "no lattice in use")
+SECOND = "lattice sq 1e-3 origin {0} 0\nregion other block {1} INF INF units box\ncreate_atoms 1 region other\n"
+wrong("a lattice over another", {"atoms": "create_atoms 1 region work\n" + SECOND.format("0 0", "0 4e-3 0 8e-3")}, S,
+      "times the mass around it", "lie over each other")
+wrong("two bodies half a spacing apart",
+      {"atoms": "create_atoms 1 region work\n" + SECOND.format("0 0.5", "8e-3 12e-3 0 8e-3")}, S, "too close together")
+wrong("two bodies half a spacing apart in 3D",
+      dict(THREE_D, atoms="create_atoms 1 region work\nlattice sc 1e-3 origin 0 0.5 0.5\n"
+           "region other block 4.9e-3 10e-3 0 5e-3 0 5e-3 units box\ncreate_atoms 1 region other"), S,
+      "too close together")
+fine("two bodies one spacing apart", {"atoms": "create_atoms 1 region work\n" + SECOND.format("0.5 0", "8e-3 12e-3 0 8e-3")})
 wrong("spacing in another unit", style("hyperbolic 1.2 spacing 1"), S, "spacing 1", "area of 64", "0.0004")
 wrong("/kk without Kokkos", {"pair_style": "pair_style sph/tm/kk hyperbolic 1.2 spacing 1e-3"}, "sph/tm/kk", "KOKKOS")
 wrong("fix /kk", {"fix": "fix body all sph/tm/kk"}, "sph/tm/kk", "sph/tm")
