@@ -233,8 +233,8 @@ void AdaptLists::changed(bool moved, bool renamed)
   LAMMPS *lmp = fix.host();
   if (lmp->comm->me) return;
   const std::string what = !renamed ? "places" : moved ? "places and IDs" : "IDs";
-  lmp->error->warning(FLERR, "Fix adapt/neigh threshold {}: particles have got other {} since the last run: all rows are "
-                             "searched again, as at the start{}", threshold, what,
+  lmp->error->warning(FLERR, "Fix adapt/neigh threshold {}: particles have got other {} since the last run: all rows "
+                             "are searched again, as at the start{}", threshold, what,
                       renamed ? " ('delete_atoms ... compress no' leaves the IDs as they are)" : "");
 }
 
