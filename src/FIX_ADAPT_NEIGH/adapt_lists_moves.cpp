@@ -228,6 +228,7 @@ void AdaptLists::changed(bool moved, bool renamed)
   if (!keeps() || quiet.capacity == 0) return;
   backend->zero(kept.loop_write(), kept.bytes());
   backend->zero(memory.loop_write(), memory.bytes());
+  for (auto *a : {&was, &now}) a->clear();    // all ranks tell who is searched
   first_search = true;
   time_now = time_watched = next_watch = 0.0;
   LAMMPS *lmp = fix.host();

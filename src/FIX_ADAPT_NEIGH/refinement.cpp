@@ -66,8 +66,8 @@ void Refinement::read_epsilon(Keywords &k)
   epsilon = k.positive();
   if (epsilon <= 1.0) return;
   lmp()->error->all(FLERR, "{} must be above 0 and at most 1, got {}: it is how far children are from the particle "
-                           "that is split, in its smoothing lengths; beyond 1 they are among its neighbors. 0.35 to 0.5 "
-                           "is usual",
+                           "that is split, in its smoothing lengths; beyond 1 they are among its neighbors; 0.35 to 0.5"
+                           " is usual",
                     k.what(), k.given());
 }
 
