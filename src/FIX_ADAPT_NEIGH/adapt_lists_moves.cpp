@@ -228,13 +228,14 @@ void AdaptLists::changed(bool moved, bool renamed)
   if (!keeps() || quiet.capacity == 0) return;
   backend->zero(kept.loop_write(), kept.bytes());
   backend->zero(memory.loop_write(), memory.bytes());
+  for (auto *a : {&was, &now}) a->clear();    // all ranks tell who is searched
   first_search = true;
   time_now = time_watched = next_watch = 0.0;
   LAMMPS *lmp = fix.host();
   if (lmp->comm->me) return;
   const std::string what = !renamed ? "places" : moved ? "places and IDs" : "IDs";
-  lmp->error->warning(FLERR, "Fix adapt/neigh threshold {}: particles have got other {} since the last run: all rows are "
-                             "searched again, as at the start{}", threshold, what,
+  lmp->error->warning(FLERR, "Fix adapt/neigh threshold {}: particles have got other {} since the last run: all rows "
+                             "are searched again, as at the start{}", threshold, what,
                       renamed ? " ('delete_atoms ... compress no' leaves the IDs as they are)" : "");
 }
 

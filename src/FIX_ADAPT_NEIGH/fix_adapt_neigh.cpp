@@ -216,8 +216,8 @@ void FixAdaptNeigh::neighborhood_changed(int i)
 
 /* ---------------------------------------------------------------------- between runs
 
-   delete_atoms and reset_atoms give particles other IDs, displace_atoms, change_box and set other places, and no style is
-   told. Parts that know particles by them ask here. */
+   delete_atoms and reset_atoms give particles other IDs, displace_atoms, change_box and set other places, and no style
+   is told. Parts that know particles by them ask here. */
 
 void FixAdaptNeigh::remember(int i, int tag, const double *x)
 {
@@ -232,11 +232,11 @@ void FixAdaptNeigh::remember(int i, int tag, const double *x)
 void FixAdaptNeigh::compare(int i, int tag, const double *x)
 {
   if (i >= (int) then.tag.size() || then.tag[i] == 0) return;
-  const double *was = &then.x[3 * (size_t) i], least = 1e-6 * pair_sph->settings_in_use().spacing;
+  const double *was = &then.x[3 * (size_t) i];
   double dx = x[0] - was[0], dy = x[1] - was[1], dz = x[2] - was[2];
   domain->minimum_image(dx, dy, dz);
   then.renamed = then.renamed || tag != then.tag[i];
-  then.moved = then.moved || dx * dx + dy * dy + dz * dz > least * least;
+  then.moved = then.moved || dx * dx + dy * dy + dz * dz > then.least * then.least;
 }
 
 void FixAdaptNeigh::begin_watch()
@@ -244,6 +244,7 @@ void FixAdaptNeigh::begin_watch()
   if (!has_values) return;
   then = {};
   then.on = true;
+  then.least = 1e-6 * pair_sph->settings_in_use().spacing;
   const PlacesOnHost now(*this);
   for (int i = 0; i < atom->nlocal; i++) remember(i, now.tag[i], now.x + 3 * (size_t) i);
 }

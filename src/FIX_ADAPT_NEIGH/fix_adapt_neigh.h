@@ -78,6 +78,7 @@ class FixAdaptNeigh : public Fix {
   bool has_values = false;    // that move with the particles
   struct {
     bool on = false, moved = false, renamed = false;
+    double least = 0.0;       // way that counts
     std::vector<int> tag;     // of owned particles; 0: not known
     std::vector<double> x;
   } then;                     // at the end of the last run, and what was seen since

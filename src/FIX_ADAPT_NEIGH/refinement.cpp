@@ -65,9 +65,9 @@ void Refinement::read_epsilon(Keywords &k)
 {
   epsilon = k.positive();
   if (epsilon <= 1.0) return;
-  lmp()->error->all(FLERR, "{} must be above 0 and at most 1, got {}: it is how far children are from the particle that "
-                           "is split, in its smoothing lengths; beyond 1 they lie among its neighbors. 0.35 to 0.5 is "
-                           "usual",
+  lmp()->error->all(FLERR, "{} must be above 0 and at most 1, got {}: it is how far children are from the particle "
+                           "that is split, in its smoothing lengths; beyond 1 they are among its neighbors; 0.35 to 0.5"
+                           " is usual",
                     k.what(), k.given());
 }
 
@@ -301,9 +301,9 @@ void Refinement::changed(bool, bool renamed)
   int mine = std::any_of(level.begin(), level.begin() + n, [](double l) { return l > 0.0; }), any;
   MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, lmp()->world);
   if (any && coarsen != NEVER && lmp()->comm->me == 0)
-    lmp()->error->warning(FLERR, "Fix adapt/neigh coarsen: particles have got other IDs since the last run: those that were "
-                                 "split before are not merged any more ('delete_atoms ... compress no' leaves the IDs as "
-                                 "they are)");
+    lmp()->error->warning(FLERR, "Fix adapt/neigh coarsen: particles have got other IDs since the last run: those that "
+                                 "were split before are not merged any more ('delete_atoms ... compress no' leaves the "
+                                 "IDs as they are)");
 }
 
 // particles of another such fix, that is gone
@@ -316,9 +316,9 @@ void Refinement::warn_of_lost_levels()
   int mine = std::any_of(level.begin(), level.begin() + n, [](double l) { return l > 0.0; }), any;
   MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, lmp()->world);
   if (!any && fix.body().restored() && least < 0.99 * fix.pair().settings_in_use().spacing && lmp()->comm->me == 0)
-    lmp()->error->warning(FLERR, "Fix adapt/neigh refine: some particles are smaller than the spacing of pair_style; where "
-                                 "another fix adapt/neigh has split them before, that is forgotten: they are of level 0 "
-                                 "and may be split again");
+    lmp()->error->warning(FLERR, "Fix adapt/neigh refine: some particles are smaller than the spacing of pair_style; "
+                                 "where another fix adapt/neigh has split them before, that is forgotten: they are of "
+                                 "level 0 and may be split again");
 }
 
 // level, fresh or not, families

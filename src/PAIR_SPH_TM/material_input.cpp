@@ -211,16 +211,16 @@ void MaterialReader::check_damage()
 {
   if (m.damage != TM_DAMAGE_JOHNSON_COOK) return;
   const auto fracture = [this](double s) { return m.d1 + m.d2 * exp(m.d3 * s); };
-  const std::string what = fmt::format("{}: damage johnson/cook {:.6g} {:.6g} {:.6g}: the strain at fracture", where, m.d1,
-                                       m.d2, m.d3);
+  const std::string what = fmt::format("{}: damage johnson/cook {:.6g} {:.6g} {:.6g}: the strain at fracture", where,
+                                       m.d1, m.d2, m.d3);
   if (!(fracture(1.0 / 3.0) > TM_FRACTURE_STRAIN_MIN))
-    error->all(FLERR, "{} in tension, d1 + d2 exp(d3 s) at s = 1/3, is {:.6g}, and must be above 0; for no damage write "
-                      "'damage none'", what, fracture(1.0 / 3.0));
+    error->all(FLERR, "{} in tension, d1 + d2 exp(d3 s) at s = 1/3, is {:.6g}, and must be above 0; for no damage "
+                      "write 'damage none'", what, fracture(1.0 / 3.0));
   if (lmp->comm->me) return;
   for (const double s : {TM_TRIAXIALITY_MIN, TM_TRIAXIALITY_MAX})
     if (!(fracture(s) > TM_FRACTURE_STRAIN_MIN))
-      error->warning(FLERR, "{} d1 + d2 exp(d3 s) is {:.6g} at s = {:.6g} (mean stress over von Mises stress): there it "
-                            "fails at once", what, fracture(s), s);
+      error->warning(FLERR, "{} d1 + d2 exp(d3 s) is {:.6g} at s = {:.6g} (mean stress over von Mises stress): there "
+                            "it fails at once", what, fracture(s), s);
   if (m.d5 <= -1.0)
     error->warning(FLERR, "{} goes with 1 + d5 T*, d5 = {:.6g}, and is not above 0 at the melting temperature: hot "
                           "material fails at once", what, m.d5);

@@ -112,6 +112,7 @@ for words in "threshold 0", PATTERN + "when pstrain above 0.1":
     warned("an empty group, " + words.split()[0],
            {"more": "group none empty\nfix ad none adapt/neigh " + words}, AN + " ad", "no particle", "group none")
 wrong("a dynamic group",
-      {"more": "group moving dynamic all region work every 5\nfix ad moving adapt/neigh threshold 0"}, AN, "dynamic group")
+      {"more": "group moving dynamic all region work every 5\nfix ad moving adapt/neigh threshold 0"}, AN,
+      "dynamic group")
 
 run_all()

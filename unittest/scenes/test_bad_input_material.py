@@ -69,7 +69,8 @@ wrong("set twice", coeff(JC + " set jc_c 0 set jc_c 1"), C, "jc_c", "twice")
 
 PLASTIC = " strength plastic "
 warned("density in g/cm3", coeff("density 2.7 elastic 70e9 0.33 strength plastic 300e6 1e9"),
-       "pair_coeff 1 1: density 2.7 in units si is 2.7 kg/m3", "100 to 25000", "was it given in g/cm3? units si takes kg/m3")
+       "pair_coeff 1 1: density 2.7 in units si is 2.7 kg/m3", "100 to 25000",
+       "was it given in g/cm3? units si takes kg/m3")
 warned("density in t/mm3", coeff("density 2.7e-9 elastic 70e9 0.33 strength plastic 300e6 1e9"), "t/mm3")
 warned("density too large", coeff("density 27000 elastic 70e9 0.33 strength plastic 300e6 1e9"), "density 27000")
 warned("all stresses in MPa", coeff("density 2700 elastic 70e3 0.33 strength plastic 300 1000"), "young 70000",
