@@ -146,6 +146,7 @@ void FixSPHTM::post_run()
 double FixSPHTM::compute_array(int row, int column)
 {
   using C = RunClock;
+  current(lmp, this, fmt::format("Fix sph/tm {}", id));
   const bigint steps = update->ntimestep - clock_step;
   if (!timing || steps <= 0) return 0.0;
   double mine = 0.0, sum;

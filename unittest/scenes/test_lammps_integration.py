@@ -259,8 +259,12 @@ def clear_and_again():
     checks.true("clear and again", same(once, twice))
     other = MOVING.replace("variable vx", "variable ux").replace("variable vy", "variable uy")
     other = other.replace("v_vx v_vy", "v_ux v_uy")
-    again = run(BLOCK + "run 7\nunfix body\nuncompute p\n" + other + STYLE + COMPUTE + "run 0\n" +
+    again = run(BLOCK + "run 7\nunfix body\nuncompute p\n" + other + STYLE.replace("energy yes", "energy yes state new") +
+                COMPUTE + "run 0\n" +
                 DUMP.format("end.dump")).dump("end.dump")[-1]
+    lost = run(BLOCK + "run 7\nfix body all sph/tm courant 0.1\nrun 1\n", expect_error=True)
+    checks.true("the fix again: refused", "state of the particles" in lost.errors() and "state new" in lost.errors(),
+                lost.errors()[:200])
     checks.true("unfix and fix again: a fresh state", np.all(again["c_p[2]"] == 0) and np.all(again["c_p[1]"] == 2700))
     gone = run(BLOCK + "compute q all sph/tm/atom pressure neighbors surface/area\nrun 5\nunfix body\n"
                "write_dump all custom x.dump id c_q[1]\n", expect_error=True)

@@ -27,9 +27,13 @@ folder = new_folder()
 
 
 def made(keywords, name):
-    run(HEAD + REST % keywords + "run 12\nwrite_restart %s\n" % name, folder=folder)
-    with open(os.path.join(folder, name), "rb") as f:
-        return f.read()
+    """The file, and the same in parts: all but the particles, the particles."""
+    run(HEAD + REST % keywords + "run 12\nwrite_restart %s\nwrite_restart parts.%%\n" % name, folder=folder)
+    files = []
+    for one in name, "parts.base", "parts.0":
+        with open(os.path.join(folder, one), "rb") as f:
+            files.append(f.read())
+    return files
 
 
 def rows(data, keywords):
@@ -45,9 +49,12 @@ def rows(data, keywords):
 
 
 def attempt(arguments):
-    name, data, keywords = arguments
-    with open(os.path.join(folder, name), "wb") as f:
-        f.write(data)
+    name, data, keywords = arguments    # data of the whole file, or of its two parts
+    if isinstance(data, tuple):
+        name += ".%"
+    for one, part in zip((name.replace("%", "base"), name.replace("%", "0")), data if "%" in name else (data,)):
+        with open(os.path.join(folder, one), "wb") as f:
+            f.write(part)
     own = new_folder()
     return run(READ % os.path.join(folder, name) + REST % keywords + "run 6\n", folder=own, expect_error=True,
                timeout=60)
@@ -69,23 +76,26 @@ def put(data, at, value):
 
 
 for keywords, label in (REFINE, "refinement"), (KEPT, "kept rows"):
-    data = made(keywords, "good.restart")
+    data, base, particles = made(keywords, "good.restart")
     again = attempt(("again.restart", data, keywords))
     checks.say(again.status == 0 and not again.warnings(), "the file as it is, " + label, again.errors())
-    places = rows(data, keywords)
+    places = rows(particles, keywords)
     checks.above("rows of particles found, " + label, len(places), 60)
     damaged = []
-    inner_of = (0, 1, 2, 3, 4) if keywords == REFINE else (0, 1, 5, 38, -1)
+    inner_of = (4, 1, 2, 3, 4) if keywords == REFINE else (7, 1, 5, 38, -1)
+    lengths = [put(data, at, value) for (at, n), value in zip(rows(data, keywords), STRANGE)]
+    try_all("lengths of rows, " + label, keywords, lengths, "damaged")
     for k in range(20):
         at, n = places[3 * k]
-        new = put(data, at + 8 * (inner_of[k % 5] % n), STRANGE[k % 8])
-        if new != data:
-            damaged.append(new)
+        new = put(particles, at + 8 * (inner_of[k % 5] % n), STRANGE[k % 8])
+        if new != particles:
+            damaged.append((base, new))
     try_all("values of particles, " + label, keywords, damaged, "adapt/neigh")
     at, n = places[11]
-    flipped = [data[:at + 8 * k] + bytes([data[at + 8 * k] ^ 1]) + data[at + 8 * k + 1:] for k in range(2, n, n // 3)]
+    flipped = [(base, particles[:at + 8 * k] + bytes([particles[at + 8 * k] ^ 1]) + particles[at + 8 * k + 1:])
+               for k in range(2, n, n // 3)]
     try_all("a flipped bit in them, " + label, keywords, flipped, "adapt/neigh")
-    block = data.index(struct.pack("<Q", 0x314d545f48505321))
+    block = data.index(struct.pack("<Q", 0x324d545f48505321))
     hurt = [data[:block + k] + bytes([data[block + k] ^ 64]) + data[block + k + 1:] for k in range(0, 120, 23)]
     try_all("a flipped bit in the block, " + label, keywords, hurt, "damaged")
     for other in ("asph psi", "threshold 0", REFINE.replace("level 2", "level 3"), REFINE + " asph psi",

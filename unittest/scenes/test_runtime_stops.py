@@ -36,6 +36,10 @@ def script(box, fix="", lines="", work="0 8e-3 0 8e-3", dx="1e-3"):
 
 
 # name, box, words of fix sph/tm, lines before the second run, fragments of the message
+TEAR = ("label again\nvariable n loop 3\nvariable k equal 0.5/dt\nvariable vx atom v_k*(x-4e-3)\n"
+        "variable vy atom v_k*(y-4e-3)\nvelocity all set v_vx v_vy NULL units box\nrun 1\n"
+        "variable bx atom -(x-4e-3)*0.5\nvariable by atom -(y-4e-3)*0.5\n"
+        "displace_atoms all move v_bx v_by 0 units box\nnext n\njump SELF again")
 CASES = [
     ("a force that becomes infinite", LARGE, "", "variable f equal exp(800*(step>25))\nfix push one addforce v_f 0 0",
      ["particle 30", "not a number", "Likely cause"]),
@@ -44,12 +48,19 @@ CASES = [
     ("a velocity set too high", LARGE, "", "velocity one set 1e6 0 0 units box",
      ["particle 30", "velocity", "ten times the speed of sound"]),
     # torn apart twice: the second time there is less than what is taken away
-    ("a density below zero", LARGE, "courant 0.8",
-     "label again\nvariable n loop 3\nvariable k equal 0.5/dt\nvariable vx atom v_k*(x-4e-3)\n"
-     "variable vy atom v_k*(y-4e-3)\nvelocity all set v_vx v_vy NULL units box\nrun 1\n"
-     "variable bx atom -(x-4e-3)*0.5\nvariable by atom -(y-4e-3)*0.5\n"
-     "displace_atoms all move v_bx v_by 0 units box\nnext n\njump SELF again",
+    ("a density below zero", LARGE, "courant 0.8 density/max 1e9",
+     TEAR,
      ["particle", "density", "not positive", "Likely cause"]),
+    ("a density beyond a factor of 3", LARGE, "courant 0.8", TEAR,
+     ["particle", "density is 0.", "times that of the material", "density/max", "neighbors within reach",
+      "compressed or stretched"]),
+    ("plastic strain of more than 1 in a step", LARGE, "density/max 1e9",
+     "variable vx atom 2.5/dt*(y-4e-3)\nvelocity all set v_vx NULL NULL units box",
+     ["particle", "plastic strain grew by", "in one step", "lower courant"]),
+    ("heat without end", LARGE, "", "fix glow one sph/tm/heat source 1e15",
+     ["particle 30", "is above the 8550 of temperature/max", "heat source or flux"]),
+    ("a temperature above the given largest", LARGE, "temperature/max 400", "fix glow one sph/tm/heat source 1e12",
+     ["particle 30", "is above the 400 of temperature/max"]),
     ("a particle that leaves the box", SMALL, "", "group last id 32\nvelocity last set 8000 0 0 units box",
      ["particle 32", "leaves the box", "x upper boundary", "velocity", "lost ignore"]),
     ("heat taken out without end", LARGE, "", "fix sink one sph/tm/heat source -1e20",
