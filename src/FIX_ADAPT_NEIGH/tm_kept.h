@@ -39,7 +39,7 @@ enum {
   TM_W_BULK = 3,       /* alpha c/rho slope(q)/q / (q^2 + 0.01), c and rho means of the pair */
   TM_W_SHOCK,          /* beta/rho slope(q)/q / (q^2 + 0.01)^2 */
   TM_W_OTHER,          /* a_j */
-  TM_W_SLOPE = 8,      /* slope(q)/q, a float: upper and lower half */
+  TM_W_SLOPE = 8,      /* slope(q)/q of conduction, a float: upper and lower half */
   TM_W_DISTANCE = 10,  /* q = r/h at the search, over TM_DISTANCE_UNIT */
   TM_WEIGHTS
 };
@@ -308,7 +308,7 @@ enum {
   TM_KCOLS
 };
 
-/* W'/r of entry k, in units of slope_norm/h. */
+/* W'/r of entry k for conduction, in units of slope_norm/h. */
 TM_FN tm_real tm_weight_slope(const tm_kept_rows *r, const short *w, int k)
 {
   const unsigned upper = (unsigned short) w[tm_weight_place(r, TM_W_SLOPE, k)];

@@ -334,7 +334,7 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
         TM_COL(TM_COL_TENSILE) = tm_power_int(tm_kernel_shape(kernel, q) * p.inv_w, art_n);
       if (conduction)
         TM_COL(TM_COL_CONDUCTED) = tm_conduction_pair(ki, TM_HEAT(TM_REC_K), ti, TM_HEAT(TM_REC_T),
-                                                      mj / rhoj * own_volume, g);
+                                                      mj / rhoj * own_volume, tm_conduction_slope(kernel, q, g));
       if (per_rho) TM_COL(TM_COL_PER_RHO) = 1 / rhoj;
       if (xsph)
         TM_COL(TM_COL_SMOOTH) =
