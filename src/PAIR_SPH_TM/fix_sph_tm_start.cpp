@@ -146,11 +146,11 @@ void FixSPHTM::check_overlap(const tm_nearest &c, double least)
   double **x = atom->x;
   const auto pair = std::minmax(c.i, c.j, [&](int i, int j) { return atom->tag[i] < atom->tag[j]; });
   const int i = pair.first, j = pair.second;
-  error->one(FLERR, "Pair style sph/tm: particles {} and {} are {} at {:.6g} {:.6g} {:.6g}; remove one of "
+  error->one(FLERR, "Pair style sph/tm: particles {} and {} are {} at {:.6g} {:.6g} {:.6g}; {}remove one of "
                     "them ('delete_atoms overlap {:.6g} all all')",
              atom->tag[i], atom->tag[j], c.distance == 0.0 ? "in the same place" :
              fmt::format("only {:.6g} of the spacing apart", c.distance / dp), x[i][0], x[i][1],
-             x[i][2], 0.5 * dp);
+             x[i][2], c.distance < CLOSE * dp ? "" : "set bodies one spacing apart, or ", 0.5 * dp);
 }
 
 // masses against the lattice sum of what is there: of all particles, or of those that came since the last run
@@ -273,6 +273,7 @@ void FixSPHTM::check_changes()
   check_values();
   const tm_nearest c = pair_sph->nearest();
   const double dp = has(TM_FX_SMOOTHING) ? pair_sph->smallest_spacing() : pair_sph->settings_in_use().spacing;
-  check_overlap(c, std::min(CLOSE_BETWEEN_RUNS, 0.85 * last_run.nearest / dp));
+  check_overlap(c, CLOSE);
   if (!fresh.empty()) check_filling(true);
+  check_overlap(c, std::min(CLOSE_BETWEEN_RUNS, 0.85 * last_run.nearest / dp));
 }

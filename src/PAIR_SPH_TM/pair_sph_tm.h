@@ -170,6 +170,7 @@ class PairSPHTM : public Pair {
   void make_room_for_rows();
   void check_volume();
   void check_masses();
+  void check_bins();
   void check_list_size(double dp);
   void make_tables();
   void resize_arrays();

@@ -64,6 +64,18 @@ void PairSPHTM::check_volume()
                dim == 3 ? "a volume" : "an area", needed, box);
 }
 
+// LAMMPS's bins are half of the cutoff wide, and at most a hundred times wider than the box
+void PairSPHTM::check_bins()
+{
+  constexpr double MOST = 100.0;
+  const double bin = 0.5 * (tm_kernel_support(set.kernel) * set.h + neighbor->skin);
+  for (int d = 0; d < 3; d++)
+    if (bin > MOST * domain->prd[d])
+      error->all(FLERR, "Pair style sph/tm spacing {:.8g}: the box is only {:.6g} long in {}; make it at least {:.6g}, for "
+                        "instance {:.6g}{}", set.spacing, domain->prd[d], "xyz"[d], bin / MOST, set.spacing,
+                 d == 2 && domain->dimension == 2 ? " (in 2d its thickness has no other meaning)" : "");
+}
+
 // room for the neighbors of a body compressed to a third: LAMMPS's own is meant for molecules
 void PairSPHTM::check_list_size(double dp)
 {

@@ -26,7 +26,7 @@ static bool is_default_skin(const char *unit_style, double skin)
 {
   static const struct { const char *style; double skin; } defaults[] = {
       {"lj", 0.3}, {"real", 2.0}, {"metal", 2.0}, {"si", 0.001}, {"cgs", 0.1}, {"electron", 2.0},
-      {"micro", 2.0}, {"nano", 2.0}};
+      {"micro", 0.1}, {"nano", 0.1}};
   return std::any_of(std::begin(defaults), std::end(defaults),
                      [&](const auto &d) { return strcmp(unit_style, d.style) == 0 && skin == d.skin; });
 }
@@ -69,6 +69,7 @@ void PairSPHTM::init_style()
     if (comm->me == 0)
       utils::logmesg(lmp, "sph/tm: neighbor skin {:.6g}, a tenth of the reach\n", neighbor->skin);
   }
+  check_bins();
   check_list_size(least_spacing);
   make_tables();
   find_row_source();

@@ -70,6 +70,8 @@ wrong("two bodies half a spacing apart in 3D",
            "region other block 4.9e-3 10e-3 0 5e-3 0 5e-3 units box\ncreate_atoms 1 region other"), S,
       "too close together")
 fine("two bodies one spacing apart", {"atoms": "create_atoms 1 region work\n" + SECOND.format("0.5 0", "8e-3 12e-3 0 8e-3")})
+wrong("a box too thin for LAMMPS's bins", {"box": "region box block -5e-3 15e-3 -5e-3 15e-3 -5e-6 5e-6 units box"}, S,
+      "spacing 0.001", "only 1e-05 long in z", "thickness")
 wrong("spacing in another unit", style("hyperbolic 1.2 spacing 1"), S, "spacing 1", "area of 64", "0.0004")
 wrong("/kk without Kokkos", {"pair_style": "pair_style sph/tm/kk hyperbolic 1.2 spacing 1e-3"}, "sph/tm/kk", "KOKKOS")
 wrong("fix /kk", {"fix": "fix body all sph/tm/kk"}, "sph/tm/kk", "sph/tm")

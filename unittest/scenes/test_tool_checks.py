@@ -190,7 +190,7 @@ def block_at(raw):
     magic, at = struct.pack("<Q", 0x324d545f48505321), -1
     while True:
         at = raw.index(magic, at + 1)
-        values = struct.unpack("<Q", raw[at + 8:at + 16])[0]
+        values = struct.unpack("<Q", raw[at + 8:at + 16])[0] // 8
         if values == 64:
             return at, values
 
@@ -242,7 +242,8 @@ def restarts():
         raw[at + k] ^= 4
         with open(os.path.join(folder, "at.restart"), "wb") as f:
             f.write(raw)
-        judge("restart: byte %d of the block" % k, scene("run 1", tool=KEYS, head=READ, folder=folder), T, "damaged")
+        judge("restart: byte %d of the block" % k, scene("run 1", tool=KEYS, head=READ, folder=folder), "fix tool",
+              "damaged")
 
 
 def restarts_by_variable():

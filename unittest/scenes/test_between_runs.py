@@ -1,0 +1,96 @@
+"""What comes, goes or moves between runs, and what is asked for there: taken into account, or refused in words."""
+import numpy as np
+from sphtm_scene import Checks, lattice_block, run
+
+HEAD = lattice_block("0 8e-3 0 8e-3", "-5e-3 17e-3 -5e-3 17e-3", types=2, more="atom_modify     map array\n")
+BODY = """
+pair_style      sph/tm hyperbolic 1.2 spacing 1e-3
+pair_coeff      * * density 2700 elastic 70e9 0.33 strength plastic 100e6 1e9 heat 200 900 0.9
+fix             body all sph/tm temperature 310 energy yes
+compute         p all sph/tm/atom density pstrain temperature
+thermo          10
+"""
+MOVING = "variable vx atom 100*sin(400*y)\nvelocity all set v_vx 0 0 units box\n"
+SCENE = HEAD + BODY + MOVING
+checks = Checks()
+
+
+def refused(name, lines, *fragments, **options):
+    r = run(SCENE + lines, expect_error=True, **options)
+    missing = [f for f in fragments if f not in r.errors()]
+    checks.true(name, 0 < r.status < 128 and r.errors() and not missing,
+                "status %d, not said: %s <- %s" % (r.status, missing, r.errors()[:300]) if missing or r.status < 1 else "")
+
+
+def goes(name, lines, warned=None, **options):
+    r = run(SCENE + lines, expect_error=True, **options)
+    said = [w for w in r.warnings() if warned is None or warned in w]
+    checks.true(name, r.status == 0 and (len(said) > 0) == (warned is not None), "%d %s %s" %
+                (r.status, r.errors()[:300], r.warnings()))
+    return r
+
+
+# --- particles that come
+SINGLE = "run 10\ncreate_atoms 1 single %s 0 units box\nrun 10\n"
+OTHER = "run 10\nlattice sq 1e-3 origin 0.5 %s 0\nregion other block %s INF INF units box\ncreate_atoms %d region other\nrun 10\n"
+for ranks in 1, 2:
+    refused("a particle in the place of another, %d ranks" % ranks, SINGLE % "2.5e-3 2.5e-3", "of the spacing apart",
+            "delete_atoms overlap", ranks=ranks)
+    refused("a body half a spacing from another, %d ranks" % ranks, OTHER % ("0", "0 8e-3 8e-3 12e-3", 1),
+            "too close together", ranks=ranks)
+refused("a lattice half as wide", "run 10\nlattice sq 0.5e-3 origin 0.5 0.5 0\nregion other block 10e-3 13e-3 0 3e-3 INF INF "
+        "units box\ncreate_atoms 2 region other\nrun 10\n", "times the mass around it")
+goes("a body one spacing from another", OTHER % ("0.5", "0 8e-3 8e-3 12e-3", 1))
+goes("a body that is read", "write_data more.data nocoeff\ndelete_atoms group all compress no\n"
+     "read_data more.data add append\nrun 10\nread_data more.data add append shift 0 8e-3 0\nrun 10\n", "image flags")
+
+# --- particles that go or move
+goes("delete_atoms", "run 10\ngroup some id 1:8\ndelete_atoms group some compress no\nrun 10\n")
+goes("displace_atoms, all", "run 10\ndisplace_atoms all move 1e-3 0 0 units box\nrun 10\n")
+PART = "run 10\nregion right block 4e-3 INF INF INF INF INF units box\ngroup right region right\n"
+refused("displace_atoms, one half into the other", PART + "displace_atoms right move -0.5e-3 0 0 units box\nrun 10\n",
+        "of the spacing apart")
+refused("change_box with remap", "run 10\nchange_box all x scale 0.5 remap\nrun 10\n", "of the spacing apart")
+refused("a velocity that is no number", "run 10\nvariable n atom exp(1000)\nvelocity all set v_n NULL NULL\nrun 10\n",
+        "velocity", "not a finite number")
+refused("another type", PART + "set group right type 2\nrun 10\n", "became type 2", "another material")
+refused("another type of a particle on two ranks", "run 10\nset atom 5 type 2\nrun 10\n", "1 particles became type 2", ranks=2)
+
+# --- the fix
+AGAIN = "fix body all sph/tm temperature 310 courant 0.2\nrun 10\n"
+refused("the fix again after a run", "run 10\n" + AGAIN, "state of the particles", "fix_modify", "state new")
+refused("the fix removed and written after a run", "run 10\nunfix body\n" + AGAIN, "state of the particles", "state new")
+goes("the fix again before a run", AGAIN)
+goes("the fix again after run 0", "run 0\n" + AGAIN)
+fresh = goes("state new", "run 10\nfix body all sph/tm temperature 310 state new\nrun 0\n"
+             "write_dump all custom new.dump id c_p[2]\n")
+checks.true("state new: no strain", fresh.status == 0 and np.all(fresh.dump("new.dump")[-1]["c_p[2]"] == 0))
+t = goes("fix_modify courant", "run 10\nfix_modify body courant 0.1\nrun 10\n").thermo
+r = run(SCENE + "thermo_style custom step dt\nrun 10\nfix_modify body courant 0.1\nrun 10\n").thermo
+checks.near("fix_modify courant: the step", r[1]["Dt"][-1], 0.25 * r[0]["Dt"][-1], relative=0.02)
+refused("fix_modify of something else", "fix_modify body colour 1\nrun 10\n", "fix_modify")
+refused("fix_modify with a wrong value", "fix_modify body courant 2\nrun 10\n", "Fix_modify of fix sph/tm", "courant", "2")
+
+# --- rerun, data files
+refused("rerun", "dump d all custom 10 all.dump id type x y vx vy\nrun 20\nrerun all.dump dump x y vx vy\n",
+        "does not work with rerun", "state")
+goes("write_data before the first run", "write_data a.data nocoeff\nrun 10\n")
+r = goes("write_data after a run", "run 10\nwrite_data a.data nocoeff\nwrite_data b.data nocoeff\nrun 10\n",
+         "write_restart writes all")
+checks.true("write_data warns once", len(r.warnings()) == 1)
+r = run(SCENE + "run 20\nwrite_data a.data nocoeff\nclear\n" + HEAD[:HEAD.index("lattice")] + "read_data a.data\n" + BODY + "run 10\n")
+checks.true("a scene from a data file says how it starts",
+            r.output.count("64 particles begin without stress and strain, at 310 K") == 2)
+
+# --- values between runs
+for name, lines in {"before a run": "", "after unfix": "run 10\nunfix body\n", "after pair_style none": "run 10\npair_style none\n",
+                    "after plugin unload pair": "run 10\nplugin unload pair sph/tm\n",
+                    "after plugin unload fix": "run 10\nplugin unload fix sph/tm\n",
+                    "after pair_style again": "run 10\npair_style none\n" + "\n".join(BODY.split("\n")[:3]) + "\n"}.items():
+    for value in "f_body", "f_body[1]", "f_body[12]":
+        r = run(SCENE + lines + 'print "$(%s)"\n' % value, expect_error=True)
+        checks.true("%s %s" % (value, name), 0 < r.status < 128 and r.errors(), "%d %s" % (r.status, r.errors()[:200]))
+    r = run(SCENE + lines + "info memory\nwrite_restart any.restart\n", expect_error=True)
+    checks.true("info memory " + name, r.status < 128 and r.status >= 0, "%d %s" % (r.status, r.output[-200:]))
+r = goes("a variable of the fix in a run", "variable e equal f_body[1]\nthermo_style custom step v_e\nrun 10\n")
+checks.end()
