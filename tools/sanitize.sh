@@ -9,7 +9,7 @@ set -eu
 "$root/tools/packages.sh" demo
 host=$("$root/tools/host-plain.sh")
 [ $# -gt 0 ] || set -- materials contact_output contact_tools contact_bodies contact_books heat_contact heat_surface drive \
-  restart rings runtime_stops effects
+  restart rings runtime_stops effects between_runs restart_adapt tool_checks tool_files faults
 
 build=$root/build/sanitize
 flags='-g1 -O1 -fno-omit-frame-pointer -fsanitize=address,undefined'

@@ -13,10 +13,10 @@ void EnergyWatch::begin(const Energies &e, double least_)
   base += begun ? e.sum - last_sum : e.sum;
   given += begun ? std::max(e.kinetic - last_kinetic, 0.0) : e.kinetic;
   begun = true;
-  look(e, false);
+  look(e);
 }
 
-void EnergyWatch::look(const Energies &e, bool last)
+void EnergyWatch::look(const Energies &e)
 {
   most_work = std::max(most_work, std::fabs(e.external));
   into = given + most_work;
@@ -24,9 +24,13 @@ void EnergyWatch::look(const Energies &e, bool last)
   made = e.artificial;
   last_kinetic = e.kinetic;
   last_sum = e.sum;
-  auto count = [&](int &looks, bool over) { looks = !over ? 0 : last ? LASTING : looks + 1; };
-  count(drifting, says() && std::fabs(drift()) > DRIFT_WARNED);
-  count(making, says() && std::fabs(artificial()) > ARTIFICIAL_WARNED);
+}
+
+void EnergyWatch::count(bool last)
+{
+  auto more = [&](int &looks, bool over) { looks = !over ? 0 : last ? LASTING : looks + 1; };
+  more(drifting, says() && std::fabs(drift()) > DRIFT_WARNED);
+  more(making, says() && std::fabs(artificial()) > ARTIFICIAL_WARNED);
 }
 
 bool EnergyWatch::stops(double drift_allowed)

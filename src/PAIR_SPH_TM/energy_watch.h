@@ -19,15 +19,16 @@ class EnergyWatch {
   // at a set-up: what a script has given to or taken from particles since the last look is no drift. least: energy of
   // which nothing can be said
   void begin(const Energies &, double least);
-  // last: of the run, where one look counts
-  void look(const Energies &, bool last);
+  void look(const Energies &);
+  // the look counts; last: of a run, where one is enough
+  void count(bool last);
   bool says() const { return into > least; }
   double drift() const { return into > 0.0 ? drifted / into : 0.0; }        // over what went in
   double artificial() const { return into > 0.0 ? made / into : 0.0; }
   double went_in() const { return into; }
   // a warning that is due, each once, or ""
   std::string warning();
-  bool stops(double drift_allowed);    // asked once after each look
+  bool stops(double drift_allowed);    // asked once after each count
   std::string in_words() const;
 
   // of restart files

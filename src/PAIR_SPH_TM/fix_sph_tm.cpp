@@ -300,13 +300,14 @@ void FixSPHTM::setup(int)
   }
   dt = fixed_dt > 0.0 ? fixed_dt : dt_next;
   apply_dt(dt, update->ntimestep);
-  timing = false;    // the run's time begins with its first step
+  timing = looked = false;    // the run's time begins with its first step
 }
 
 void FixSPHTM::initial_integrate(int)
 {
+  if (!looked) watch_energy(FIRST_LOOK);    // tools and other fixes are set up by now
+  looked = true;
   if (!timing) {
-    watch_energy(FIRST_LOOK);    // tools and other fixes are set up by now
     timing = true;
     clock_step = update->ntimestep - 1;
     run_clock.restart();

@@ -248,7 +248,8 @@ class FixSPHTM : public Fix {
   void sum_energies();
   SPHTM_NS::EnergyWatch energy_watch;
   double drift_allowed = 0.1;      // of what went in
-  enum Look { FIRST_LOOK, LOOK, LAST_LOOK };    // of a run
+  bool looked = false;             // since the last set-up
+  enum Look { FIRST_LOOK, LOOK, LAST_LOOK, GLANCE };    // of a run; a glance does not count
   void watch_energy(Look);
   double audit_output(int);
 };

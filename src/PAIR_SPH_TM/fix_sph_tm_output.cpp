@@ -65,7 +65,9 @@ void FixSPHTM::watch_energy(Look when)
     energy_watch.begin(now, LEAST * all / pair_sph->units().energy);
     return;
   }
-  energy_watch.look(now, when == LAST_LOOK);
+  energy_watch.look(now);
+  if (when == GLANCE) return;
+  energy_watch.count(when == LAST_LOOK);
   for (std::string text = energy_watch.warning(); !text.empty(); text = energy_watch.warning())
     if (comm->me == 0)
       error->warning(FLERR, "Fix sph/tm {}: at step {} {}", id, update->ntimestep, text);

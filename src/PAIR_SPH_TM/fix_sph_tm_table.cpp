@@ -69,7 +69,7 @@ void FixSPHTM::post_run()
 {
   remember_particles();
   const bigint steps = update->ntimestep - clock_step;
-  if (timing) watch_energy(steps >= nevery ? LAST_LOOK : LOOK);
+  if (looked) watch_energy(steps >= nevery ? LAST_LOOK : GLANCE);
   if (!want_table || !timing || steps < TABLE_STEPS || atom->natoms == 0) return;
   const double total = run_clock.total();
   timing = false;
