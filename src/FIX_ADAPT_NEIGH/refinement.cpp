@@ -315,7 +315,7 @@ void Refinement::warn_of_lost_levels()
   const int n = lmp()->atom->nlocal;
   int mine = std::any_of(level.begin(), level.begin() + n, [](double l) { return l > 0.0; }), any;
   MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, lmp()->world);
-  if (!any && fix.body().restored() && least < 0.99 * fix.pair().settings_in_use().spacing && lmp()->comm->me == 0)
+  if (!any && fix.body().begun() && least < 0.99 * fix.pair().settings_in_use().spacing && lmp()->comm->me == 0)
     lmp()->error->warning(FLERR, "Fix adapt/neigh refine: some particles are smaller than the spacing of pair_style; "
                                  "where another fix adapt/neigh has split them before, that is forgotten: they are of "
                                  "level 0 and may be split again");

@@ -36,7 +36,7 @@ tm_contact_result contact_loop(Backend &loops, int n, const tm_contact_args &arg
   Backend &where = fx & TM_CT_OUTPUT ? Backend::host() : loops;
   return where.sum_blocks(
       n, tm_contact_nothing(), [&](int begin, int end) { return part(begin, end, args, fx); },
-      tm_contact_sum);
+      [](tm_contact_result *a, const tm_contact_result *b) { tm_contact_sum(a, b); });
 }
 
 double contact_overlap(int n, const tm_contact_args &args, unsigned fx, tm_vec3 shift, int *worst)

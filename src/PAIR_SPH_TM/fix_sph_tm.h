@@ -80,6 +80,7 @@ class FixSPHTM : public Fix {
   const double *field(int id) { return fields[id].host_read(); }
   double time_ahead() const { return dt_ahead; }   // from the state to the force point
   double step_dt() const { return dt; }
+  bool begun() const { return started; }           // has taken a step, here or before a restart
   bool restored() const { return in_file; }        // from a restart file
   double start_temperature() const { return temperature0; }
   // sizes of all particles; collective. Where all are the same, those of the pair style
