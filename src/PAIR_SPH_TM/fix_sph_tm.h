@@ -241,6 +241,7 @@ class FixSPHTM : public Fix {
   tm_update_args update_args();
   void stop_on(int, const tm_update_result &);
   std::string likely_cause(int, int status);
+  bool most_by_conduction(int);
   std::string surroundings(int, bool &torn);
   bool scene_has(const char *fix_style) const;
   tm_drift_args drift_args();

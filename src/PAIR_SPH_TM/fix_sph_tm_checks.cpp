@@ -116,6 +116,17 @@ std::string FixSPHTM::surroundings(int i, bool &torn)
   return text;
 }
 
+// at least half of what the temperature of particle i fell by in this step
+bool FixSPHTM::most_by_conduction(int i)
+{
+  const double *heat = has(TM_FX_CONDUCTION) ? pair_sph->host_heat() : nullptr;
+  if (!heat) return false;
+  const double *T = field(TM_F_TEMP) + 3 * (size_t) i;
+  const double rho = pair_sph->host_records().main[tm_record(i, TM_REC) + tm_part(TM_REC_RHO)];
+  const double conducted = heat[i] / (rho * tm_capacity(pair_sph->materials() + atom->type[i], T[0]));
+  return conducted < 0.5 * T[1] && T[1] < 0.0;
+}
+
 // of what the scene has
 std::string FixSPHTM::likely_cause(int i, int status)
 {
@@ -156,10 +167,15 @@ std::string FixSPHTM::likely_cause(int i, int status)
       may(has(TM_FX_PLASTICITY), "plastic work of a material whose constants are in another unit");
       break;
     default:
+      if (most_by_conduction(i)) {
+        may(true, "conduction faster than the step between particles far closer or lighter than the spacing says: lower "
+                  "dt/max or courant");
+        may(!has(TM_FX_ARTSTRESS) && !has(TM_FX_HOURGLASS), "tension that draws particles together: use artstress or "
+                                                            "hourglass of pair_style");
+        break;
+      }
       may(scene_has("^sph/tm/heat"), "a heat sink (fix sph/tm/heat) stronger than the particle can feed in one step");
-      may(tool && has(TM_FX_CONDUCTION), "a cold tool that conducts too much for the step");
-      may(has(TM_FX_CONDUCTION), "conduction faster than the step between particles far closer or lighter than the spacing "
-                                 "says: lower dt/max");
+      may(tool || bodies, fmt::format("heat that {} took", contact));
   }
   may(fixed, fmt::format("the constant dt {:.6g}: use 'dt auto'", fixed_dt));
   return around + ". Likely cause: " + utils::join_words(causes, ", or ");

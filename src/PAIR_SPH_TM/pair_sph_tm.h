@@ -90,6 +90,7 @@ class PairSPHTM : public Pair {
   // the same on the host
   tm_records host_records();
   tm_rows host_rows();
+  const tm_real *host_heat() { return heat.host_read(); }    // conduction, power per volume, or nullptr
   bool keeps_rows() const { return row_source && row_source->keeps(); }
   bool has_surface(int n) const { return surface.size() > 3 * (size_t) n; }    // of n particles
   // of the particles of this rank: neighbors within reach, the closest mechanical neighbors
