@@ -290,7 +290,9 @@ void FixSPHTM::setup(int)
   if (!started || dt_next <= 0.0) {
     reduce_dt();
     if (!started && comm->me == 0) {
-      utils::logmesg(lmp, "sph/tm: {} particles begin without stress and strain, at {:.6g} K where no other temperature is set\n",
+      utils::logmesg(lmp,
+                     "sph/tm: {} particles begin without stress and strain, at {:.6g} K where no "
+                     "other temperature is set\n",
                      atom->natoms, temperature0);
       utils::logmesg(lmp, "sph/tm: time step {:.6g}, limited by {}; rate loops: {}\n",
                      fixed_dt > 0.0 ? fixed_dt : dt_next, dt_cause_name(), backend.name());

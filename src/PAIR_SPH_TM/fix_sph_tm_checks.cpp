@@ -52,10 +52,12 @@ void FixSPHTM::stop_on_lost_particle(int i)
   const double *x = atom->x[i], *v = atom->v[i];
   int d = 0;
   while ((!a.closed[d][0] || x[d] >= a.lo[d]) && (!a.closed[d][1] || x[d] <= a.hi[d])) d++;
-  error->one(FLERR, "Fix sph/tm stops at step {}: particle {} (type {}) at {:.6g} {:.6g} {:.6g} with "
-                    "velocity {:.6g} {:.6g} {:.6g} leaves the box through its {} {} boundary. Likely "
-                    "cause: a box too small for the motion, or a particle shot out{}. Make the box larger, use boundary m or s, or let it go with 'lost ignore' of fix "
-                    "sph/tm and 'thermo_modify lost ignore'",
+  error->one(FLERR,
+             "Fix sph/tm stops at step {}: particle {} (type {}) at {:.6g} {:.6g} {:.6g} with "
+             "velocity {:.6g} {:.6g} {:.6g} leaves the box through its {} {} boundary. Likely "
+             "cause: a box too small for the motion, or a particle shot out{}. Make the box "
+             "larger, use boundary m or s, or let it go with 'lost ignore' of fix "
+             "sph/tm and 'thermo_modify lost ignore'",
              update->ntimestep, atom->tag[i], atom->type[i], x[0], x[1], x[2], v[0], v[1], v[2],
              "xyz"[d], x[d] < a.lo[d] ? "lower" : "upper",
              scene_has("^contact/tri") || has(TM_FX_BODIES) ? " by an unstable contact" : "");
@@ -79,9 +81,12 @@ void FixSPHTM::report_melting(int i)
   melt_reported = true;
   atoms_to_host();
   const double *x = atom->x[i];
-  error->warning(FLERR, "Fix sph/tm: at step {} particle {} (type {}) at {:.6g} {:.6g} {:.6g} is the first above the melting "
-                        "temperature {:.6g} of {}: {:.6g} K; it has no strength from there on", update->ntimestep,
-                 atom->tag[i], atom->type[i], x[0], x[1], x[2], pair_sph->materials()[atom->type[i]].t_melt,
+  error->warning(FLERR,
+                 "Fix sph/tm: at step {} particle {} (type {}) at {:.6g} {:.6g} {:.6g} is the "
+                 "first above the melting "
+                 "temperature {:.6g} of {}: {:.6g} K; it has no strength from there on",
+                 update->ntimestep, atom->tag[i], atom->type[i], x[0], x[1], x[2],
+                 pair_sph->materials()[atom->type[i]].t_melt,
                  pair_sph->material_name(atom->type[i]), temperature(i));
 }
 
@@ -168,8 +173,10 @@ std::string FixSPHTM::likely_cause(int i, int status)
       break;
     default:
       if (most_by_conduction(i)) {
-        may(true, "conduction faster than the step between particles far closer or lighter than the spacing says: lower "
-                  "dt/max or courant");
+        may(true,
+            "conduction faster than the step between particles far closer or lighter than the "
+            "spacing says: lower "
+            "dt/max or courant");
         may(!has(TM_FX_ARTSTRESS) && !has(TM_FX_HOURGLASS), "tension that draws particles together: use artstress or "
                                                             "hourglass of pair_style");
         break;
@@ -199,8 +206,9 @@ void FixSPHTM::stop_on(int i, const tm_update_result &r)
       what = fmt::format("density {:.6g} is not positive", rho / pair_sph->units().density);
       break;
     case TM_BAD_VOLUME:
-      what = fmt::format("density is {:.4g} times that of the material, beyond the factor {:.4g} of density/max", rho / m.rho0,
-                         densest);
+      what = fmt::format(
+          "density is {:.4g} times that of the material, beyond the factor {:.4g} of density/max",
+          rho / m.rho0, densest);
       break;
     case TM_BAD_VELOCITY:
       what = fmt::format("velocity {:.6g} is above ten times the speed of sound",

@@ -49,7 +49,8 @@ void FixSPHTM::read_keywords(int narg, char **arg)
     } else if (k.is("audit")) read_audit(k);
     else if (k.is("effects")) read_effect(k);
     else
-      k.unknown("temperature, temperature/max, density/max, courant, dt, dt/max, energy, energy/drift, lost, state, table, "
+      k.unknown("temperature, temperature/max, density/max, courant, dt, dt/max, energy, "
+                "energy/drift, lost, state, table, "
                 "audit, effects");
   }
   if (forced_on & forced_off)

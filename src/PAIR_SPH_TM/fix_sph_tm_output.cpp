@@ -72,10 +72,16 @@ void FixSPHTM::watch_energy(Look when)
     if (comm->me == 0)
       error->warning(FLERR, "Fix sph/tm {}: at step {} {}", id, update->ntimestep, text);
   if (energy_watch.stops(drift_allowed) && stop_on_lost)    // lost particles take theirs with them
-    error->all(FLERR, "Fix sph/tm {} stops at step {}: the sum of the energies has drifted by {:+.3g} % of the {:.6g} that "
-                      "went in, more than the {:.3g} % of energy/drift: the results are not to be trusted. Likely cause: {}",
-               id, update->ntimestep, 100.0 * energy_watch.drift(), energy_watch.went_in(), 100.0 * drift_allowed,
-               fixed_dt > 0.0 ? "the constant dt" : "a body that tears apart or clumps numerically, or a courant too large");
+    error->all(FLERR,
+               "Fix sph/tm {} stops at step {}: the sum of the energies has drifted by {:+.3g} % "
+               "of the {:.6g} that "
+               "went in, more than the {:.3g} % of energy/drift: the results are not to be "
+               "trusted. Likely cause: {}",
+               id, update->ntimestep, 100.0 * energy_watch.drift(), energy_watch.went_in(),
+               100.0 * drift_allowed,
+               fixed_dt > 0.0
+                   ? "the constant dt"
+                   : "a body that tears apart or clumps numerically, or a courant too large");
 }
 
 void FixSPHTM::end_of_step() { watch_energy(LOOK); }

@@ -1,5 +1,5 @@
-/* SPH-TM: fix sph/tm, what a script gets wrong: other fixes and commands, groups, particles that overlap or have another
-   spacing than their masses, what changes between runs. See doc/fix_sph_tm.rst. */
+/* SPH-TM: fix sph/tm, what a script gets wrong: other fixes and commands, groups, particles that overlap or have
+   another spacing than their masses, what changes between runs. See doc/fix_sph_tm.rst. */
 #include "fix_sph_tm.h"
 
 #include "all_ranks.h"
@@ -67,9 +67,11 @@ void FixSPHTM::check_integrators()
     for (int i = 0; i < atom->nlocal; i++) mine += (atom->mask[i] & groupbit) && (atom->mask[i] & f->groupbit);
     MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
     if (all)
-      error->all(FLERR, "Fix {} {} also integrates {} particles of group {} that fix sph/tm {} integrates; remove it, or "
-                        "give the two fixes groups that share no particle", f->id, f->style, all,
-                 group->names[igroup], id);
+      error->all(FLERR,
+                 "Fix {} {} also integrates {} particles of group {} that fix sph/tm {} "
+                 "integrates; remove it, or "
+                 "give the two fixes groups that share no particle",
+                 f->id, f->style, all, group->names[igroup], id);
   }
 }
 
@@ -79,9 +81,13 @@ void FixSPHTM::check_integrators()
 void FixSPHTM::check_begun()
 {
   if (started || begin_anew || !pair_sph->has_stepped()) return;
-  error->all(FLERR, "Fix sph/tm {}: the state of the particles (stress, plastic strain, temperature) was lost with the fix "
-                    "that was removed or written again after its first step; change settings with fix_modify, or begin "
-                    "from an unstressed body with the keyword 'state new'", id);
+  error->all(FLERR,
+             "Fix sph/tm {}: the state of the particles (stress, plastic strain, temperature) was "
+             "lost with the fix "
+             "that was removed or written again after its first step; change settings with "
+             "fix_modify, or begin "
+             "from an unstressed body with the keyword 'state new'",
+             id);
 }
 
 std::vector<bigint> FixSPHTM::particles_of_types(bool old_only)
@@ -228,19 +234,26 @@ void FixSPHTM::judge_filling(const Filling &mine, double of_lattice, bool sizes)
     const tm_real *r = pair_sph->host_records().main + tm_record(i, TM_REC);
     const double mass = r[tm_part(TM_REC_M)], due = r[tm_part(TM_REC_RHO)] * pow(set.spacing, domain->dimension);
     const std::string remedy = !sizes && fabs(mass / due - 1.0) > 0.05
-        ? fmt::format("its mass is {:.6g}, density times spacing gives {:.6g}: leave out the mass command, or 'set type {} "
-                      "mass {:.6g}' where particles have masses of their own", mass, due, atom->type[i], due)
+        ? fmt::format("its mass is {:.6g}, density times spacing gives {:.6g}: leave out the mass "
+                      "command, or 'set type {} "
+                      "mass {:.6g}' where particles have masses of their own",
+                      mass, due, atom->type[i], due)
         : all[1] > 0.3 * all[0] && all[2] < 0.05 * all[0]
         ? fmt::format("write 'spacing {}' in pair_style{}", spacing_in_words(s * set.spacing),
                       dense ? ", or delete what was created twice" : "")
-        : dense ? std::string("two bodies or lattices are too close together or lie over each other: set them one spacing "
+        : dense ? std::string("two bodies or lattices are too close together or lie over each "
+                              "other: set them one spacing "
                               "apart, or remove what is double with delete_atoms overlap")
-                : std::string("a part of the particles is further apart than the spacing: create them all on one lattice");
-    const std::string text = fmt::format(
-        "Pair style sph/tm: particle {} (type {}) at {:.6g} {:.6g} {:.6g} has {:.3g} times the mass around it that its "
-        "density says, as if the particles were {:.3g} of the spacing {:.6g} apart; so have {:.0f} of {:.0f} particles, by "
-        "5 % of the spacing or more; {}",
-        atom->tag[i], atom->type[i], x[0], x[1], x[2], sum / of_lattice, s, set.spacing, all[1], all[0], remedy);
+                : std::string("a part of the particles is further apart than the spacing: create "
+                              "them all on one lattice");
+    const std::string text =
+        fmt::format("Pair style sph/tm: particle {} (type {}) at {:.6g} {:.6g} {:.6g} has {:.3g} "
+                    "times the mass around it that its "
+                    "density says, as if the particles were {:.3g} of the spacing {:.6g} apart; so "
+                    "have {:.0f} of {:.0f} particles, by "
+                    "5 % of the spacing or more; {}",
+                    atom->tag[i], atom->type[i], x[0], x[1], x[2], sum / of_lattice, s, set.spacing,
+                    all[1], all[0], remedy);
     if (stop) error->one(FLERR, text);
     error->warning(FLERR, text);
   }
@@ -257,8 +270,10 @@ void FixSPHTM::check_start()
   bigint solids = 0;
   for (int t = 1; t <= atom->ntypes; t++) solids += pair_sph->materials()[t].body == TM_BODY_SOLID;
   if (all[1] == 0.0 && atom->natoms > 1 && solids) {
-    const std::string text = fmt::format("Pair style sph/tm: no particle has a neighbor within reach; are the particles "
-                                         "{:.6g} (the keyword spacing) apart?", pair_sph->settings_in_use().spacing);
+    const std::string text =
+        fmt::format("Pair style sph/tm: no particle has a neighbor within reach; are the particles "
+                    "{:.6g} (the keyword spacing) apart?",
+                    pair_sph->settings_in_use().spacing);
     const double of_lattice = pair_sph->lattice_spacing(), off = of_lattice / pair_sph->settings_in_use().spacing;
     if (off > THIN) error->all(FLERR, "{} The lattice in use has {:.6g}: write 'spacing lattice'", text, of_lattice);
     if (comm->me == 0) error->warning(FLERR, text);

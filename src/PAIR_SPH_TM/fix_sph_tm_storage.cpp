@@ -67,7 +67,18 @@ int FixSPHTM::maxsize_restart() { return fields.columns() + 1; }
 
 // global state: the rows of all particles, which fields they hold, who made their sizes, the time step, the energies
 namespace {
-enum { VERSION = ROWS_HASH_VALUES, ROWS, HASH = ROWS + 2, FIELDS = HASH + 2, STARTED, SIZED_BY, CAUSE, DT, DT_NEXT, BOOK };
+enum {
+  VERSION = ROWS_HASH_VALUES,
+  ROWS,
+  HASH = ROWS + 2,
+  FIELDS = HASH + 2,
+  STARTED,
+  SIZED_BY,
+  CAUSE,
+  DT,
+  DT_NEXT,
+  BOOK
+};
 constexpr int BOOK_VALUES = sizeof(FixSPHTM::Ledger) / sizeof(double), WATCH = BOOK + BOOK_VALUES,
               VALUES = WATCH + EnergyWatch::VALUES;
 constexpr double THIS_VERSION = 3.0;
@@ -92,7 +103,9 @@ void FixSPHTM::write_restart(FILE *fp)
   value.push_back(THIS_VERSION);
   append_bits(value, all[0]);
   append_bits(value, all[1]);
-  value.insert(value.end(), {(double) fields.mask(), (double) started, (double) sized_by(), (double) dt_cause, dt, dt_next});
+  value.insert(value.end(),
+               {(double) fields.mask(), (double) started, (double) sized_by(), (double) dt_cause,
+                dt, dt_next});
   const auto *sums = (const double *) &book;
   value.insert(value.end(), sums, sums + BOOK_VALUES);
   const std::vector<double> watched = energy_watch.state();
@@ -103,8 +116,8 @@ void FixSPHTM::write_restart(FILE *fp)
 void FixSPHTM::restart(char *buf)
 {
   const std::vector<double> v = read_restart_block(lmp, fmt::format("Fix sph/tm {}", id), buf, VERSION + 1, 1000);
-  const bool fits = v[VERSION] == THIS_VERSION && v.size() == VALUES && v[FIELDS] >= 0 && v[FIELDS] < (1u << TM_F_COUNT) &&
-      v[CAUSE] >= 0 && v[CAUSE] < TM_DT_CAUSES;
+  const bool fits = v[VERSION] == THIS_VERSION && v.size() == VALUES && v[FIELDS] >= 0 &&
+      v[FIELDS] < (1u << TM_F_COUNT) && v[CAUSE] >= 0 && v[CAUSE] < TM_DT_CAUSES;
   if (!fits)
     error->all(FLERR, "Fix sph/tm {}: the {} was written by another version of the plugin", id, restart_file_name(lmp));
   read.rows_written = take_bits(&v[ROWS]);
@@ -152,9 +165,13 @@ void FixSPHTM::write_data_header(FILE *, int)
 {
   if (!started || data_warned) return;
   data_warned = true;
-  error->warning(FLERR, "Fix sph/tm {}: write_data writes positions and velocities, not the state of the particles (stress, "
-                        "density, plastic strain, temperature): what reads the file starts from an unstressed body; "
-                        "write_restart writes all", id);
+  error->warning(
+      FLERR,
+      "Fix sph/tm {}: write_data writes positions and velocities, not the state of the particles "
+      "(stress, "
+      "density, plastic strain, temperature): what reads the file starts from an unstressed body; "
+      "write_restart writes all",
+      id);
 }
 
 double FixSPHTM::memory_usage() { return fields.bytes() + source.bytes(); }

@@ -79,12 +79,13 @@ void FixSPHTM::check_stall(const double *all)
   const double largest = of_tool ? std::max(dt_largest, courant * dt_limits[TM_DT_SOUND]) : dt_largest;
   const bool small = dt_cause != TM_DT_MAXIMUM && dt_next < LEAST_SHARE * largest, still = now + dt_next == now;
   if (!small && !still) return;
-  const std::string text =
-      fmt::format("Fix sph/tm stops at step {}: the time step has fallen to {:.6g}, {}; it is limited by {}", update->ntimestep,
-                  dt_next, still && !small ? fmt::format("too small to change the time {:.6g}", now)
-                                           : fmt::format("{:.3g} of what it was or of what the sound speed allows",
-                                                         dt_next / largest),
-                  dt_cause_in_words(dt_cause));
+  const std::string text = fmt::format(
+      "Fix sph/tm stops at step {}: the time step has fallen to {:.6g}, {}; it is limited by {}",
+      update->ntimestep, dt_next,
+      still && !small ? fmt::format("too small to change the time {:.6g}", now)
+                      : fmt::format("{:.3g} of what it was or of what the sound speed allows",
+                                    dt_next / largest),
+      dt_cause_in_words(dt_cause));
   // where, by the rank that has it
   const double mine[TM_DT_CAUSES] = {courant * dt_limits[0], courant * dt_limits[1], dt_limits[2], dt_limits[3],
                                      dt_limits[4], 1e300};
@@ -113,8 +114,8 @@ std::string FixSPHTM::limiting_particle()
   }
   if (worst < 0) return "";
   const double *x = atom->x[worst];
-  return fmt::format(" at particle {} (type {}) at {:.6g} {:.6g} {:.6g}", atom->tag[worst], atom->type[worst], x[0], x[1],
-                     x[2]);
+  return fmt::format(" at particle {} (type {}) at {:.6g} {:.6g} {:.6g}", atom->tag[worst],
+                     atom->type[worst], x[0], x[1], x[2]);
 }
 
 // the steps up to and with step number done had the old size; the time is summed step by step, so that

@@ -71,9 +71,13 @@ void PairSPHTM::check_bins()
   const double bin = 0.5 * (tm_kernel_support(set.kernel) * set.h + neighbor->skin);
   for (int d = 0; d < 3; d++)
     if (bin > MOST * domain->prd[d])
-      error->all(FLERR, "Pair style sph/tm spacing {:.8g}: the box is only {:.6g} long in {}; make it at least {:.6g}, for "
-                        "instance {:.6g}{}", set.spacing, domain->prd[d], "xyz"[d], bin / MOST, set.spacing,
-                 d == 2 && domain->dimension == 2 ? " (in 2d its thickness has no other meaning)" : "");
+      error->all(FLERR,
+                 "Pair style sph/tm spacing {:.8g}: the box is only {:.6g} long in {}; make it at "
+                 "least {:.6g}, for "
+                 "instance {:.6g}{}",
+                 set.spacing, domain->prd[d], "xyz"[d], bin / MOST, set.spacing,
+                 d == 2 && domain->dimension == 2 ? " (in 2d its thickness has no other meaning)"
+                                                  : "");
 }
 
 // room for the neighbors of a body compressed to a third: LAMMPS's own is meant for molecules

@@ -82,8 +82,11 @@ void PairSPHTM::settings(int narg, char **arg)
         continue;
       }
       if (set.spacing == 0.0)
-        error->all(FLERR, "{} lattice: there is no lattice in use; write a lattice command before it, or the spacing as a "
-                          "number", k.what());
+        error->all(FLERR,
+                   "{} lattice: there is no lattice in use; write a lattice command before it, or "
+                   "the spacing as a "
+                   "number",
+                   k.what());
     } else if (k.is("viscosity")) {
       k.need(2);
       set.visc_alpha = k.not_negative("alpha");

@@ -158,7 +158,8 @@ std::vector<std::string> changes(const PairSPHTM::Settings &then, const PairSPHT
   if (then.art_n != now.art_n) found.push_back(change("artstress exponent", then.art_n, now.art_n));
   for (const auto &f : flags)
     if (then.*f.value != now.*f.value)
-      found.push_back(fmt::format("{} was {}, is {}", f.name, then.*f.value ? "yes" : "no", now.*f.value ? "yes" : "no"));
+      found.push_back(fmt::format("{} was {}, is {}", f.name, then.*f.value ? "yes" : "no",
+                                  now.*f.value ? "yes" : "no"));
   return found;
 }
 
@@ -173,8 +174,9 @@ std::vector<std::string> changes(const tm_material &then, const tm_material &now
   for (const auto &c : Material::constants()) {
     if (c.number && then.*c.number != now.*c.number) found.push_back(change(c.name, then.*c.number, now.*c.number));
     if (c.table && !same_table(then.*c.table, now.*c.table))
-      found.push_back((then.*c.table).n || (now.*c.table).n ? std::string("table of ") + c.name + " differs"
-                                                           : change(c.name, (then.*c.table).value, (now.*c.table).value));
+      found.push_back((then.*c.table).n || (now.*c.table).n
+                          ? std::string("table of ") + c.name + " differs"
+                          : change(c.name, (then.*c.table).value, (now.*c.table).value));
   }
   for (const auto &g : Material::groups()) {
     if (!g.selector || then.*g.selector == now.*g.selector) continue;

@@ -83,7 +83,8 @@ std::vector<double> read_restart_block(LAMMPS *lmp, const std::string &who, cons
   Error *error = lmp->error;
   BlockHead head;
   memcpy(&head, buf, sizeof(head));
-  const std::string name = restart_file_name(lmp), fault = block_fault(head, least * sizeof(double), most * sizeof(double));
+  const std::string name = restart_file_name(lmp),
+                    fault = block_fault(head, least * sizeof(double), most * sizeof(double));
   if (!fault.empty()) error->all(FLERR, "{}: the {} {}", who, name, fault);
   std::vector<double> values(head.bytes / sizeof(double));
   memcpy(values.data(), buf + sizeof(head), values.size() * sizeof(double));
@@ -91,7 +92,10 @@ std::vector<double> read_restart_block(LAMMPS *lmp, const std::string &who, cons
     error->all(FLERR, "{}: the {} is damaged: the checksum does not fit", who, name);
   for (const double v : values)
     if (!std::isfinite(v))
-      error->all(FLERR, "{}: the {} was written after a fault: it holds a value that is not a finite number", who, name);
+      error->all(
+          FLERR,
+          "{}: the {} was written after a fault: it holds a value that is not a finite number", who,
+          name);
   return values;
 }
 

@@ -159,7 +159,8 @@ std::string Scan::rows()
 {
   int flag, parts = 0;
   if (!read(flag)) return CUT;
-  if (flag != MULTIPROC || !read(parts) || !read(flag) || flag != -1) return "the layout of the file is not one of LAMMPS";
+  if (flag != MULTIPROC || !read(parts) || !read(flag) || flag != -1)
+    return "the layout of the file is not one of LAMMPS";
   if (parts) return "";
   const long end = sizeof(MAGIC_STRING);
   while (left > end)
