@@ -48,6 +48,11 @@ struct PlacesOnHost {
 
 static constexpr size_t MOST_STATE = 128;    // values of all parts in a restart file
 
+namespace {
+constexpr double LEAST_MOVE = 1e-6;    // of the spacing: a way that counts between runs
+constexpr int RESTART_HEAD = 5;        // of the values of a particle in a restart file
+}    // namespace
+
 FixAdaptNeigh::FixAdaptNeigh(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
   restart_global = 1;
@@ -175,6 +180,7 @@ bool FixAdaptNeigh::on_host() const
 void FixAdaptNeigh::renew_lists() { next_reneighbor = update->ntimestep + 1; }
 void FixAdaptNeigh::post_run()
 {
+  if (!pair_sph) return;    // 'run pre no': it was not set up
   for (AdaptPart *p : used) p->post_run();
   begin_watch();
 }
@@ -244,7 +250,7 @@ void FixAdaptNeigh::begin_watch()
   if (!has_values) return;
   then = {};
   then.on = true;
-  then.least = 1e-6 * pair_sph->settings_in_use().spacing;
+  then.least = LEAST_MOVE * pair_sph->settings_in_use().spacing;
   const PlacesOnHost now(*this);
   for (int i = 0; i < atom->nlocal; i++) remember(i, now.tag[i], now.x + 3 * (size_t) i);
 }
@@ -347,9 +353,12 @@ void FixAdaptNeigh::receive_arrays(int n, const int *place, double *buf)
   forget_places();
   for (AdaptPart *p : used) p->receive(n, place, buf);
 }
+// number of values, ID and place that they belong to, values
 int FixAdaptNeigh::pack_restart(int i, double *buf)
 {
-  const int m = 1 + pack_exchange(i, buf + 1);
+  buf[1] = (double) atom->tag[i];
+  std::copy_n(atom->x[i], 3, buf + 2);
+  const int m = RESTART_HEAD + pack_exchange(i, buf + RESTART_HEAD);
   buf[0] = m;
   return m;
 }
@@ -377,7 +386,7 @@ void FixAdaptNeigh::check_lengths()
 
 void FixAdaptNeigh::unpack_restart(int i, int nth)
 {
-  const double *row = restart_row(i, nth), *at = row + 1;
+  const double *row = restart_row(i, nth), *at = row + RESTART_HEAD;
   const double *end = row + (int) *row;
   for (AdaptPart *p : used) {
     std::string why;
@@ -387,10 +396,16 @@ void FixAdaptNeigh::unpack_restart(int i, int nth)
                         "keywords; write the same ones", atom->tag[i], restart_file_name(lmp), why);
     at += n;
   }
+  if (at > end || !is_whole(row[1], 1, MAXSMALLINT)) refuse_restart();
   if (at != end)
     error->one(FLERR, "Fix adapt/neigh: the {} was written with other keywords; write the same ones: particle {} has "
                       "{} values, {} expected", restart_file_name(lmp), atom->tag[i], (int) *row - 1, at - row - 1);
-  unpack_exchange(i, const_cast<double *>(row) + 1);
+  then.on = false;
+  unpack_exchange(i, const_cast<double *>(row) + RESTART_HEAD);
+  const auto *of_pair = dynamic_cast<PairSPHTM *>(force->pair_match("^sph/tm", 0));
+  then.least = of_pair ? LEAST_MOVE * of_pair->settings_in_use().spacing : 0.0;
+  then.on = of_pair != nullptr;    // until the first set-up: commands may move and rename particles before
+  if (then.on) remember(i, (int) row[1], row + 2);
   read.rows++;
   read.hash += hash_bytes(row, (int) *row * sizeof(double));
 }
@@ -398,16 +413,20 @@ void FixAdaptNeigh::unpack_restart(int i, int nth)
 // LAMMPS writes as many values as this says
 int FixAdaptNeigh::size_restart(int i)
 {
-  std::vector<double> values(maxexchange + 1);
-  return 1 + pack_exchange(i, values.data());
+  std::vector<double> values(maxexchange + RESTART_HEAD);
+  return pack_restart(i, values.data());
 }
-int FixAdaptNeigh::maxsize_restart() { return 1 + maxexchange; }
+int FixAdaptNeigh::maxsize_restart() { return RESTART_HEAD + maxexchange; }
 
 // How many particles with what checksum; then of every part that is in use its place among all, the number of its
 // values, and they. A block has room for MOST_STATE
 void FixAdaptNeigh::write_restart(FILE *fp)
 {
-  std::vector<double> row(maxexchange + 1), all;
+  if (then.on) {    // commands that came after the last run are told now: the file knows nothing of them
+    end_watch();
+    begin_watch();
+  }
+  std::vector<double> row(maxexchange + RESTART_HEAD), all;
   uint64_t mine[2] = {0, 0}, sum[2];
   for (int i = 0; has_values && i < atom->nlocal; i++) {
     const int n = pack_restart(i, row.data());

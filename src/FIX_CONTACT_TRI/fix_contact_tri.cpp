@@ -204,11 +204,22 @@ void FixContactTri::make_laws()
   loop_laws.assign(laws.data(), laws.size());
 }
 
+// penetration at the start that passes, in spacings: rounding of positions and of tessellated arcs; and what particles
+// that were moved between runs may have more than before
+static constexpr double OVERLAP_ALLOWED = 0.01, OVERLAP_GROWS = 0.05;
+
 void FixContactTri::setup(int vflag)
 {
   evaluate_variables(0.0);
   check_jump(pose_now());
-  if (!checked && !restored && clock == 0.0 && !request.overlap_allowed) check_overlap();
+  if (!request.overlap_allowed) {
+    if (!checked && !restored && clock == 0.0) check_overlap(OVERLAP_ALLOWED);
+    else if (checked && state->moved_since_last_run()) {    // deeper than contact has brought them
+      double depth;
+      MPI_Allreduce(&sums.depth, &depth, 1, MPI_DOUBLE, MPI_MAX, world);
+      check_overlap(OVERLAP_ALLOWED + OVERLAP_GROWS + depth / pair->settings_in_use().spacing);
+    }
+  }
   checked = true;
   post_force(vflag);
   finish_contact();

@@ -127,7 +127,8 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   void ask_for_heat();
   int type_without_heat(const std::vector<int> &types) const;
   std::vector<int> types_in_reach() const;
-  void check_overlap();
+  void check_overlap(double passes);    // so many spacings pass
+  double overlap_passes = 0.0;
   bool overlaps(const tm_contact_args &, tm_vec3 shift, int *worst) const;
   double way_out(const tm_contact_args &, tm_vec3 direction, double limit) const;
   int sample_inside(const tm_contact_args &) const;

@@ -17,8 +17,8 @@
 using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
 
-// penetration at the start that passes, in spacings: rounding of positions and of tessellated arcs
-static constexpr double OVERLAP_ALLOWED = 0.01;
+// in spacings: how closely a way out is found
+static constexpr double WAY_STEP = 0.01;
 
 tm_contact_args FixContactTri::host_args(const tm_pose &pose)
 {
@@ -58,14 +58,14 @@ bool FixContactTri::overlaps(const tm_contact_args &args, tm_vec3 shift, int *wo
   double all;
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
   if (mine < all) *worst = -1;
-  return all > OVERLAP_ALLOWED * pair->settings_in_use().spacing;
+  return all > overlap_passes * pair->settings_in_use().spacing;
 }
 
 /* Shortest move along one direction that clears all particles, by doubling and bisection; at least
    `limit` when there is none shorter. */
 double FixContactTri::way_out(const tm_contact_args &args, tm_vec3 direction, double limit) const
 {
-  const double step = OVERLAP_ALLOWED * pair->settings_in_use().spacing;
+  const double step = WAY_STEP * pair->settings_in_use().spacing;
   int worst;
   double hi = step, lo = 0.0;
   while (hi < limit && overlaps(args, tm_vec_scale(hi, direction), &worst)) {
@@ -82,8 +82,9 @@ double FixContactTri::way_out(const tm_contact_args &args, tm_vec3 direction, do
 
 /* A tool that starts inside the work would throw its particles away: say where, and the shortest
    way along an axis that clears all of them. */
-void FixContactTri::check_overlap()
+void FixContactTri::check_overlap(double passes)
 {
+  overlap_passes = passes;
   const tm_contact_args args = host_args(pose_now());
   int where;
   const bool touching = overlaps(args, tm_vec(0, 0, 0), &where);

@@ -80,6 +80,8 @@ class FixSPHTM : public Fix {
   const double *field(int id) { return fields[id].host_read(); }
   double time_ahead() const { return dt_ahead; }   // from the state to the force point
   double step_dt() const { return dt; }
+  // particles came, went or were moved between the last run and this one; known from its set-up on
+  bool moved_since_last_run() const { return moved_between; }
   bool begun() const { return started; }           // has taken a step, here or before a restart
   bool restored() const { return in_file; }        // from a restart file
   double start_temperature() const { return temperature0; }
@@ -156,6 +158,7 @@ class FixSPHTM : public Fix {
   double hottest_given = 0.0, hottest = 1e300;    // above it a temperature stops the run
   double densest = 3.0;            // over the reference density or under it by more stops the run
   bool melt_reported = false;
+  bool temperature_set = false;    // by fix_modify
   double find_hottest() const;
   void report_melting(int);
   bool temperature_given = false;
@@ -220,8 +223,16 @@ class FixSPHTM : public Fix {
   };
   struct {
     std::vector<bigint> types;     // how many particles of each; empty: there was no run
+    std::vector<double> density;   // reference density of each
     double nearest = 0.0;          // the smallest distance of two
+    double mean_nearest = 0.0, neighbors = 0.0, mass = 0.0;    // means and sum over all
+    uint64_t places = 0;
+    bigint particles = 0;
   } last_run;
+  bool moved_between = false;      // particles came, went or were moved since the last run
+  uint64_t places_hash();
+  double total_mass();
+  void check_strain(const tm_nearest &);
   std::vector<tagint> fresh;       // of all ranks: those that came since then
   bool begin_anew = false;         // though steps were taken
   void check_company();

@@ -168,6 +168,7 @@ std::string FixSPHTM::likely_cause(int i, int status)
       break;
     case TM_BAD_HEAT:
       may(scene_has("^sph/tm/heat"), "a heat source or flux (fix sph/tm/heat) larger than meant");
+      may(temperature_set, "a temperature given by fix_modify");
       may(tool || bodies, "friction heat of a speed or pressure out of range");
       may(has(TM_FX_PLASTICITY), "plastic work of a material whose constants are in another unit");
       break;

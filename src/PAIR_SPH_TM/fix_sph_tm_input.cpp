@@ -92,6 +92,7 @@ int FixSPHTM::modify_param(int narg, char **arg)
     if (igroup2 < 0) error->all(FLERR, "Fix_modify temperature of fix sph/tm: no group {}", arg[1]);
     const double T = positive(lmp, "Fix_modify temperature of fix sph/tm", arg[2]);
     preset.push_back({group->bitmask[igroup2], T});
+    temperature_set = true;
     need(TM_FX_HEAT, fmt::format("temperature of group {} is set", arg[1]));
     return 3;
   }

@@ -105,6 +105,7 @@ double FixSPHTM::compute_scalar()
 double FixSPHTM::compute_vector(int n)
 {
   current(lmp, this, fmt::format("Fix sph/tm {}", id));
+  if (n < 0 || n >= size_vector) error->all(FLERR, "Fix sph/tm output {} is not among its {} values", n + 1, size_vector);
   if (n <= ENERGY_SUM && n != ENERGY_KINETIC && !has(TM_FX_LEDGER))
     error->all(FLERR, "Fix sph/tm output {} needs the keyword 'energy yes'", n + 1);
   if (n >= VECTOR_SIZE) return audit_output(n - VECTOR_SIZE);

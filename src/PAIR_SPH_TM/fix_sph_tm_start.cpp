@@ -4,6 +4,7 @@
 
 #include "all_ranks.h"
 #include "pair_sph_tm.h"
+#include "restart_block.h"
 #include "tm_filling.h"
 
 #include "atom.h"
@@ -51,6 +52,10 @@ void FixSPHTM::check_company()
   for (const auto &f : modify->get_fix_by_style("^dt/reset"))
     error->all(FLERR, "Fix {} dt/reset works against fix sph/tm, which sets the time step itself; remove it, and limit "
                       "the step with the keyword dt/max", f->id);
+  for (const auto &f : modify->get_fix_list())
+    if (f->box_change & BOX_CHANGE_ANY && comm->me == 0)
+      error->warning(FLERR, "Fix {} {} changes the box: where it moves the particles with it, their stress and density know "
+                            "nothing of it", f->id, f->style);
   host_particles();
   check_integrators();
   const bigint members = group->count(igroup);
@@ -99,12 +104,70 @@ std::vector<bigint> FixSPHTM::particles_of_types(bool old_only)
   return all;
 }
 
+// of the places of all particles, in any order
+uint64_t FixSPHTM::places_hash()
+{
+  uint64_t mine = 0, all;
+  for (int i = 0; i < atom->nlocal; i++) {
+    struct {
+      double x[3];
+      int64_t tag;
+    } p = {{atom->x[i][0], atom->x[i][1], atom->x[i][2]}, atom->tag[i]};
+    imageint image = atom->image[i];
+    domain->remap(p.x, image);    // as LAMMPS does before the next step
+    mine += hash_bytes(&p, sizeof(p));
+  }
+  MPI_Allreduce(&mine, &all, 1, MPI_UINT64_T, MPI_SUM, world);
+  return all;
+}
+
+double FixSPHTM::total_mass()
+{
+  double mine = 0.0, all;
+  for (int i = 0; i < atom->nlocal; i++) mine += atom->rmass_flag ? atom->rmass[i] : atom->mass[atom->type[i]];
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
 void FixSPHTM::remember_particles()
 {
+  if (!is_current()) return;
   host_particles();
   last_run.types = particles_of_types(false);
-  const double mine = pair_sph->nearest().distance;
-  MPI_Allreduce(&mine, &last_run.nearest, 1, MPI_DOUBLE, MPI_MIN, world);
+  last_run.density.clear();
+  for (int t = 0; t <= atom->ntypes; t++) last_run.density.push_back(pair_sph->materials()[t].rho0);
+  const tm_nearest c = pair_sph->nearest();
+  const double mine[4] = {c.sum, c.count, pair_sph->neighbors(), (double) atom->nlocal};
+  double all[4];
+  MPI_Allreduce(mine, all, 4, MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(&c.distance, &last_run.nearest, 1, MPI_DOUBLE, MPI_MIN, world);
+  last_run.mean_nearest = all[0] / std::max(all[1], 1.0);
+  last_run.neighbors = all[2] / std::max(all[3], 1.0);
+  last_run.mass = total_mass();
+  last_run.places = places_hash();
+  last_run.particles = atom->natoms;
+}
+
+// particles that a command moved against each other: their stress and density know nothing of it
+void FixSPHTM::check_strain(const tm_nearest &c)
+{
+  host_particles();
+  moved_between = places_hash() != last_run.places;
+  if (!moved_between || atom->natoms != last_run.particles) return;
+  const double mine[4] = {c.sum, c.count, pair_sph->neighbors(), (double) atom->nlocal};
+  double all[4];
+  MPI_Allreduce(mine, all, 4, MPI_DOUBLE, MPI_SUM, world);
+  const double near = all[0] / std::max(all[1], 1.0) / std::max(last_run.mean_nearest, 1e-300);
+  const double count = all[2] / std::max(all[3], 1.0) / std::max(last_run.neighbors, 1e-300);
+  constexpr double STOPS = 0.1, WARNS = 0.03;
+  const double worst = std::max(fabs(near - 1.0), fabs(count - 1.0));
+  if (worst < WARNS) return;
+  const std::string text = fmt::format(
+      "Fix sph/tm {}: particles were moved against each other after the last run (nearest neighbors on the mean {:.4g} "
+      "times as far apart, {:.4g} times as many neighbors); their stress and density know nothing of it. Bodies are moved "
+      "as a whole, and strained by velocities in a run", id, near, count);
+  if (worst > STOPS) error->all(FLERR, text);
+  if (comm->me == 0) error->warning(FLERR, text);
 }
 
 // before new particles get their state: which are new, and whether others have changed what they are made of
@@ -124,6 +187,16 @@ void FixSPHTM::look_at_changes()
       error->all(FLERR, "Fix sph/tm {}: {} particles became type {} ({}) after a run; their state belongs to another "
                         "material. Set types before the first run, or delete and create the particles", id,
                  now[t] - last_run.types[t], t, pair_sph->material_name(t));
+  for (int t = 1; t <= atom->ntypes; t++)
+    if (now[t] && fabs(pair_sph->materials()[t].rho0 - last_run.density[t]) > 1e-6 * last_run.density[t])
+      error->all(FLERR, "Fix sph/tm {}: the density of type {} ({}) changed from {:.6g} to {:.6g} after a run; the particles "
+                        "keep theirs. Materials are given before the first run", id, t, pair_sph->material_name(t),
+                 last_run.density[t] / pair_sph->units().density,
+                 pair_sph->materials()[t].rho0 / pair_sph->units().density);
+  const double mass = total_mass();
+  if (atom->natoms == last_run.particles && fabs(mass - last_run.mass) > 1e-6 * last_run.mass)
+    error->all(FLERR, "Fix sph/tm {}: the mass of the particles changed from {:.8g} to {:.8g} after a run; it belongs to "
+                      "their density and volume. Masses are given before the first run", id, last_run.mass, mass);
 }
 
 /* ---------------------------------------------------------------------- particles */
@@ -285,10 +358,11 @@ void FixSPHTM::check_start()
 void FixSPHTM::check_changes()
 {
   if (last_run.types.empty()) return;
-  check_values();
   const tm_nearest c = pair_sph->nearest();
   const double dp = has(TM_FX_SMOOTHING) ? pair_sph->smallest_spacing() : pair_sph->settings_in_use().spacing;
   check_overlap(c, CLOSE);
+  check_values();
+  check_strain(c);
   if (!fresh.empty()) check_filling(true);
   check_overlap(c, std::min(CLOSE_BETWEEN_RUNS, 0.85 * last_run.nearest / dp));
 }

@@ -19,6 +19,9 @@
 using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
 
+// of the values of a particle in a restart file: their number and its ID
+static constexpr int RESTART_HEAD = 2;
+
 void FixSPHTM::grow_arrays(int nmax) { fields.grow(nmax); }
 void FixSPHTM::copy_arrays(int i, int j, int) { fields.copy(i, j); }
 void FixSPHTM::set_arrays(int i) { fields.zero(i); }
@@ -27,8 +30,9 @@ int FixSPHTM::unpack_exchange(int nlocal, double *buf) { return fields.unpack(nl
 
 int FixSPHTM::pack_restart(int i, double *buf)
 {
-  buf[0] = fields.columns() + 1;
-  return 1 + fields.pack(i, buf + 1);
+  buf[0] = fields.columns() + RESTART_HEAD;
+  buf[1] = (double) atom->tag[i];
+  return RESTART_HEAD + fields.pack(i, buf + RESTART_HEAD);
 }
 
 void FixSPHTM::unpack_restart(int nlocal, int nth)
@@ -36,10 +40,14 @@ void FixSPHTM::unpack_restart(int nlocal, int nth)
   const double *extra = atom->extra[nlocal];
   int m = 0;
   for (int i = 0; i < nth; i++) m += static_cast<int>(extra[m]);
-  if (static_cast<int>(extra[m]) != fields.columns() + 1)
+  if (static_cast<int>(extra[m]) != fields.columns() + RESTART_HEAD)
     error->one(FLERR, "Fix sph/tm {}: the {} holds {} values per particle, {} expected", id, restart_file_name(lmp),
-               static_cast<int>(extra[m]) - 1, fields.columns());
-  const double *row = extra + m + 1;
+               static_cast<int>(extra[m]) - RESTART_HEAD, fields.columns());
+  if (extra[m + 1] != (double) atom->tag[nlocal])    // LAMMPS does not move these values with the particles
+    error->one(FLERR, "Fix sph/tm {}: particle {} stands where the {} has the state of particle {}: the file is damaged, or "
+                      "particles were deleted, sorted or given other IDs after read_restart; write the fixes first", id,
+               atom->tag[nlocal], restart_file_name(lmp), extra[m + 1]);
+  const double *row = extra + m + RESTART_HEAD;
   for (int k = 0; k < fields.columns(); k++)
     if (!std::isfinite(row[k]))
       error->one(FLERR, "Fix sph/tm {}: the {} is damaged, or was written after a fault: value {} of the state of "
@@ -62,8 +70,8 @@ void FixSPHTM::check_restart()
   read = {};
 }
 
-int FixSPHTM::size_restart(int) { return fields.columns() + 1; }
-int FixSPHTM::maxsize_restart() { return fields.columns() + 1; }
+int FixSPHTM::size_restart(int) { return fields.columns() + RESTART_HEAD; }
+int FixSPHTM::maxsize_restart() { return fields.columns() + RESTART_HEAD; }
 
 // global state: the rows of all particles, which fields they hold, who made their sizes, the time step, the energies
 namespace {

@@ -76,7 +76,8 @@ void FixSPHTM::check_stall(const double *all)
 {
   const double now = update->atime + (update->ntimestep - update->atimestep) * update->dt;
   const bool of_tool = dt_cause == TM_DT_CONTACT || dt_cause == TM_DT_MOTION;
-  const double largest = of_tool ? std::max(dt_largest, courant * dt_limits[TM_DT_SOUND]) : dt_largest;
+  const double sound = all[TM_DT_SOUND] < 1e299 ? all[TM_DT_SOUND] : 0.0;    // none where there is no solid particle
+  const double largest = of_tool ? std::max(dt_largest, sound) : dt_largest;
   const bool small = dt_cause != TM_DT_MAXIMUM && dt_next < LEAST_SHARE * largest, still = now + dt_next == now;
   if (!small && !still) return;
   const std::string text = fmt::format(

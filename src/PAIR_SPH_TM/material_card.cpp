@@ -11,6 +11,7 @@
 #include "tokenizer.h"
 #include "utils.h"
 
+#include <sys/stat.h>
 #include <cstdio>
 #include <mpi.h>
 
@@ -39,6 +40,12 @@ static std::string read_file(LAMMPS *lmp, const char *style, const char *name)
   int size = -1;
   if (lmp->comm->me == 0) {
     const std::string path = find_file(name);
+    struct stat s;
+    const bool regular = !path.empty() && stat(path.c_str(), &s) == 0 && S_ISREG(s.st_mode);
+    if (!path.empty() && !regular) lmp->error->one(FLERR, "{}: '{}' is not a regular file", style, path);
+    constexpr off_t MOST = 100000000;
+    if (regular && s.st_size > MOST)
+      lmp->error->one(FLERR, "{}: '{}' has {} bytes; a file of material cards has at most {}", style, path, s.st_size, MOST);
     FILE *fp = path.empty() ? nullptr : fopen(path.c_str(), "rb");
     if (fp) {
       char buffer[4096];

@@ -58,6 +58,9 @@ void PairSPHTM::init_style()
   if (set.plane_stress && domain->dimension != 2)
     error->all(FLERR, "Pair style sph/tm plane stress needs dimension 2");
 
+  if (utils::strmatch(force->pair_style, "^hybrid/scaled"))
+    error->all(FLERR, "Pair style sph/tm does not work in hybrid/scaled: its forces belong to the stress that it keeps, which "
+                      "no factor scales; use hybrid or hybrid/overlay");
   check_volume();
   check_masses();
   if (set.mixed) check_mixed();

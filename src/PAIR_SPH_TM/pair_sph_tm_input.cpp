@@ -60,6 +60,7 @@ void PairSPHTM::settings(int narg, char **arg)
   if (narg < 4)
     error->all(FLERR, "Illegal pair_style sph/tm: expected 'sph/tm <kernel> <h/spacing> spacing "
                       "<dp> ...', got {} arguments", narg);
+  const double spacing_before = stepped ? set.spacing : 0.0;
   set = Settings();
   int kernel = -1;
   for (int k = 0; k < TM_KERNEL_COUNT; k++)
@@ -113,6 +114,9 @@ void PairSPHTM::settings(int narg, char **arg)
     error->all(FLERR, "Pair style sph/tm needs the keyword spacing with the particle spacing");
   if (set.correction && set.form_f14)
     error->all(FLERR, "Pair style sph/tm correction yes needs form f15");
+  if (spacing_before > 0.0 && fabs(set.spacing - spacing_before) > 1e-9 * spacing_before)
+    error->all(FLERR, "Pair style sph/tm spacing changed from {:.8g} to {:.8g} after a run; masses and sizes of the particles "
+                      "belong to the old one", spacing_before, set.spacing);
   set.h = set.ratio * set.spacing;
 }
 

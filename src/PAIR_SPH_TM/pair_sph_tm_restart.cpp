@@ -10,6 +10,7 @@
 #include "comm.h"
 #include "error.h"
 #include "force.h"
+#include "input.h"
 #include "utils.h"
 
 #include <algorithm>
@@ -90,7 +91,8 @@ void PairSPHTM::read_restart(FILE *fp)
     }
   }
   written.reset(new Written{set, material, laws});
-  refuse_damaged(comm->me == 0 ? scan_restart(fp) : "");
+  const bool in_parts = input->narg > 0 && strchr(input->arg[0], '%') && !strchr(input->arg[0], '*');
+  refuse_damaged(comm->me == 0 ? scan_restart(fp, in_parts ? input->arg[0] : "") : "");
 }
 
 // of the first rank

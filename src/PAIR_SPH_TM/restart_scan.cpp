@@ -65,11 +65,12 @@ namespace {
 
 class Scan {
  public:
-  explicit Scan(FILE *f) : fp(f) {}
+  Scan(FILE *f, const std::string &name) : fp(f), pattern(name) {}
   std::string run();
 
  private:
   FILE *fp;
+  const std::string pattern;
   long left = 0;    // bytes
   RowsHash written, found;
   bool known = false;
@@ -93,6 +94,8 @@ class Scan {
   std::string fixes();
   std::string fix_state(const std::string &id, const std::string &style);
   std::string rows();
+  std::string part(int k);
+  std::string chunks();
   bool row_chunk();
 };
 
@@ -155,18 +158,49 @@ bool Scan::row_chunk()
   return true;
 }
 
+// to the end of the file
+std::string Scan::chunks()
+{
+  const long end = sizeof(MAGIC_STRING);
+  while (left > end)
+    if (!row_chunk()) return "it ends, or a length in it is wrong, among the particles";
+  char magic[sizeof(MAGIC_STRING)];
+  if (!read(magic, end) || memcmp(magic, MAGIC_STRING, end) != 0) return "its end is missing";
+  return "";
+}
+
+std::string Scan::part(int k)
+{
+  std::string name = pattern;
+  name.replace(name.find('%'), 1, std::to_string(k));
+  FILE *const base = fp;
+  fp = fopen(name.c_str(), "rb");
+  std::string fault;
+  int flag, ranks;
+  if (!fp) fault = fmt::format("its part {} cannot be opened", name);
+  else {
+    fseek(fp, 0, SEEK_END);
+    left = ftell(fp);
+    rewind(fp);
+    if (!read(flag) || flag != PROCSPERFILE || !read(ranks)) fault = "it does not begin as a part";
+    else fault = chunks();
+    if (!fault.empty()) fault = fmt::format("part {}: {}", name, fault);
+    fclose(fp);
+  }
+  fp = base;
+  return fault;
+}
+
 std::string Scan::rows()
 {
   int flag, parts = 0;
   if (!read(flag)) return CUT;
   if (flag != MULTIPROC || !read(parts) || !read(flag) || flag != -1)
     return "the layout of the file is not one of LAMMPS";
-  if (parts) return "";
-  const long end = sizeof(MAGIC_STRING);
-  while (left > end)
-    if (!row_chunk()) return "it ends, or a length in it is wrong, among the particles";
-  char magic[sizeof(MAGIC_STRING)];
-  if (!read(magic, end) || memcmp(magic, MAGIC_STRING, end) != 0) return "its end is missing";
+  if (parts && pattern.find('%') == std::string::npos) return "";    // a name that is not known
+  std::string fault = parts ? "" : chunks();
+  for (int k = 0; k < parts && fault.empty(); k++) fault = part(k);
+  if (!fault.empty()) return fault;
   if (known && written.hash && (found.rows != written.rows || found.hash != written.hash))
     return found.rows != written.rows
         ? fmt::format("it holds {} of {} particles", found.rows, written.rows)
@@ -190,10 +224,10 @@ std::string Scan::run()
 
 }    // namespace
 
-std::string scan_restart(FILE *fp)
+std::string scan_restart(FILE *fp, const std::string &pattern)
 {
   const long at = ftell(fp);
-  const std::string fault = Scan(fp).run();
+  const std::string fault = Scan(fp, pattern).run();
   fseek(fp, at, SEEK_SET);
   return fault;
 }

@@ -35,9 +35,9 @@ RowsHash rows_hash(LAMMPS_NS::LAMMPS *);
 constexpr int ROWS_HASH_VALUES = 4;
 void append_rows_hash(std::vector<double> &, const RowsHash &);
 
-// From the end of the pair style to the end of the file; the position is left where it was. "" or what is wrong. Of
-// files in parts only the fixes
-std::string scan_restart(FILE *);
+// From the end of the pair style to the end of the file; the position is left where it was. "" or what is wrong.
+// pattern: of a file in parts its name with %, or ""
+std::string scan_restart(FILE *, const std::string &pattern);
 
 }    // namespace SPHTM_NS
 

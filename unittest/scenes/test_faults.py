@@ -59,10 +59,10 @@ for plane, eos, missing in (("", "eos shock 4570 1.49 1.9", ("thickness",)), ("p
     with open(os.path.join(folder, "bad.0.restart"), "rb") as f:    # the part with the particles
         good = f.read()
     fields = [(name, k) for name, n in COLUMNS.items() if name not in missing for k in range(n)]
-    # the rows: the number of values and then the values
-    lead = struct.pack("d", len(fields) + 1)
-    rows = [m.start() + 8 for m in re.finditer(re.escape(lead), good)
-            if 7000 < struct.unpack_from("d", good, m.start() + 8)[0] < 8700]
+    # the rows: the number of values, the ID, and then the values
+    lead = struct.pack("d", len(fields) + 2)
+    rows = [m.start() + 16 for m in re.finditer(re.escape(lead), good)
+            if 7000 < struct.unpack_from("d", good, m.start() + 16)[0] < 8700]
     checks.true("rows of the particles are found in the file" + plane, len(rows) == 48, str(len(rows)))
     row = rows[20]
     for at, (name, k) in enumerate(fields):
