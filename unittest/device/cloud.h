@@ -141,7 +141,7 @@ TM_FN tm_update_args cloud_update(cloud *w)
   a.accel_unit = 1.0;
   a.temperature = 300.0;
   a.heat_rate = 3.0; a.k_max = 60.0;
-  a.hottest = 1e4; a.densest = 3.0; a.watch_melt = 1;
+  a.hottest = 1450.0; a.densest = 1.02; a.watch_melt = 1;    /* some of each beyond */
   a.share = NULL; a.ratio = w->h / w->spacing;
   return a;
 }
