@@ -141,6 +141,7 @@ TM_FN tm_update_args cloud_update(cloud *w)
   a.accel_unit = 1.0;
   a.temperature = 300.0;
   a.heat_rate = 3.0; a.k_max = 60.0;
+  a.hottest = 1450.0; a.densest = 1.02; a.watch_melt = 1;    /* some of each beyond */
   a.share = NULL; a.ratio = w->h / w->spacing;
   return a;
 }
@@ -149,6 +150,7 @@ TM_FN void cloud_put_limits(double *out, const tm_update_result *r)
   for (int k = 0; k < 3; k++) out[k] = 1.0 / r->dt[k];
   out[3] = r->elastic; out[4] = r->plastic; out[5] = r->plastic_heat; out[6] = r->artificial;
   out[7] = r->kinetic_work; out[8] = r->internal_work; out[9] = r->heat; out[10] = r->status;
+  out[11] = r->melted < INT_MAX;
 }
 
 /* --- stages, in the order of a step */

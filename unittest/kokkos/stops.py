@@ -30,10 +30,22 @@ CASES = {
     "state that is no number": dict(lines="variable f equal exp(800*(step>25))\nfix push one addforce v_f 0 0"),
     "runaway": dict(lines="fix push one addforce 1e10 0 0"),
     "velocity set too high": dict(lines="velocity one set 1e6 0 0 units box"),
-    "density": dict(more="set atom 31 type 2", lines="group heavy id 31\nvelocity heavy set 200 0 0 units box"),
+    "density": dict(fix="density/max 1e9", more="set atom 31 type 2",
+                    lines="group heavy id 31\nvelocity heavy set 300 0 0 units box"),
     "leaves the box": dict(box=SMALL, lines="group last id 32\nvelocity last set 8000 300 0 units box"),
     "heat taken out": dict(lines="fix sink one sph/tm/heat source -1e20"),
     "overlap at the start": dict(more="create_atoms 1 single 2.5e-3 2.5e-3 0 units box"),
+    "too dense at the start": dict(more="create_atoms 1 single 3.2e-3 3.3e-3 0 units box"),
+    "density beyond its bound": dict(
+        fix="density/max 1.05", lines="variable vx atom -2e5*(x-4e-3)\nvelocity all set v_vx NULL NULL units box"),
+    "plastic strain in a step": dict(
+        fix="courant 1 density/max 1e9",
+        lines="variable vx atom 1.2e7*(x-4e-3)\nvariable vy atom -1.2e7*(y-4e-3)\nvelocity all set v_vx v_vy NULL units box"),
+    "above the melting temperature, then too hot": dict(lines="fix glow one sph/tm/heat source 1e16"),
+    "above the largest temperature": dict(fix="temperature/max 400", lines="fix glow one sph/tm/heat source 1e16"),
+    "moved together between runs": dict(lines="displace_atoms one move 0.5e-3 0 0 units box"),
+    "another material between runs": dict(lines="set group one type 2"),
+    "state lost between runs": dict(lines="unfix body\nfix body all sph/tm"),
 }
 
 # Rows that become many times longer than the room there was for them. What a row holds beyond the reach of the kernel
@@ -48,8 +60,8 @@ def script(name):
 
 
 def message(output):
-    """LAMMPS's error message, without the place in its code."""
-    text = " ".join(" ".join(re.findall(r"^ERROR.*", output, re.M)).split())
+    """LAMMPS's error message and the warnings of fix sph/tm, without the places in the code."""
+    text = " ".join(" ".join(re.findall(r"^(?:ERROR|WARNING: Fix sph/tm:).*", output, re.M)).split())
     return re.sub(r" \(\S*\.cpp:\d+\)", "", text)
 
 
