@@ -38,7 +38,8 @@ void AdaptLists::init()
   LAMMPS *lmp = fix.host();
   if (sizeof(tagint) != sizeof(int))
     lmp->error->all(FLERR, "Fix adapt/neigh threshold: rows sort by tags of 32 bits; build LAMMPS with SMALLBIG");
-  if (lmp->neighbor->exclude)
+  const Neighbor *lists = lmp->neighbor;
+  if (lists->nex_type || lists->nex_group || lists->nex_mol)
     lmp->error->all(FLERR, "Fix adapt/neigh threshold: its rows know nothing of 'neigh_modify exclude'; leave that out, and "
                            "say with 'pair_coeff i j none' which types do not meet");
   PairSPHTM &pair = fix.pair();

@@ -53,7 +53,7 @@ void FixSPHTM::check_company()
     error->all(FLERR, "Fix {} dt/reset works against fix sph/tm, which sets the time step itself; remove it, and limit "
                       "the step with the keyword dt/max", f->id);
   for (const auto &f : modify->get_fix_list())
-    if (f->box_change & BOX_CHANGE_ANY && comm->me == 0)
+    if (f->box_change & (BOX_CHANGE_SIZE | BOX_CHANGE_SHAPE) && comm->me == 0)
       error->warning(FLERR, "Fix {} {} changes the box: where it moves the particles with it, their stress and density know "
                             "nothing of it", f->id, f->style);
   host_particles();
@@ -145,7 +145,7 @@ void FixSPHTM::remember_particles()
   last_run.neighbors = all[2] / std::max(all[3], 1.0);
   last_run.mass = total_mass();
   last_run.places = places_hash();
-  last_run.particles = atom->natoms;
+  last_run.particles = (bigint) all[3];
 }
 
 // particles that a command moved against each other: their stress and density know nothing of it
@@ -153,10 +153,11 @@ void FixSPHTM::check_strain(const tm_nearest &c)
 {
   host_particles();
   moved_between = places_hash() != last_run.places;
-  if (!moved_between || atom->natoms != last_run.particles) return;
+  if (!moved_between) return;
   const double mine[4] = {c.sum, c.count, pair_sph->neighbors(), (double) atom->nlocal};
   double all[4];
   MPI_Allreduce(mine, all, 4, MPI_DOUBLE, MPI_SUM, world);
+  if ((bigint) all[3] != last_run.particles) return;
   const double near = all[0] / std::max(all[1], 1.0) / std::max(last_run.mean_nearest, 1e-300);
   const double count = all[2] / std::max(all[3], 1.0) / std::max(last_run.neighbors, 1e-300);
   constexpr double STOPS = 0.1, WARNS = 0.03;
@@ -194,7 +195,10 @@ void FixSPHTM::look_at_changes()
                  last_run.density[t] / pair_sph->units().density,
                  pair_sph->materials()[t].rho0 / pair_sph->units().density);
   const double mass = total_mass();
-  if (atom->natoms == last_run.particles && fabs(mass - last_run.mass) > 1e-6 * last_run.mass)
+  const bigint mine_now = atom->nlocal;
+  bigint particles;
+  MPI_Allreduce(&mine_now, &particles, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  if (particles == last_run.particles && fresh.empty() && fabs(mass - last_run.mass) > 1e-6 * last_run.mass)
     error->all(FLERR, "Fix sph/tm {}: the mass of the particles changed from {:.8g} to {:.8g} after a run; it belongs to "
                       "their density and volume. Masses are given before the first run", id, last_run.mass, mass);
 }

@@ -195,6 +195,7 @@ class PairSPHTM : public Pair {
   void complete_laws();
   void refuse_damaged(const std::string &fault);
   void compare_with_restart();
+  std::string name_of_parts() const;
 };
 
 }    // namespace LAMMPS_NS

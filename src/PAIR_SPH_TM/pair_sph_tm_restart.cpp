@@ -91,8 +91,19 @@ void PairSPHTM::read_restart(FILE *fp)
     }
   }
   written.reset(new Written{set, material, laws});
-  const bool in_parts = input->narg > 0 && strchr(input->arg[0], '%') && !strchr(input->arg[0], '*');
-  refuse_damaged(comm->me == 0 ? scan_restart(fp, in_parts ? input->arg[0] : "") : "");
+  refuse_damaged(comm->me == 0 ? scan_restart(fp, name_of_parts()) : "");
+}
+
+// of a file in parts its name with % where the one that is open has "base", or ""
+std::string PairSPHTM::name_of_parts() const
+{
+  if (input->narg < 1 || !strchr(input->arg[0], '%')) return "";
+  std::string name = input->arg[0];
+  if (name.find('*') == std::string::npos) return name;
+  name = restart_name;    // LAMMPS has found the number behind *
+  const size_t at = name.rfind("base");
+  if (at == std::string::npos) return "";
+  return name.replace(at, 4, "%");
 }
 
 // of the first rank

@@ -1,7 +1,10 @@
 """What comes, goes or moves between runs, and what is asked for there: taken into account, or refused in words."""
-import numpy as np
-from sphtm_scene import Checks, lattice_block, run
+import os
 
+import numpy as np
+from sphtm_scene import SOURCE, Checks, lattice_block, run
+
+TOOL = os.path.join(SOURCE, "unittest", "harness", "yaml", "tool.stl")
 HEAD = lattice_block("0 8e-3 0 8e-3", "-5e-3 17e-3 -5e-3 17e-3", types=2, more="atom_modify     map array\n")
 BODY = """
 pair_style      sph/tm hyperbolic 1.2 spacing 1e-3
@@ -49,8 +52,20 @@ goes("delete_atoms", "run 10\ngroup some id 1:8\ndelete_atoms group some compres
 goes("displace_atoms, all", "run 10\ndisplace_atoms all move 1e-3 0 0 units box\nrun 10\n")
 PART = "run 10\nregion right block 4e-3 INF INF INF INF INF units box\ngroup right region right\n"
 refused("displace_atoms, one half into the other", PART + "displace_atoms right move -0.5e-3 0 0 units box\nrun 10\n",
-        "of the spacing apart")
-refused("change_box with remap", "run 10\nchange_box all x scale 0.5 remap\nrun 10\n", "of the spacing apart")
+        "moved against each other")
+refused("change_box with remap", "run 10\nchange_box all x scale 0.5 remap\nrun 10\n", "moved against each other")
+for factor in "0.75", "1.5":
+    refused("displace_atoms that strains by " + factor, "run 10\nvariable d atom (%s-1)*x\ndisplace_atoms all move v_d 0 0 "
+            "units box\nrun 10\n" % factor, "moved against each other", "know nothing of it")
+refused("another mass", "run 10\nmass 1 1e-5\nrun 10\n", "mass of the particles changed")
+refused("another density", "run 10\npair_coeff 1 1 density 5000 elastic 70e9 0.33\nrun 10\n", "density of type 1",
+        "2700 to 5000")
+refused("another spacing", "run 10\npair_style sph/tm hyperbolic 1.2 spacing 0.5e-3\nrun 10\n", "spacing changed",
+        "after a run")
+goes("fix deform", "fix d all deform 1 x erate 1e-3\nrun 10\n", "changes the box")
+refused("a particle set onto another", "run 10\nset atom 5 x 0.5e-3 y 0.5e-3\nrun 10\n", "apart", "delete_atoms overlap")
+refused("particles moved into a tool", "fix tool all contact/tri file %s scale 1e-3 move 4e-3 9.2e-3 0\nrun 10\n"
+        "displace_atoms all move 0 1.5e-3 0 units box\nrun 10\n" % TOOL, "overlaps particles")
 refused("a velocity that is no number", "run 10\nvariable n atom exp(1000)\nvelocity all set v_n NULL NULL\nrun 10\n",
         "velocity", "not a finite number")
 refused("another type", PART + "set group right type 2\nrun 10\n", "became type 2", "another material")
@@ -93,4 +108,15 @@ for name, lines in {"before a run": "", "after unfix": "run 10\nunfix body\n", "
     r = run(SCENE + lines + "info memory\nwrite_restart any.restart\n", expect_error=True)
     checks.true("info memory " + name, r.status < 128 and r.status >= 0, "%d %s" % (r.status, r.output[-200:]))
 r = goes("a variable of the fix in a run", "variable e equal f_body[1]\nthermo_style custom step v_e\nrun 10\n")
+
+# --- ranks without particles, bodies that only conduct, no particles: nothing falls there
+SIDE = HEAD.replace("-5e-3 17e-3 -5e-3 17e-3", "-5e-3 90e-3 -5e-3 17e-3") + BODY
+for ranks in 1, 2:
+    r = run(SIDE + "set group all type 2\nset atom 1*32 type 1\npair_coeff 1 2 contact penalty 30\nrun 10\n",
+            ranks=ranks, expect_error=True, timeout=60)
+    checks.true("an empty rank where contact limits the step, %d ranks" % ranks, r.status == 0 and "contact stiffness" in
+                r.output, r.errors()[:200])
+CONDUCTS = HEAD.replace("-5e-3 17e-3 -5e-3 17e-3", "-1 1 -1 1") + BODY.replace("density 2700 elastic 70e9 0.33 strength plastic 100e6 1e9", "density 2700 body heat")
+r = run(CONDUCTS + "fix d all sph/tm/drive 20 0 0\nrun 20\n", expect_error=True)
+checks.true("a conductor that moves", r.status == 0 and not r.warnings(), r.errors()[:200])
 checks.end()

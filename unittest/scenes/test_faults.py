@@ -11,6 +11,7 @@ import sys
 import time
 
 import numpy as np
+import restart_file
 from sphtm_scene import SOURCE, Checks, lattice_block, new_folder, run
 
 HEAD = lattice_block("0 0.008 0 0.006", "-0.02 0.02 -0.02 0.02", more="atom_modify     map array\n") + """
@@ -41,7 +42,7 @@ def ends(name, result, *words):
 
 
 def go_on(data, name, **more):
-    with open(os.path.join(folder, name.replace("%", "0")), "wb") as f:
+    with open(os.path.join(folder, name), "wb") as f:
         f.write(data)
     return run("read_restart %s\n" % name + FIXES.format(tool="") + "run 40\n", folder=folder, expect_error=True,
                **more)
@@ -52,12 +53,12 @@ make_mesh()
 COLUMNS = {"density": 1, "stress": 6, "history": 20, "plastic strain": 3, "temperature": 3, "energy": 1, "damage": 2,
            "balsara": 1, "xsph": 3, "thickness": 1, "hourglass": 6}
 for plane, eos, missing in (("", "eos shock 4570 1.49 1.9", ("thickness",)), ("plane stress", "", ("energy",))):
-    run(HEAD.format(plane=plane, eos=eos) + FIXES.format(tool="") + "run 20\nwrite_restart good.restart\n"
-        "write_restart bad.%.restart\n", folder=folder)
+    run(HEAD.format(plane=plane, eos=eos) + FIXES.format(tool="") + "run 20\nwrite_restart good.restart\n",
+        folder=folder)
     with open(os.path.join(folder, "good.restart"), "rb") as f:
-        whole = f.read()
-    with open(os.path.join(folder, "bad.0.restart"), "rb") as f:    # the part with the particles
         good = f.read()
+    places = restart_file.rows(good)
+    checks.true("a file is sealed as it is written" + plane, restart_file.seal(good, places) == good)
     fields = [(name, k) for name, n in COLUMNS.items() if name not in missing for k in range(n)]
     # the rows: the number of values, the ID, and then the values
     lead = struct.pack("d", len(fields) + 2)
@@ -70,13 +71,13 @@ for plane, eos, missing in (("", "eos shock 4570 1.49 1.9", ("thickness",)), ("p
             continue
         bad = bytearray(good)
         bad[row + 8 * at:row + 8 * at + 8] = struct.pack("d", np.nan)
-        ends("NaN in %s %d %s" % (name, k + 1, plane), go_on(bad, "bad.%.restart"), "damaged", "not a finite number")
-    checks.true("the file in parts goes on" + plane, go_on(good, "bad.%.restart").status == 0)
-    checks.true("the whole file goes on" + plane, go_on(whole, "again.restart").status == 0)
+        ends("NaN in %s %d %s" % (name, k + 1, plane), go_on(restart_file.seal(bad, places), "bad.restart"),
+             "damaged", "not a finite number")
+    checks.true("the whole file goes on" + plane, go_on(good, "again.restart").status == 0)
 bad = bytearray(good)
 bad[row + 6] ^= 0x10    # one bit of a density
-ends("one bit of a value flipped", go_on(bad, "bad.%.restart"), "damaged", "checksum")
-good = whole
+ends("one bit of a value flipped", go_on(bad, "bad.restart"), "damaged", "checksum of the particles")
+ends("one bit of a value flipped, sealed", go_on(restart_file.seal(bad, places), "bad.restart"), "damaged", "checksum")
 for share in (0.05, 0.3, 0.7, 0.98):
     r = go_on(good[:int(share * len(good))], "cut.restart")
     checks.true("restart file cut at %g" % share, r.status != 0 and "ERROR" in r.output, r.errors()[:150])

@@ -4,6 +4,7 @@ import os
 import struct
 from concurrent.futures import ThreadPoolExecutor
 
+import restart_file
 from sphtm_scene import Checks, lattice_block, new_folder, run
 
 PAIR = """
@@ -27,34 +28,28 @@ folder = new_folder()
 
 
 def made(keywords, name):
-    """The file, and the same in parts: all but the particles, the particles."""
-    run(HEAD + REST % keywords + "run 12\nwrite_restart %s\nwrite_restart parts.%%\n" % name, folder=folder)
-    files = []
-    for one in name, "parts.base", "parts.0":
-        with open(os.path.join(folder, one), "rb") as f:
-            files.append(f.read())
-    return files
+    run(HEAD + REST % keywords + "run 12\nwrite_restart %s\n" % name, folder=folder)
+    with open(os.path.join(folder, name), "rb") as f:
+        return f.read()
 
 
 def rows(data, keywords):
-    """Where the values of particles begin, and how many they are; those of refinement are level, mark, two families."""
+    """Where the values of particles begin, and how many they are: behind ID and place those of refinement are level, mark,
+    two families."""
     found = []
-    for at in range(len(data) - 40):
-        n, first, second = struct.unpack_from("<3d", data, at)
-        if keywords == REFINE and n == 5.0 and first in (0.0, 1.0, 2.0) and second in (0.0, 1.0):
-            found.append((at, 5))
-        if keywords == KEPT and 1.0 <= first <= 200.0 and n == 38.0 + 12.0 * first:
+    for at in range(len(data) - 72):
+        n, tag, x, y, z, first, second = struct.unpack_from("<7d", data, at)
+        if keywords == REFINE and n == 9.0 and first in (0.0, 1.0, 2.0) and second in (0.0, 1.0) and tag >= 1.0:
+            found.append((at, 9))
+        if keywords == KEPT and 1.0 <= first <= 200.0 and n == 42.0 + 12.0 * first:
             found.append((at, int(n)))
     return found
 
 
 def attempt(arguments):
-    name, data, keywords = arguments    # data of the whole file, or of its two parts
-    if isinstance(data, tuple):
-        name += ".%"
-    for one, part in zip((name.replace("%", "base"), name.replace("%", "0")), data if "%" in name else (data,)):
-        with open(os.path.join(folder, one), "wb") as f:
-            f.write(part)
+    name, data, keywords = arguments
+    with open(os.path.join(folder, name), "wb") as f:
+        f.write(data)
     own = new_folder()
     return run(READ % os.path.join(folder, name) + REST % keywords + "run 6\n", folder=own, expect_error=True,
                timeout=60)
@@ -76,24 +71,25 @@ def put(data, at, value):
 
 
 for keywords, label in (REFINE, "refinement"), (KEPT, "kept rows"):
-    data, base, particles = made(keywords, "good.restart")
+    data = made(keywords, "good.restart")
+    of_lammps = restart_file.rows(data)
     again = attempt(("again.restart", data, keywords))
     checks.say(again.status == 0 and not again.warnings(), "the file as it is, " + label, again.errors())
-    places = rows(particles, keywords)
+    places = rows(data, keywords)
     checks.above("rows of particles found, " + label, len(places), 60)
     damaged = []
-    inner_of = (4, 1, 2, 3, 4) if keywords == REFINE else (7, 1, 5, 38, -1)
+    inner_of = (8, 5, 6, 7, 1) if keywords == REFINE else (11, 5, 9, 42, -1)
     lengths = [put(data, at, value) for (at, n), value in zip(rows(data, keywords), STRANGE)]
     try_all("lengths of rows, " + label, keywords, lengths, "damaged")
     for k in range(20):
         at, n = places[3 * k]
-        new = put(particles, at + 8 * (inner_of[k % 5] % n), STRANGE[k % 8])
-        if new != particles:
-            damaged.append((base, new))
+        new = put(data, at + 8 * (inner_of[k % 5] % n), STRANGE[k % 8])
+        if new != data:
+            damaged.append(restart_file.seal(new, of_lammps))
     try_all("values of particles, " + label, keywords, damaged, "adapt/neigh")
     at, n = places[11]
-    flipped = [(base, particles[:at + 8 * k] + bytes([particles[at + 8 * k] ^ 1]) + particles[at + 8 * k + 1:])
-               for k in range(2, n, n // 3)]
+    flipped = [restart_file.seal(data[:at + 8 * k] + bytes([data[at + 8 * k] ^ 1]) + data[at + 8 * k + 1:], of_lammps)
+               for k in range(6, n, n // 3 + 1)]
     try_all("a flipped bit in them, " + label, keywords, flipped, "adapt/neigh")
     block = data.index(struct.pack("<Q", 0x324d545f48505321))
     hurt = [data[:block + k] + bytes([data[block + k] ^ 64]) + data[block + k + 1:] for k in range(0, 120, 23)]
