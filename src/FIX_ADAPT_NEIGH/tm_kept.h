@@ -48,7 +48,8 @@ enum {
 #define TM_KEPT_MOST 2.0
 
 /* Entry k of row i is index[first[i] + k stride]; kept ones come first, filled up with weights of 0, then
-   those pairs of a particle that is not searched whose other end is. Weight c: see tm_weight(). */
+   those pairs of a particle that is not searched whose other end is. Weight c: see tm_weight(). kept, and the memory of
+   particles, have room for one more: what comes next is fetched ahead. */
 typedef struct {
   int *index, *kept, *fresh;
   const ptrdiff_t *first;
