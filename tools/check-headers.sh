@@ -1,5 +1,5 @@
 #!/bin/sh
-# Every src/*/tm_*.h compiles alone, without a warning:  check-headers.sh c|c++|nvcc
+# Every tm_*.h of src compiles alone, without a warning:  check-headers.sh c|c++|nvcc
 # So it does with pair arithmetic in single (TM_PAIR_SINGLE), or it says that it is double only.
 set -eu
 . "$(dirname -- "$0")/common.sh"
@@ -16,14 +16,15 @@ case ${1:-} in
 esac
 
 cd "$root"
-folders=$(printf ' -I%s' src/*)
-ls src/*/tm_*.h | xargs -P "$jobs" -I{} sh -c "$compile $folders {} || { echo 'fails: {}'; exit 1; }"
+folders=$(find src -type d -printf ' -I%p')
+headers=$(find src -name 'tm_*.h' | sort)
+echo "$headers" | xargs -P "$jobs" -I{} sh -c "$compile $folders {} || { echo 'fails: {}'; exit 1; }"
 compile_single="$compile -DTM_PAIR_SINGLE $folders"
 if [ "$1" = nvcc ]; then
-  $compile_single src/PAIR_SPH_TM/tm_rates.h    # all that the GPU's loops in single include
+  $compile_single src/PAIR_SPH_TM/particle/tm_rates.h    # all that the GPU's loops in single include
 else
-  ls src/*/tm_*.h | xargs -P "$jobs" -I{} sh -c "said=\$($compile_single -Wfatal-errors {} 2>&1) && exit 0
+  echo "$headers" | xargs -P "$jobs" -I{} sh -c "said=\$($compile_single -Wfatal-errors {} 2>&1) && exit 0
     case \$said in *'\"double only: '*) exit 0 ;; esac
     echo \"\$said\"; echo 'fails in single: {}'; exit 1"
 fi
-echo "$(ls src/*/tm_*.h | wc -l) headers compile alone with $compile"
+echo "$(echo "$headers" | wc -l) headers compile alone with $compile"

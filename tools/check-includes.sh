@@ -1,16 +1,16 @@
 #!/bin/sh
-# The C (src/*/tm_*.h and src/*/*.c) includes standard C headers and our own C headers, nothing of LAMMPS or Kokkos.
+# The C (tm_*.h and *.c of src) includes standard C headers and our own C headers, nothing of LAMMPS or Kokkos.
 #   check-includes.sh LAMMPS_SRC
 set -eu
 . "$(dirname -- "$0")/common.sh"
 
 cd "$root"
 standard='assert|ctype|errno|float|inttypes|limits|locale|math|stdarg|stdbool|stddef|stdint|stdio|stdlib|string|time'
-files=$(ls src/*/tm_*.h src/*/*.c 2> /dev/null) || true
+files=$(find src -name 'tm_*.h' -o -name '*.c' | sort)
 bad=$(grep -nE '^[[:space:]]*#[[:space:]]*include' $files /dev/null | grep -vE "<($standard)\.h>" |
   while IFS= read -r line; do
     name=$(echo "$line" | sed -n 's/.*include[[:space:]]*"\([^"]*\)".*/\1/p')
-    ours=$(ls src/*/"${name:-none}" 2> /dev/null) || true
+    ours=$(find src -name "${name:-none}")
     # ours in C: named tm_*.h, or the header of one of our .c files
     case $name in tm_*.h) [ -n "$ours" ] && continue ;; esac
     [ -n "$ours" ] && [ -f "${ours%.h}.c" ] && [ ! -f "$1/$name" ] && continue

@@ -9,12 +9,12 @@ set -eu
 PATH=$PATH:/usr/local/cuda/bin
 command -v nvcc > /dev/null || { echo "SKIPPED: physics on the GPU, no nvcc here"; exit 77; }
 cd "$root"
-folders=$(printf ' -I%s' src/* unittest/c)
+folders=$(find src unittest/c -type d -printf ' -I%p')
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 program=${1:-$work/device}
-for file in src/*/*.c unittest/device/on_host.c; do
+for file in $(find src -name '*.c') unittest/device/on_host.c; do
   ${CC:-cc} -std=c11 -O2 -fno-math-errno -fno-trapping-math -fopenmp-simd $folders -c "$file" -o "$work/$(basename "$file").o"
 done
 nvcc -std=c++17 -O3 "-arch=${2:-sm_90}" -cudart static -diag-suppress 177 $folders unittest/device/device.cu "$work"/*.o -o "$program"

@@ -10,13 +10,13 @@ work=${2:-$(mktemp -d "${TMPDIR:-/tmp}/sphtm-fuzz-XXXXXX")}
 mkdir -p "$work/corpus" "$work/found"
 clang=${CLANG:-clang}
 flags="-std=c11 -g -O1 -fno-omit-frame-pointer -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined"
-includes="-I$top/src/TM_CORE -I$top/src/PAIR_SPH_TM -I$top/src/FIX_CONTACT_TRI"
+includes=$(find "$top/src" -type d -printf ' -I%p')
 if ! echo 'int LLVMFuzzerTestOneInput(const char *d, unsigned long n) { return d && n > 9; }' |
     $clang $flags -w -x c - -o "$work/probe" > "$work/probe.log" 2>&1; then
   echo "no clang with libFuzzer here (see $work/probe.log): skipped"
   exit 77
 fi
-$clang $flags $includes "$top/unittest/fuzz/fuzz_mesh.c" "$top"/src/FIX_CONTACT_TRI/*.c -lm -o "$work/fuzz_mesh"
+$clang $flags $includes "$top/unittest/fuzz/fuzz_mesh.c" $(find "$top/src/FIX_CONTACT_TRI" -name '*.c') -lm -o "$work/fuzz_mesh"
 status=0
 nice "$work/fuzz_mesh" -max_total_time="$seconds" -max_len=8192 -timeout=20 -rss_limit_mb=1500 \
   -print_final_stats=1 -artifact_prefix="$work/found/" "$work/corpus" "$top/unittest/meshes" \

@@ -11,7 +11,8 @@
     lattice_block("0 8e-3 0 6e-3", "-0.02 0.02 -0.02 0.02")    # the head of a script with a block of particles
 
 Environment: SPHTM_LMP, LAMMPS_PLUGIN_PATH, SPHTM_MPIRUN, SPHTM_SOURCE (see unittest/CMakeLists.txt or
-'./sphtm env'). Without SPHTM_LMP a test is skipped. SPHTM_KEEP=1 keeps the folders of the runs.
+'./sphtm env'). Without SPHTM_LMP a test is skipped. SPHTM_KEEP=1 keeps the folders of the runs. SPHTM_RECORD=FOLDER
+makes every run print all digits and end with a dump of its particles, and keeps both there (tools/same-bits.sh).
 """
 import atexit
 import os
@@ -105,6 +106,8 @@ def run(script, variables=None, ranks=1, folder=None, files=None, expect_error=F
     if environment.get("SPHTM_PRECISION"):    # of pairs, for bench/precision.py
         script = re.sub(r"^(pair_style\s+sph/tm\b.*?)(\s+spacing\b)",
                         r"\1 precision %s\2" % environment["SPHTM_PRECISION"], script, flags=re.M)
+    if RECORD:
+        script = all_digits(script, at_end=not expect_error)
     folder = folder or new_folder()
     for name, text in dict(files or {}, **{"in.scene": script}).items():
         with open(os.path.join(folder, name), "w") as f:
@@ -115,11 +118,49 @@ def run(script, variables=None, ranks=1, folder=None, files=None, expect_error=F
         command += ["-var", name] + [str(v) for v in (value if isinstance(value, (list, tuple)) else [value])]
     done = subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                           timeout=timeout, stdin=subprocess.DEVNULL, env=environment)
+    if RECORD:
+        keep_record(folder, done.stdout)
     if done.returncode != 0 and not expect_error:
         print(done.stdout[-6000:])
         print("lmp ended with status", done.returncode, "of", shlex.join(command))
         sys.exit(1)
     return Result(folder, done.stdout, done.returncode)
+
+
+# --- SPHTM_RECORD
+
+RECORD = os.environ.get("SPHTM_RECORD")
+RECORD_DUMP = "record.dump"
+RECORD_TIMES = {"CPU", "S/CPU", "T/CPU", "CPULeft", "Elapsed"}    # columns of wall time
+recorded = 0
+
+
+def all_digits(script, at_end):
+    """The script with every digit in its thermo tables, and at its end a dump of the particles."""
+    digits = "thermo_modify format float %23.16e\n"
+    script = re.sub(r"^([ \t]*)(run[ \t])", r"\1" + digits + r"\1\2", script, flags=re.M)
+    if at_end and re.search(r"^[ \t]*run[ \t]", script, re.M):
+        script += "\nwrite_dump all custom %s id type x y z vx vy vz fx fy fz modify sort id format float %%23.16e\n" % \
+            RECORD_DUMP
+    return script
+
+
+def keep_record(folder, output):
+    """RECORD/<test>-<number of the run>: the thermo tables, then the particles."""
+    global recorded
+    recorded += 1
+    name = "%s-%03d" % (os.path.splitext(os.path.basename(sys.argv[0]))[0], recorded)
+    with open(os.path.join(RECORD, name), "w") as f:
+        for table in read_thermo(output):
+            names = [n for n in table if n not in RECORD_TIMES]
+            f.write(" ".join(names) + "\n")
+            for row in zip(*(table[n] for n in names)):
+                f.write(" ".join(v.hex() for v in row) + "\n")
+        dump = os.path.join(folder, RECORD_DUMP)
+        if os.path.exists(dump):
+            with open(dump) as d:
+                f.write(d.read())
+            os.remove(dump)
 
 
 def read_thermo(text):
