@@ -1,0 +1,77 @@
+#include "tool_particles.h"
+
+#include "fix_sph_tm.h"
+#include "pair_sph_tm.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+
+#include <algorithm>
+
+using namespace LAMMPS_NS;
+
+namespace SPHTM_NS {
+
+void ToolParticles::live_in(LAMMPS *l, FixSPHTM *s)
+{
+  lmp = l;
+  state = s;
+  heat.live_in(s->loops());
+}
+
+void ToolParticles::move(const tm_pose &from, const tm_pose &to) const
+{
+  Backend &loops = state->loops();
+  ContactLoops::of(loops).move(loops, lmp->atom->nlocal,
+                               {state->state(), fix->groupbit, type, lmp->domain->dimension == 3, from, to});
+}
+
+tm_real *ToolParticles::heat_of_contact()
+{
+  heat.resize(std::max(lmp->atom->nmax, 1));
+  return heat.loop_write();
+}
+
+void ToolParticles::take_heat()
+{
+  PairSPHTM *pair = state->pair();
+  Backend &loops = state->loops();
+  const int n = lmp->atom->nlocal;
+  const tm_rates_args &rates = pair->rate_args();
+  const PairSPHTM::Settings &set = pair->settings_in_use();
+  tm_spread_args a;
+  a.rows = rates.rows;
+  a.main = rates.rec.main;
+  a.type = rates.type;
+  a.body_type = type;
+  a.kernel = set.kernel;
+  a.h = set.h;
+  a.heat = heat.loop_write();
+  a.source = state->heat_source();
+  const int i = ContactLoops::of(loops).divide(loops, n, a);
+  if (i < n) {
+    const tm_real *x = pair->host_records().main + (size_t) i * TM_REC;
+    lmp->error->one(FLERR,
+                    "Fix contact/tri {} particles: no particle of type {} near the contact at {:.6g} {:.6g} {:.6g} takes "
+                    "up the friction heat; fill the tool with particles up to its surface",
+                    fix->id, type, x[0], x[1], x[2]);
+  }
+  lmp->comm->forward_comm(fix);
+  a.heat = heat.loop_write();
+  ContactLoops::of(loops).collect(loops, n, a);
+}
+
+void ToolParticles::pack(int n, const int *list, double *buf)
+{
+  const double *lost = heat.host_read();
+  for (int k = 0; k < n; k++) buf[k] = lost[list[k]];
+}
+
+void ToolParticles::unpack(int n, int first, const double *buf)
+{
+  std::copy_n(buf, n, heat.host_write() + first);
+}
+
+}    // namespace SPHTM_NS

@@ -1,0 +1,41 @@
+/* SPH-TM: a tool that is filled with conduction-only particles: they move with it, and take its share of the friction
+   heat. */
+#ifndef SPHTM_TOOL_PARTICLES_H
+#define SPHTM_TOOL_PARTICLES_H
+
+#include "contact_loops.h"
+#include "loop_array.h"
+
+namespace LAMMPS_NS {
+class Fix;
+class FixSPHTM;
+class LAMMPS;
+}
+
+namespace SPHTM_NS {
+
+class ToolParticles {
+ public:
+  // of a type; of the particles of the fix, which sends their heat to ghosts by pack() and unpack()
+  ToolParticles(LAMMPS_NS::Fix *f, int t) : fix(f), type(t) {}
+  void live_in(LAMMPS_NS::LAMMPS *, LAMMPS_NS::FixSPHTM *);
+  void move(const tm_pose &from, const tm_pose &to) const;
+  // power into the tool, of each rubbing particle, set by the contact loop; what takes none of it is an error
+  tm_real *heat_of_contact();
+  void take_heat();
+  void pack(int n, const int *list, double *buf);
+  void unpack(int n, int first, const double *buf);
+  LoopArray<double> &heat_to_send() { return heat; }    // where the loops run
+  double bytes() const { return (double) heat.bytes(); }
+
+ private:
+  LAMMPS_NS::Fix *fix;
+  int type;
+  LAMMPS_NS::LAMMPS *lmp = nullptr;
+  LAMMPS_NS::FixSPHTM *state = nullptr;
+  LoopArray<double> heat;
+};
+
+}    // namespace SPHTM_NS
+
+#endif
