@@ -1,4 +1,4 @@
-/* SPH-TM: particles inside a tool are carried with it, exactly; their velocity stays zero, so that
+/* SPH-TM: particles inside a rigid tool move with it, exactly; their velocity stays zero, so that
    nothing else moves them. */
 #ifndef TM_TOOL_MOVE_H
 #define TM_TOOL_MOVE_H

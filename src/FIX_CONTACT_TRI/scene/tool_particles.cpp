@@ -25,7 +25,7 @@ void ToolParticles::move(const tm_pose &from, const tm_pose &to) const
 {
   Backend &loops = state->loops();
   ContactLoops::of(loops).move(loops, lmp->atom->nlocal,
-                               {state->state(), fix->groupbit, type, lmp->domain->dimension == 3, from, to});
+                               {state->state(), fix->groupbit, type, lmp->domain->dimension == 3, from, to}, 0);
 }
 
 tm_real *ToolParticles::heat_of_contact()
@@ -50,7 +50,7 @@ void ToolParticles::take_heat()
   a.h = set.h;
   a.heat = heat.loop_write();
   a.source = state->heat_source();
-  const int i = ContactLoops::of(loops).divide(loops, n, a);
+  const int i = ContactLoops::of(loops).divide_heat(loops, n, a, 0);
   if (i < n) {
     const tm_real *x = pair->host_records().main + (size_t) i * TM_REC;
     lmp->error->one(FLERR,
@@ -60,7 +60,7 @@ void ToolParticles::take_heat()
   }
   lmp->comm->forward_comm(fix);
   a.heat = heat.loop_write();
-  ContactLoops::of(loops).collect(loops, n, a);
+  ContactLoops::of(loops).collect_heat(loops, n, a, 0);
 }
 
 void ToolParticles::pack(int n, const int *list, double *buf)
@@ -72,6 +72,18 @@ void ToolParticles::pack(int n, const int *list, double *buf)
 void ToolParticles::unpack(int n, int first, const double *buf)
 {
   std::copy_n(buf, n, heat.host_write() + first);
+}
+
+void ToolParticles::send(int n, const int *list, double *buf)
+{
+  Backend &loops = state->loops();
+  ContactLoops::of(loops).send_heat(loops, n, {heat.loop_write(), list, buf}, 0);
+}
+
+void ToolParticles::receive(int n, int first, double *buf)
+{
+  Backend &loops = state->loops();
+  ContactLoops::of(loops).receive_heat(loops, n, {heat.loop_write() + first, nullptr, buf}, 0);
 }
 
 }    // namespace SPHTM_NS

@@ -25,7 +25,9 @@ class ToolParticles {
   void take_heat();
   void pack(int n, const int *list, double *buf);
   void unpack(int n, int first, const double *buf);
-  LoopArray<double> &heat_to_send() { return heat; }    // where the loops run
+  // the same where the loops run
+  void send(int n, const int *list, double *buf);
+  void receive(int n, int first, double *buf);
   double bytes() const { return (double) heat.bytes(); }
 
  private:

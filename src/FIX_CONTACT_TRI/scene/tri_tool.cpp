@@ -88,12 +88,12 @@ std::string TriTool::load(MPI_Comm world, const Shape &shape, bool two_sided)
   return "";
 }
 
-std::string TriTool::index(MPI_Comm world, double reach)
+std::string TriTool::index(MPI_Comm world, double radius)
 {
   tm_tri_grid_free(&grid_);
-  const bool built = tm_tri_grid_build(&grid_, &mesh_, reach, TM_GRID_BUDGET) == TM_MESH_OK;
-  return first_said(world, built ? "" : fmt::format("no memory for the search grid of {} triangles with reach {}",
-                                                    mesh_.nt, reach));
+  const bool built = tm_tri_grid_build(&grid_, &mesh_, radius, TM_GRID_BUDGET) == TM_MESH_OK;
+  return first_said(world, built ? "" : fmt::format("no memory for the search grid of {} triangles with radius {}",
+                                                    mesh_.nt, radius));
 }
 
 std::string TriTool::summary() const

@@ -36,7 +36,7 @@ class TriTool {
 
   // empty, or what is wrong and how to mend it; the same on all ranks (collective)
   std::string load(MPI_Comm world, const Shape &shape, bool two_sided);
-  std::string index(MPI_Comm world, double reach);
+  std::string index(MPI_Comm world, double radius);
   // what a reader of the log wants to know, in one line
   std::string summary() const;
   // less serious flaws, one line each

@@ -2,8 +2,6 @@
 #ifdef LMP_KOKKOS
 #include "fix_contact_tri_kokkos.h"
 
-#include "backend_kokkos.h"
-
 #include "atom_kokkos.h"
 #include "atom_masks.h"
 
@@ -34,34 +32,15 @@ void FixContactTriKokkos::setup(int vflag)
   FixContactTri::setup(vflag);
 }
 
-namespace {
-
-struct PackHeat {
-  const double *heat;
-  const int *list;
-  double *buf;
-  KOKKOS_FUNCTION void operator()(int k) const { buf[k] = heat[list[k]]; }
-};
-struct UnpackHeat {
-  double *heat;
-  const double *buf;
-  KOKKOS_FUNCTION void operator()(int k) const { heat[k] = buf[k]; }
-};
-
-}    // namespace
-
 int FixContactTriKokkos::pack_forward_comm_kokkos(int n, DAT::tdual_int_1d k_sendlist, DAT::tdual_xfloat_1d &buf, int,
                                                   int *)
 {
-  kokkos_each("contact/tri send heat", n,
-              PackHeat{particles.heat_to_send().loop_read(), k_sendlist.view<LMPDeviceType>().data(),
-                       buf.view<LMPDeviceType>().data()});
+  particles.send(n, k_sendlist.view<LMPDeviceType>().data(), buf.view<LMPDeviceType>().data());
   return n;
 }
 
 void FixContactTriKokkos::unpack_forward_comm_kokkos(int n, int first, DAT::tdual_xfloat_1d &buf)
 {
-  kokkos_each("contact/tri receive heat", n,
-              UnpackHeat{particles.heat_to_send().loop_write() + first, buf.view<LMPDeviceType>().data()});
+  particles.receive(n, first, buf.view<LMPDeviceType>().data());
 }
 #endif
