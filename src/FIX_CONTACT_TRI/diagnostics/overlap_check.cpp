@@ -101,8 +101,8 @@ void OverlapCheck::stop(const std::string &who, const tm_mesh *closed) const
   MPI_Barrier(lmp->world);
 }
 
-/* Contact sees one spacing deep. Some of the particles are asked whether they lie deeper than that
-   in a closed tool: as many as some tenths of a second allow. */
+/* Contact finds particles up to one spacing deep. Some of the particles are tested for lying deeper than that in a
+   closed tool: as many as some tenths of a second allow. */
 int OverlapCheck::sample_inside(const tm_mesh &mesh) const
 {
   const Atom &atom = *lmp->atom;

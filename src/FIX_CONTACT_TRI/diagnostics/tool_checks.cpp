@@ -139,7 +139,7 @@ static int type_without_heat(const std::vector<int> &types, const tm_material *m
 }
 
 /* Friction heat needs heat as a state, which is on where the materials have what it takes. Where some of them have
-   not, it cannot be: the heat is lost, and that is said. */
+   not, it cannot be: the heat is lost, with a warning. */
 void ToolChecks::heat(FixSPHTM &state, const PairSPHTM &pair)
 {
   if (set.heat_given) state.need(TM_FX_HEAT, fmt::format("fix contact/tri {} exchanges heat", fix.id));

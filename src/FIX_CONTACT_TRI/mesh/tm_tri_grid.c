@@ -1,7 +1,7 @@
 /* SPH-TM: building the broad-phase grid; see tm_tri_grid.h.
 
    Each triangle descends into the box of cells it may touch, halving it along its longest side and
-   dropping halves whose centre is too far away: the work is that of the cells near the surface, not
+   dropping halves whose center is too far away: the work is that of the cells near the surface, not
    of the volume. Three descents: mark blocks, count, fill; then every list is sorted. */
 #include "tm_tri_grid.h"
 
@@ -90,7 +90,7 @@ static void descend_all(tm_tri_grid *g, const tm_mesh *mesh, enum pass pass)
   }
 }
 
-/* Entries expected with a cell edge: volume of the points whose cell centre comes near enough, by
+/* Entries expected with a cell edge: volume of the points whose cell center comes near enough, by
    Steiner's formula 2 r A + pi/2 r^2 P + 4/3 pi r^3 per triangle. */
 static double expected_entries(const tm_mesh *m, double radius, double cell)
 {
@@ -146,7 +146,7 @@ static int prefix_sums(tm_tri_grid *g)
   return g->list != NULL;
 }
 
-/* --- segments: the list of a cell by patch, within a patch by distance from the centre -------- */
+/* --- segments: the list of a cell by patch, within a patch by distance from the center -------- */
 
 typedef struct { int patch, t; double near; } listed;
 
@@ -158,7 +158,7 @@ static int compare_listed(const void *a, const void *b)
   return p->t < q->t ? -1 : p->t > q->t;
 }
 
-static tm_vec3 cell_centre(const tm_grid_view *v, ptrdiff_t table, int cell)
+static tm_vec3 cell_center(const tm_grid_view *v, ptrdiff_t table, int cell)
 {
   const int m = TM_GRID_EDGE - 1, nx = v->blocks[0], ny = v->blocks[1];
   const int i = (int) (table % nx) * TM_GRID_EDGE + (cell & m);
@@ -169,14 +169,14 @@ static tm_vec3 cell_centre(const tm_grid_view *v, ptrdiff_t table, int cell)
 }
 
 /* Sort one list and return its number of segments; their beginnings go to `segment`. */
-static int sort_list(tm_tri_grid *g, const tm_tri_view *m, tm_vec3 centre, int begin, int n,
+static int sort_list(tm_tri_grid *g, const tm_tri_view *m, tm_vec3 center, int begin, int n,
                      listed *work, int *segment)
 {
   int segments = 0;
   for (int k = 0; k < n; k++) {
     work[k].t = g->list[begin + k];
     work[k].patch = m->patch[work[k].t];
-    work[k].near = sqrt(tm_closest_on_facet(centre, m, work[k].t).dist2);
+    work[k].near = sqrt(tm_closest_on_facet(center, m, work[k].t).dist2);
   }
   qsort(work, (size_t) n, sizeof(listed), compare_listed);
   for (int k = 0; k < n; k++) {
@@ -204,7 +204,7 @@ static int cut_segments(tm_tri_grid *g, const tm_mesh *mesh, size_t table)
     for (int c = 0; c < TM_GRID_CELLS; c++) {
       const int begin = first[c], n = first[c + 1] - begin;
       first[c] = segments;   /* blocks come in the order of their numbers */
-      segments += sort_list(g, &m, cell_centre(&g->view, (ptrdiff_t) b, c), begin, n, work,
+      segments += sort_list(g, &m, cell_center(&g->view, (ptrdiff_t) b, c), begin, n, work,
                             g->segment + segments);
     }
   }

@@ -4,8 +4,8 @@
    points, so one look-up answers a query and triangles far away cost nothing. Cells are kept in
    blocks of 4^3, and only blocks that some triangle comes near exist: a dense table of block
    numbers (-1: empty), then cells, then the lists. The list of a cell is cut into segments, one per
-   smooth patch, and each segment is sorted by distance from the centre of the cell: once that
-   distance, less the way from the centre to the query point, exceeds the best found, the rest of
+   smooth patch, and each segment is sorted by distance from the center of the cell: once that
+   distance, less the way from the center to the query point, exceeds the best found, the rest of
    the segment is out. So a finely tessellated patch costs little more than a coarse one. Built
    once; rigid motion moves the query point into the mesh's frame. All arrays are plain and can be
    copied to a device as they are. */
@@ -27,10 +27,10 @@ typedef struct {
   const int *first;       /* TM_GRID_CELLS per block, + 1: where the segments of a cell begin */
   const int *segment;     /* where the list of a segment begins, + 1 */
   const int *list;        /* triangle indices */
-  const float *near;      /* of each, a lower bound of its distance from the centre of the cell */
+  const float *near;      /* of each, a lower bound of its distance from the center of the cell */
 } tm_grid_view;
 
-/* Cell that holds p, or -1 where no triangle is near; *away: distance of p from its centre. */
+/* Cell that holds p, or -1 where no triangle is near; *away: distance of p from its center. */
 TM_FN ptrdiff_t tm_grid_cell(const tm_grid_view *g, tm_vec3 p, tm_real *away)
 {
   const tm_real s[3] = {(p.x - g->lo[0]) * g->inv_cell, (p.y - g->lo[1]) * g->inv_cell,

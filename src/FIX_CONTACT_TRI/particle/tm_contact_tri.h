@@ -39,7 +39,7 @@ typedef struct tm_contact_args {
   tm_grid_view grid;
   tm_pose pose;
   tm_vec3 reference;             /* torques are about this point */
-  tm_real deep;                  /* how far behind the surface a centre is still pushed out */
+  tm_real deep;                  /* how far behind the surface a center is still pushed out */
   tm_real dt;
   tm_real after;                 /* from the force point to the end of the step: dt/2, or 0 */
   tm_real force_unit;            /* mass times acceleration -> force of the unit style */
@@ -83,7 +83,7 @@ typedef struct {
   tm_real particle_power;        /* work of contact forces on particles, per time */
   tm_real tool_power;            /* work done by the tool's motion, per time */
   tm_real depth;                 /* deepest penetration */
-  tm_real inner;                 /* deepest centre behind the surface, 0: none */
+  tm_real inner;                 /* deepest center behind the surface, 0: none */
   int contacts;
 } tm_contact_result;
 

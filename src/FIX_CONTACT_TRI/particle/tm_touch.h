@@ -1,19 +1,19 @@
 /* SPH-TM: where does a particle touch a mesh?
 
-   A particle is pushed once per smooth patch, at the patch's nearest point: so triangles of one
-   patch are never counted twice, and a plane or a rounding in many triangles is one surface. Of
+   A particle has at most one contact per smooth patch, at the patch's nearest point: so triangles of
+   one patch are never counted twice, and a plane or a rounding in many triangles is one surface. Of
    the patches, those count whose nearest point is a minimum of distance for the whole surface: a
-   point on a border between patches is none when the patch across the border comes nearer. At a
-   convex edge that leaves one push, across face, edge and vertex regions without a gap; in a
-   concave corner it leaves one push per wall.
+   point on the boundary between patches is none when the patch across the boundary comes nearer. At
+   a convex edge that leaves one contact, across face, edge and vertex regions without a gap; in a
+   concave corner it leaves one per wall.
 
-   Side: the pseudo-normal of the feature tells it. A centre behind the surface is pushed out by the
-   shortest way only, through the one nearest point of all; its penetration r + d goes on smoothly
-   from r - d outside. It is seen up to `deep` (one spacing) behind the surface. Open rims have no
-   inside. Corners sharper than the particle within one patch count as one contact.
+   The sign of the pseudo-normal of the feature gives the side. A center behind the surface has one
+   contact, the nearest point of all; its penetration r + d goes on smoothly from r - d outside. It is
+   found up to `deep` (one spacing) behind the surface. Open rims have no inside. Corners sharper than
+   the particle within one patch count as one contact.
 
    The inside-outside test of F15 (7)-(9) is here for comparison: every triangle for itself, faces
-   only, unsigned distance, push along the face normal. It leaves gaps at convex edges and counts
+   only, unsigned distance, force along the face normal. It leaves gaps at convex edges and counts
    twice where prisms over faces overlap. */
 #ifndef TM_TOUCH_H
 #define TM_TOUCH_H
@@ -25,8 +25,8 @@
 
 typedef struct {
   tm_vec3 point;          /* on the surface */
-  tm_vec3 normal;         /* unit, the direction of the push */
-  tm_real distance;       /* of the centre from the surface along normal, negative behind it */
+  tm_vec3 normal;         /* unit, the direction of the normal force */
+  tm_real distance;       /* of the center from the surface along normal, negative behind it */
   int triangle;
 } tm_touch;
 
@@ -37,10 +37,10 @@ typedef struct {
 } tm_candidate;
 
 /* Relative size under which directions and places count as equal: coordinates on a lattice meet
-   vertices and edges exactly, and rounding must not decide whether they are felt. */
+   vertices and edges exactly, and rounding must not decide whether they are found. */
 #define TM_TOUCH_EPS 1e-7
 
-/* Is the point of an edge or vertex also nearest among the patches across the border? */
+/* Is the point of an edge or vertex also nearest among the patches across the boundary? */
 TM_FN int tm_touch_is_minimum(const tm_tri_view *m, const tm_candidate *c, tm_vec3 p)
 {
   if (c->near.feature == TM_FACE) return 1;
@@ -76,7 +76,7 @@ TM_FN tm_vec3 tm_touch_pseudo_normal(const tm_tri_view *m, const tm_candidate *c
   return tm_load3(m->vertex_normal + 3 * (ptrdiff_t) m->tri[3 * t + f - TM_VERTEX_0]);
 }
 
-/* Side, distance and direction of the push at a candidate. */
+/* Side, distance and direction of the force at a candidate. */
 TM_FN tm_touch tm_touch_at(const tm_tri_view *m, const tm_candidate *c, tm_vec3 p, tm_real radius,
                            int two_sided)
 {

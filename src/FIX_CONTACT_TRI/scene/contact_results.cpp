@@ -1,7 +1,5 @@
 #include "contact_results.h"
 
-#include "backend.h"
-
 #include <algorithm>
 
 namespace SPHTM_NS {
@@ -34,18 +32,11 @@ bool ContactResults::finish()
   return true;
 }
 
-double ContactResults::heat_into_tool(MPI_Comm world) const
+double ContactResults::over(MPI_Comm world, double mine, MPI_Op op)
 {
-  double heat;
-  MPI_Allreduce(&sums.heat_tool, &heat, 1, MPI_DOUBLE, MPI_SUM, world);
-  return heat;
-}
-
-double ContactResults::depth(MPI_Comm world) const
-{
-  double depth;
-  MPI_Allreduce(&sums.depth, &depth, 1, MPI_DOUBLE, MPI_MAX, world);
-  return depth;
+  double all;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, op, world);
+  return all;
 }
 
 const double *ContactResults::over_ranks(MPI_Comm world, const UnitScale &unit, double spacing)

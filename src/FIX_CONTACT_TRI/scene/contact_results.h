@@ -1,16 +1,15 @@
-/* SPH-TM: what the contact forces of a step add up to: on this rank, once the loop over the particles has ended, and over
-   all ranks, once it is asked for. */
+/* SPH-TM: sums of a step's contact over particles: of this rank, once the loop has ended, and over all ranks, where
+   they are needed. */
 #ifndef SPHTM_CONTACT_RESULTS_H
 #define SPHTM_CONTACT_RESULTS_H
 
+#include "backend.h"
 #include "tm_contact_tri.h"
 #include "unit_scale.h"
 
 #include <mpi.h>
 
 namespace SPHTM_NS {
-
-class Backend;
 
 class ContactResults {
  public:
@@ -24,11 +23,11 @@ class ContactResults {
   void live_in(Backend &);
   tm_contact_result *begin();    // where the loop of a new step leaves its sums
   bool finish();                 // waits for it; whether there was one that had not been waited for
-  // mass-length-time units, of this rank
+  // mass-length-time units: of this rank; over ranks (collective)
   const tm_contact_result &mine() const { return sums; }
-  double heat_into_tool(MPI_Comm world) const;    // of all ranks
-  double depth(MPI_Comm world) const;
-  // collective, where they are not known yet; depths are over spacing
+  double heat_into_tool(MPI_Comm world) const { return over(world, sums.heat_tool, MPI_SUM); }
+  double depth(MPI_Comm world) const { return over(world, sums.depth, MPI_MAX); }
+  // collective, where they are not known yet; the depth is over the spacing
   const double *over_ranks(MPI_Comm world, const UnitScale &, double spacing);
 
  private:
@@ -37,6 +36,8 @@ class ContactResults {
   tm_contact_result sums;
   bool pending = false, reduced = false;
   double totals[SIZE] = {};
+
+  static double over(MPI_Comm world, double mine, MPI_Op);
 };
 
 }    // namespace SPHTM_NS

@@ -1,5 +1,5 @@
-/* SPH-TM: how a tool moves: the formulas of tm_motion.h on a clock of its own, which began when the fix was made, or the
-   values of equal-style variables. */
+/* SPH-TM: how a tool moves: the formulas of tm_motion.h on a clock of its own, which began when the fix was made, or
+   the values of equal-style variables. */
 #ifndef SPHTM_TOOL_MOTION_H
 #define SPHTM_TOOL_MOTION_H
 

@@ -54,8 +54,8 @@ void ToolParticles::take_heat()
   if (i < n) {
     const tm_real *x = pair->host_records().main + (size_t) i * TM_REC;
     lmp->error->one(FLERR,
-                    "Fix contact/tri {} particles: no particle of type {} near the contact at {:.6g} {:.6g} {:.6g} takes "
-                    "up the friction heat; fill the tool with particles up to its surface",
+                    "Fix contact/tri {} particles: no particle of type {} near the contact at {:.6g} {:.6g} {:.6g} "
+                    "takes up the friction heat; fill the tool with particles up to its surface",
                     fix->id, type, x[0], x[1], x[2]);
   }
   lmp->comm->forward_comm(fix);

@@ -5,39 +5,29 @@
 #include "contact_laws.h"
 #include "tm_motion.h"
 #include "tm_touch.h"
-#include "tri_tool.h"
 
 #include "atom.h"
 
 namespace SPHTM_NS {
 
-class ToolQuery {
- public:
-  // deep: how far behind the surface particles are seen
-  ToolQuery(const LAMMPS_NS::Atom &a, int groupbit, const ContactLaws &l, const TriTool &tool, const tm_pose &p,
-            double deep_, bool two_sided_) :
-      atom(a), group(groupbit), laws(l), mesh(tool.view()), grid(tool.grid()), pose(p), deep(deep_),
-      two_sided(two_sided_)
-  {
-  }
-  bool in_contact(int i) const { return laws.of(atom.type[i]).active && (atom.mask[i] & group); }
-  double radius(int i) const { return laws.of(atom.type[i]).radius; }    // of owned particle i
-  tm_vec3 local(tm_vec3 x) const { return tm_pose_to_local(&pose, x); }
-  // contacts of a sphere about x; how many, in the frame of the mesh
-  int touch(tm_vec3 x, double radius, tm_touch found[TM_TOUCH_MAX]) const
-  {
-    return tm_touch_find(&mesh, &grid, local(x), radius, deep, two_sided, found);
-  }
-
- private:
+struct ToolQuery {
   const LAMMPS_NS::Atom &atom;
-  int group;
+  int groupbit;
   const ContactLaws &laws;
   tm_tri_view mesh;
   tm_grid_view grid;
   tm_pose pose;
-  double deep;
+  double deep;    // how far behind the surface particles are found
   bool two_sided;
+
+  bool in_contact(int i) const { return laws.of(atom.type[i]).active && (atom.mask[i] & groupbit); }
+  double radius(int i) const { return laws.of(atom.type[i]).radius; }    // of owned particle i
+  tm_vec3 local(tm_vec3 x) const { return tm_pose_to_local(&pose, x); }
+  // contacts of a sphere about x, in the frame of the mesh; how many
+  int touch(tm_vec3 x, double radius, tm_touch found[TM_TOUCH_MAX]) const
+  {
+    return tm_touch_find(&mesh, &grid, local(x), radius, deep, two_sided, found);
+  }
 };
 
 }    // namespace SPHTM_NS

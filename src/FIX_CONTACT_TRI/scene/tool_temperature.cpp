@@ -10,24 +10,6 @@
 
 namespace SPHTM_NS {
 
-ToolTemperature::ToolTemperature(const ContactSettings &set) :
-    value(set.temperature), capacity(set.lumped_capacity), variable(set.temperature_variable),
-    given(set.temperature_given)
-{
-}
-
-void ToolTemperature::restore(double T)
-{
-  value = T;
-  given = true;
-}
-
-void ToolTemperature::set(double T)
-{
-  restore(T);
-  variable.clear();
-}
-
 void ToolTemperature::evaluate(LAMMPS_NS::LAMMPS *lmp, const std::string &who)
 {
   LAMMPS_NS::Variable *variables = lmp->input->variable;

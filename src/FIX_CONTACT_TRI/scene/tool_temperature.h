@@ -9,15 +9,27 @@ namespace SPHTM_NS {
 
 class ToolTemperature {
  public:
-  explicit ToolTemperature(const ContactSettings &);
+  explicit ToolTemperature(const ContactSettings &set) :
+      value(set.temperature), capacity(set.lumped_capacity), variable(set.temperature_variable),
+      given(set.temperature_given)
+  {
+  }
   double now() const { return value; }    // 0: not known yet
   bool by_variable() const { return !variable.empty(); }
-  // the number of a restart file, where it has one
-  void restore(double T);
-  // that of a command, instead of the variable
-  void set(double T);
   // that of the particles at the start, where none was given
   void begin(double T) { value = given ? value : T; }
+  // the number of a restart file
+  void restore(double T)
+  {
+    value = T;
+    given = true;
+  }
+  // that of a command, instead of the variable
+  void set(double T)
+  {
+    restore(T);
+    variable.clear();
+  }
   void evaluate(LAMMPS_NS::LAMMPS *, const std::string &who);    // of the variable
   // lumped: heat in mass length^2/time^2, its unit over that of the unit style
   void absorb(double heat, double unit) { value += heat / (capacity * unit); }

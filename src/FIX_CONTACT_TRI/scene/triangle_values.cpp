@@ -9,22 +9,16 @@ void TriangleValues::live_in(Backend &b)
   tri_count.live_in(b);
 }
 
-void TriangleValues::clear(size_t triangles)
+void TriangleValues::hand_to(tm_contact_args &a, size_t triangles)
 {
-  auto zero = [&](auto &array, size_t n) {
+  auto zeros = [&](auto &array, size_t n) {
     array.resize(n);
     loops->zero(array.loop_write(), array.bytes());
+    return array.loop_write();
   };
-  zero(tri_force, 3 * triangles);
-  zero(tri_heat, triangles);
-  zero(tri_count, triangles);
-}
-
-void TriangleValues::hand_to(tm_contact_args &a)
-{
-  a.tri_force = tri_force.loop_write();
-  a.tri_heat = tri_heat.loop_write();
-  a.tri_count = tri_count.loop_write();
+  a.tri_force = zeros(tri_force, 3 * triangles);
+  a.tri_heat = zeros(tri_heat, triangles);
+  a.tri_count = zeros(tri_count, triangles);
 }
 
 void TriangleValues::sum_over_ranks(MPI_Comm world, double power_unit)

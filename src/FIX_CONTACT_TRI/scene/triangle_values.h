@@ -12,8 +12,7 @@ namespace SPHTM_NS {
 class TriangleValues {
  public:
   void live_in(Backend &);
-  void clear(size_t triangles);            // before the loop
-  void hand_to(tm_contact_args &);         // which adds to them
+  void hand_to(tm_contact_args &, size_t triangles);         // zeros, to which the loop adds
   void sum_over_ranks(MPI_Comm world, double power_unit);    // on the first one; collective
   // of the host, after that; in the unit style
   const double *force() { return tri_force.host_read(); }    // 3 of each, on the tool

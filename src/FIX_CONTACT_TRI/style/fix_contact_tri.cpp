@@ -64,6 +64,8 @@ int FixContactTri::modify_param(int narg, char **arg)
   return 0;
 }
 
+double FixContactTri::spacing() const { return pair->settings_in_use().spacing; }
+
 /* ---------------------------------------------------------------------- start of a run */
 
 void FixContactTri::init()
@@ -80,18 +82,18 @@ void FixContactTri::init()
   checks.heat(*state, *pair);
   temperature.begin(state->start_temperature());
   motion.init();
-  checks.extent(pair->settings_in_use().spacing);
-  const bool first = indexed_radius == 0.0, other = indexed_radius != pair->settings_in_use().spacing;
+  checks.extent(spacing());
+  const bool first = indexed_radius == 0.0, other = indexed_radius != spacing();
   if (other) index_tool();
   checks.body_material(*pair);
   laws.make(set, *pair, state->start_temperature(), atom->ntypes, domain->dimension);
   if (first) report();
-  limit_time_step();    // the first step of the run knows the tool
+  limit_time_step();    // the first step of the run keeps to it too
 }
 
 void FixContactTri::index_tool()
 {
-  indexed_radius = pair->settings_in_use().spacing;
+  indexed_radius = spacing();
   const std::string wrong = tool.index(world, indexed_radius);
   if (!wrong.empty()) error->all(FLERR, "Fix contact/tri {}: {}", id, wrong);
   loop_tool.copy(state->loops(), tool);
@@ -100,12 +102,12 @@ void FixContactTri::index_tool()
 void FixContactTri::limit_time_step()
 {
   // sqrt(m/k): m follows the volume of a particle, k its area
-  const double dp = pair->settings_in_use().spacing;
-  state->limit_dt(laws.stable_dt() * sqrt(pair->smallest_spacing() / dp), TM_DT_CONTACT, this);
+  const double smallest = pair->smallest_spacing();
+  state->limit_dt(laws.stable_dt() * sqrt(smallest / spacing()), TM_DT_CONTACT, this);
   // no point of the tool moves by more than a fifth of the smallest spacing in a step
   const double speed = motion.top_speed(tool.mesh().lo, tool.mesh().hi);
   checks.speed(speed, laws.sound_speed());
-  if (speed > 0.0) state->limit_dt(0.2 * pair->smallest_spacing() / speed, TM_DT_MOTION, this);
+  if (speed > 0.0) state->limit_dt(0.2 * smallest / speed, TM_DT_MOTION, this);
 }
 
 // friction heat of a type
@@ -141,7 +143,7 @@ static constexpr double OVERLAP_ALLOWED = 0.01, OVERLAP_GROWS = 0.05;
 void FixContactTri::check_overlap()
 {
   if (set.overlap_allowed) return;
-  const double dp = pair->settings_in_use().spacing;
+  const double dp = spacing();
   double allowed = OVERLAP_ALLOWED;
   if (overlap_checked) {
     if (!state->moved_since_last_run()) return;
@@ -203,7 +205,7 @@ tm_contact_args FixContactTri::contact_args(const tm_pose &pose, bool of_triangl
   a.grid = loop_tool.grid();
   a.pose = pose;
   a.reference = tm_pose_to_world(&pose, reference);
-  a.deep = pair->settings_in_use().spacing;
+  a.deep = spacing();
   a.dt = state->step_dt();
   a.after = state->time_ahead() > 0.0 ? a.dt - state->time_ahead() : 0.0;
   a.force_unit = 1.0 / pair->units().force;
@@ -228,7 +230,7 @@ tm_contact_args FixContactTri::contact_args(const tm_pose &pose, bool of_triangl
     a.tool_heat = set.body_type ? particles.heat_of_contact() : nullptr;
   }
   if (state->has(TM_FX_PLASTICITY) && set.shear > 0.0) a.pstrain = s.field[TM_F_PSTRAIN];
-  if (of_triangles) triangles.hand_to(a);
+  if (of_triangles) triangles.hand_to(a, tool.mesh().nt);
   return a;
 }
 
@@ -237,7 +239,6 @@ void FixContactTri::post_force(int)
   const auto timed = state->run_clock.timed(this);
   const double dt = state->step_dt();
   const bool of_triangles = output.needs_values();
-  if (of_triangles) triangles.clear(tool.mesh().nt);
   if (!update->setupflag)
     checks.jump(motion.pose(dt, dt), motion.by_variable(), dt, pair->smallest_spacing());
   ContactLoops::of(state->loops())
@@ -252,12 +253,12 @@ void FixContactTri::finish_contact()
 {
   if (!results.finish()) return;
   if (state->time_ahead() > 0.0) add_to_energy_balance(state->step_dt());
-  const double deep = pair->settings_in_use().spacing;
+  const double deep = spacing();
   const tm_contact_result &sums = results.mine();
   if (sums.inner > 0.5 * deep && !warned_deep) {
     warned_deep = true;
     error->warning(FLERR,
-                   "Fix contact/tri {}: a particle's centre lies {:.2f} spacings behind the "
+                   "Fix contact/tri {}: a particle's center lies {:.2f} spacings behind the "
                    "surface; beyond 1 it is no longer pushed out: raise penalty or lower the speed{}",
                    id, sums.inner / deep, set.overlap_allowed ? ", or start without overlap" : "");
   }
@@ -313,7 +314,7 @@ const double *FixContactTri::results_now()
 {
   current_state();
   finish_contact();
-  return results.over_ranks(world, pair->units(), pair->settings_in_use().spacing);
+  return results.over_ranks(world, pair->units(), spacing());
 }
 
 double FixContactTri::compute_vector(int n)
@@ -337,18 +338,17 @@ int FixContactTri::image(int *&kinds, double **&rows)
 
 ToolQuery FixContactTri::query() const
 {
-  return ToolQuery(*atom, groupbit, laws, tool, motion.pose_now(), pair->settings_in_use().spacing, set.two_sided);
+  return {*atom, groupbit, laws, tool.view(), tool.grid(), motion.pose_now(), spacing(), set.two_sided};
 }
 
 void FixContactTri::touched(int i, double radius, std::vector<Surface> &found)
 {
   const ToolQuery q = query();
   if (!q.in_contact(i)) return;
-  const tm_pose pose = motion.pose_now();
   tm_touch touch[TM_TOUCH_MAX];
   const int n = q.touch(tm_load3(atom->x[i]), std::min(radius, indexed_radius), touch);
   for (int k = 0; k < n; k++) {
-    tm_vec3 normal = tm_mat_mul_vec(pose.turn, touch[k].normal);
+    tm_vec3 normal = tm_mat_mul_vec(q.pose.turn, touch[k].normal);
     if (domain->dimension == 2) normal.z = 0.0;
     const double length = tm_vec_norm(normal);
     if (length > 0.0) found.push_back({tm_vec_scale(1.0 / length, normal), touch[k].distance});

@@ -69,6 +69,7 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   double indexed_radius = 0.0;    // of the search grid
   bool restored = false, overlap_checked = false, warned_deep = false;
 
+  double spacing() const;
   void index_tool();
   void report() const;
   void limit_time_step();

@@ -1,4 +1,4 @@
-/* SPH-TM: the tool of fix contact/tri in restart files: clock, temperature, motion, and hashes of what it was made of. */
+/* SPH-TM: the tool of fix contact/tri in restart files: clock, temperature, motion, hashes of what it was made of. */
 #include "fix_contact_tri.h"
 
 #include "restart_block.h"
