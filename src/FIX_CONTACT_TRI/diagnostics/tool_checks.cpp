@@ -1,12 +1,13 @@
 #include "tool_checks.h"
 
-#include "fix_sph_tm.h"
-#include "pair_sph_tm.h"
+#include "model.h"
+#include "particle_state.h"
 
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "fix.h"
 #include "group.h"
 #include "update.h"
 
@@ -23,9 +24,9 @@ ToolChecks::ToolChecks(LAMMPS *l, const Fix &f, const ContactSettings &s, const 
 {
 }
 
-void ToolChecks::body_material(const PairSPHTM &pair) const
+void ToolChecks::body_material(const Model &model) const
 {
-  if (set.body_type && pair.materials()[set.body_type].body != TM_BODY_HEAT)
+  if (set.body_type && model.materials()[set.body_type].body != TM_BODY_HEAT)
     lmp->error->all(FLERR, "{} particles: type {} must be a material that only conducts heat", who, set.body_type);
 }
 
@@ -118,7 +119,7 @@ void ToolChecks::empty_group()
 }
 
 // types of solids that have particles in the group, on any rank
-std::vector<int> ToolChecks::types_in_group(const PairSPHTM &pair) const
+std::vector<int> ToolChecks::types_in_group(const Model &model) const
 {
   Atom *atom = lmp->atom;
   std::vector<int> mine(atom->ntypes + 1, 0), all(mine), types;
@@ -126,7 +127,7 @@ std::vector<int> ToolChecks::types_in_group(const PairSPHTM &pair) const
     if (atom->mask[i] & fix.groupbit) mine[atom->type[i]] = 1;
   MPI_Allreduce(mine.data(), all.data(), (int) mine.size(), MPI_INT, MPI_MAX, lmp->world);
   for (int t = 1; t <= atom->ntypes; t++)
-    if (all[t] && pair.materials()[t].body == TM_BODY_SOLID) types.push_back(t);
+    if (all[t] && model.materials()[t].body == TM_BODY_SOLID) types.push_back(t);
   return types;
 }
 
@@ -140,15 +141,16 @@ static int type_without_heat(const std::vector<int> &types, const tm_material *m
 
 /* Friction heat needs heat as a state, which is on where the materials have what it takes. Where some of them have
    not, it cannot be: the heat is lost, with a warning. */
-void ToolChecks::heat(FixSPHTM &state, const PairSPHTM &pair)
+void ToolChecks::heat(ParticleState &state)
 {
+  const Model &model = state.model();
   if (set.heat_given) state.need(TM_FX_HEAT, fmt::format("fix contact/tri {} exchanges heat", fix.id));
   const char *keyword = set.share >= 0.0 ? "share" : set.effusivity >= 0.0 ? "effusivity" : nullptr;
   const bool friction = set.has_friction();
-  const std::vector<int> touched = types_in_group(pair);
+  const std::vector<int> touched = types_in_group(model);
   if ((!friction && !keyword) || touched.empty()) return;
 
-  const tm_material *material = pair.materials();
+  const tm_material *material = model.materials();
   std::vector<int> every(lmp->atom->ntypes);
   std::iota(every.begin(), every.end(), 1);
   const int bare = type_without_heat(touched, material), lacks = bare ? bare : type_without_heat(every, material);
@@ -159,7 +161,7 @@ void ToolChecks::heat(FixSPHTM &state, const PairSPHTM &pair)
   warned_heat = true;
   if (lmp->comm->me) return;
   const std::string bare_type = lacks ? fmt::format("type {} ({}) has no heat constants", lacks,
-                                                    pair.material_name(lacks)) : "";
+                                                    model.material_name(lacks)) : "";
   if (!lacks)
     lmp->error->warning(FLERR, "{}: heat is forced off in fix sph/tm: {}", who,
                         friction ? "the heat of its friction warms nothing" : what + " has no use");

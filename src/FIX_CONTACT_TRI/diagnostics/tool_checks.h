@@ -7,21 +7,22 @@
 
 namespace LAMMPS_NS {
 class Fix;
-class FixSPHTM;
-class PairSPHTM;
 }
 
 namespace SPHTM_NS {
+
+class Model;
+class ParticleState;
 
 class ToolChecks {
  public:
   ToolChecks(LAMMPS_NS::LAMMPS *, const LAMMPS_NS::Fix &, const ContactSettings &, const TriTool &);
   // start of a run
-  void body_material(const LAMMPS_NS::PairSPHTM &) const;
+  void body_material(const Model &) const;
   void extent(double spacing) const;    // in 2d
   void empty_group();
   // turns heat on as a state where the tool needs it, and warns where it cannot be
-  void heat(LAMMPS_NS::FixSPHTM &, const LAMMPS_NS::PairSPHTM &);
+  void heat(ParticleState &);
   // a step: largest speed of the tool, sound speed of the particles (0: there are none)
   void speed(double speed, double sound_speed) const;
   // A tool that moves far in one step of length dt, whose end is given here, passes particles unseen or finds them deep
@@ -40,7 +41,7 @@ class ToolChecks {
   bool seen = false, restored = false;      // there was one; before a restart
 
   void corners(const tm_pose &, tm_vec3 *) const;
-  std::vector<int> types_in_group(const LAMMPS_NS::PairSPHTM &) const;
+  std::vector<int> types_in_group(const Model &) const;
 };
 
 }    // namespace SPHTM_NS

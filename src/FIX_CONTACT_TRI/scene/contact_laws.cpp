@@ -1,13 +1,11 @@
 #include "contact_laws.h"
 
 #include "contact_settings.h"
-#include "pair_sph_tm.h"
+#include "model.h"
 #include "tm_eos.h"
 
 #include <algorithm>
 #include <cmath>
-
-using namespace LAMMPS_NS;
 
 namespace SPHTM_NS {
 
@@ -28,17 +26,17 @@ static tm_contact_law make_law(const tm_material &m, const ContactSettings &set,
   return w;
 }
 
-void ContactLaws::make(const ContactSettings &set, const PairSPHTM &pair, double T, int types, int dimension)
+void ContactLaws::make(const ContactSettings &set, const Model &model, double T, int dimension)
 {
-  const double dp = pair.settings_in_use().spacing;
-  laws.assign(types + 1, tm_contact_law{});
+  const double dp = model.settings_in_use().spacing;
+  laws.assign(model.types() + 1, tm_contact_law{});
   dt_limit = 1e300;
   fastest = 0.0;
-  for (int t = 1; t <= types; t++) {
-    const tm_material &m = pair.materials()[t];
-    tm_contact_law &w = laws[t] = make_law(m, set, pair.units(), dp, dimension == 3);
+  for (int t = 1; t <= model.types(); t++) {
+    const tm_material &m = model.materials()[t];
+    tm_contact_law &w = laws[t] = make_law(m, set, model.units(), dp, dimension == 3);
     if (set.body_type) {
-      const tm_material &b = pair.materials()[set.body_type];
+      const tm_material &b = model.materials()[set.body_type];
       w.tool_effusivity = sqrt(tm_conductivity(&b, T) * b.rho0 * tm_capacity(&b, T));
       w.conductance = 0.0;    // conduction goes from particle to particle
     } else if (set.share < 0.0 && set.effusivity < 0.0) {

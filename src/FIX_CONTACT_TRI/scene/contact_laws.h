@@ -7,19 +7,15 @@
 
 #include <vector>
 
-namespace LAMMPS_NS {
-class FixSPHTM;
-class PairSPHTM;
-}
-
 namespace SPHTM_NS {
 
 struct ContactSettings;
+class Model;
 
 class ContactLaws {
  public:
   void live_in(Backend &loops) { loop_laws.live_in(loops); }
-  void make(const ContactSettings &, const LAMMPS_NS::PairSPHTM &, double T, int types, int dimension);
+  void make(const ContactSettings &, const Model &, double T, int dimension);
   const tm_contact_law &of(int type) const { return laws[type]; }
   const tm_contact_law *host_read() const { return laws.data(); }    // index type
   const tm_contact_law *loop_read() { return loop_laws.loop_read(); }

@@ -1,12 +1,12 @@
 #include "tool_particles.h"
 
-#include "fix_sph_tm.h"
-#include "pair_sph_tm.h"
+#include "scene.h"
 
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "fix.h"
 
 #include <algorithm>
 
@@ -14,18 +14,18 @@ using namespace LAMMPS_NS;
 
 namespace SPHTM_NS {
 
-void ToolParticles::live_in(LAMMPS *l, FixSPHTM *s)
+void ToolParticles::live_in(LAMMPS *l, const Scene &s)
 {
   lmp = l;
-  state = s;
-  heat.live_in(s->loops());
+  scene = &s;
+  loops = &s.state()->loops();
+  heat.live_in(*loops);
 }
 
 void ToolParticles::move(const tm_pose &from, const tm_pose &to) const
 {
-  Backend &loops = state->loops();
-  ContactLoops::of(loops).move(loops, lmp->atom->nlocal,
-                               {state->state(), fix->groupbit, type, lmp->domain->dimension == 3, from, to}, 0);
+  ContactLoops::of(*loops).move(*loops, lmp->atom->nlocal,
+                               {scene->state()->arrays(), fix->groupbit, type, lmp->domain->dimension == 3, from, to}, 0);
 }
 
 tm_real *ToolParticles::heat_of_contact()
@@ -36,11 +36,9 @@ tm_real *ToolParticles::heat_of_contact()
 
 void ToolParticles::take_heat()
 {
-  PairSPHTM *pair = state->pair();
-  Backend &loops = state->loops();
   const int n = lmp->atom->nlocal;
-  const tm_rates_args &rates = pair->rate_args();
-  const PairSPHTM::Settings &set = pair->settings_in_use();
+  const tm_rates_args &rates = scene->results().rate_args();
+  const Settings &set = scene->model().settings_in_use();
   tm_spread_args a;
   a.rows = rates.rows;
   a.main = rates.rec.main;
@@ -49,10 +47,10 @@ void ToolParticles::take_heat()
   a.kernel = set.kernel;
   a.h = set.h;
   a.heat = heat.loop_write();
-  a.source = state->heat_source();
-  const int i = ContactLoops::of(loops).divide_heat(loops, n, a, 0);
+  a.source = scene->state()->heat_source();
+  const int i = ContactLoops::of(*loops).divide_heat(*loops, n, a, 0);
   if (i < n) {
-    const tm_real *x = pair->host_records().main + (size_t) i * TM_REC;
+    const tm_real *x = scene->results().host_records().main + (size_t) i * TM_REC;
     lmp->error->one(FLERR,
                     "Fix contact/tri {} particles: no particle of type {} near the contact at {:.6g} {:.6g} {:.6g} "
                     "takes up the friction heat; fill the tool with particles up to its surface",
@@ -60,7 +58,7 @@ void ToolParticles::take_heat()
   }
   lmp->comm->forward_comm(fix);
   a.heat = heat.loop_write();
-  ContactLoops::of(loops).collect_heat(loops, n, a, 0);
+  ContactLoops::of(*loops).collect_heat(*loops, n, a, 0);
 }
 
 void ToolParticles::pack(int n, const int *list, double *buf)
@@ -76,14 +74,12 @@ void ToolParticles::unpack(int n, int first, const double *buf)
 
 void ToolParticles::send(int n, const int *list, double *buf)
 {
-  Backend &loops = state->loops();
-  ContactLoops::of(loops).send_heat(loops, n, {heat.loop_write(), list, buf}, 0);
+  ContactLoops::of(*loops).send_heat(*loops, n, {heat.loop_write(), list, buf}, 0);
 }
 
 void ToolParticles::receive(int n, int first, double *buf)
 {
-  Backend &loops = state->loops();
-  ContactLoops::of(loops).receive_heat(loops, n, {heat.loop_write() + first, nullptr, buf}, 0);
+  ContactLoops::of(*loops).receive_heat(*loops, n, {heat.loop_write() + first, nullptr, buf}, 0);
 }
 
 }    // namespace SPHTM_NS

@@ -8,17 +8,18 @@
 
 namespace LAMMPS_NS {
 class Fix;
-class FixSPHTM;
 class LAMMPS;
 }
 
 namespace SPHTM_NS {
 
+class Scene;
+
 class ToolParticles {
  public:
   // of a type; of the particles of the fix, which sends their heat to ghosts by pack() and unpack()
   ToolParticles(LAMMPS_NS::Fix *f, int t) : fix(f), type(t) {}
-  void live_in(LAMMPS_NS::LAMMPS *, LAMMPS_NS::FixSPHTM *);
+  void live_in(LAMMPS_NS::LAMMPS *, const Scene &);
   void move(const tm_pose &from, const tm_pose &to) const;
   // power into the tool, of each rubbing particle, set by the contact loop; what takes none of it is an error
   tm_real *heat_of_contact();
@@ -34,7 +35,8 @@ class ToolParticles {
   LAMMPS_NS::Fix *fix;
   int type;
   LAMMPS_NS::LAMMPS *lmp = nullptr;
-  LAMMPS_NS::FixSPHTM *state = nullptr;
+  const Scene *scene = nullptr;
+  Backend *loops = nullptr;
   LoopArray<double> heat;
 };
 

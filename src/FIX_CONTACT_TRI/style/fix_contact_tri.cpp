@@ -2,9 +2,8 @@
 #include "fix_contact_tri.h"
 
 #include "argument.h"
-#include "fix_sph_tm.h"
 #include "overlap_check.h"
-#include "pair_sph_tm.h"
+#include "scene.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -22,8 +21,8 @@ using namespace SPHTM_NS;
 using namespace FixConst;
 
 FixContactTri::FixContactTri(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), set(lmp, narg - 3, arg + 3), particles(this, set.body_type), motion(lmp), temperature(set),
-    output(lmp, id, set, tool), checks(lmp, *this, set, tool)
+    Fix(lmp, narg, arg), set(lmp, narg - 3, arg + 3), particles(this, set.body_type), scene(Scene::of(lmp)), motion(lmp),
+    temperature(set), output(lmp, id, set, tool), checks(lmp, *this, set, tool)
 {
   scalar_flag = vector_flag = restart_global = 1;
   size_vector = ContactResults::SIZE;
@@ -38,7 +37,10 @@ FixContactTri::FixContactTri(LAMMPS *lmp, int narg, char **arg) :
   const std::string wrong = tool.load(world, set.shape, set.two_sided);
   if (!wrong.empty()) error->all(FLERR, "Fix contact/tri {}: {}", id, wrong);
   reference = set.reference_given ? tm_load3(set.reference) : tool.origin();
+  scene->enter((ContactProbe *) this);
 }
+
+FixContactTri::~FixContactTri() { scene->leave((ContactProbe *) this); }
 
 int FixContactTri::setmask()
 {
@@ -64,29 +66,29 @@ int FixContactTri::modify_param(int narg, char **arg)
   return 0;
 }
 
-double FixContactTri::spacing() const { return pair->settings_in_use().spacing; }
+double FixContactTri::spacing() const { return model->settings_in_use().spacing; }
 
 /* ---------------------------------------------------------------------- start of a run */
 
 void FixContactTri::init()
 {
-  state = FixSPHTM::of(lmp, fmt::format("Fix contact/tri {}", id));
-  if (modify->find_fix(id) < modify->find_fix(state->id))
-    error->all(FLERR, "Fix contact/tri {} must come after fix {} sph/tm in the input", id, state->id);
-  pair = state->pair();
+  state = &scene->state(fmt::format("Fix contact/tri {}", id));
+  if (modify->find_fix(id) < modify->find_fix(state->id()))
+    error->all(FLERR, "Fix contact/tri {} must come after fix {} sph/tm in the input", id, state->id());
+  model = &state->model();
   laws.live_in(state->loops());
-  particles.live_in(lmp, state);
+  particles.live_in(lmp, *scene);
   triangles.live_in(state->loops());
   results.live_in(state->loops());
   checks.empty_group();
-  checks.heat(*state, *pair);
+  checks.heat(*state);
   temperature.begin(state->start_temperature());
   motion.init();
   checks.extent(spacing());
   const bool first = indexed_radius == 0.0, other = indexed_radius != spacing();
   if (other) index_tool();
-  checks.body_material(*pair);
-  laws.make(set, *pair, state->start_temperature(), atom->ntypes, domain->dimension);
+  checks.body_material(*model);
+  laws.make(set, *model, state->start_temperature(), domain->dimension);
   if (first) report();
   limit_time_step();    // the first step of the run keeps to it too
 }
@@ -102,12 +104,12 @@ void FixContactTri::index_tool()
 void FixContactTri::limit_time_step()
 {
   // sqrt(m/k): m follows the volume of a particle, k its area
-  const double smallest = pair->smallest_spacing();
-  state->limit_dt(laws.stable_dt() * sqrt(smallest / spacing()), TM_DT_CONTACT, this);
+  const double smallest = model->smallest_spacing();
+  state->time_step().limit(laws.stable_dt() * sqrt(smallest / spacing()), TM_DT_CONTACT, this);
   // no point of the tool moves by more than a fifth of the smallest spacing in a step
   const double speed = motion.top_speed(tool.mesh().lo, tool.mesh().hi);
   checks.speed(speed, laws.sound_speed());
-  if (speed > 0.0) state->limit_dt(0.2 * smallest / speed, TM_DT_MOTION, this);
+  if (speed > 0.0) state->time_step().limit(0.2 * smallest / speed, TM_DT_MOTION, this);
 }
 
 // friction heat of a type
@@ -131,8 +133,8 @@ void FixContactTri::report() const
     if (!w.active) continue;
     const std::string mu = w.friction.n ? "by table" : fmt::format("{:.4g}", w.friction.value);
     utils::logmesg(lmp, "contact/tri {}: type {}: stiffness {:.6g}, damping {:.4g} of critical, friction {}{}\n", id, t,
-                   w.stiffness / pair->units().force, w.damping, mu,
-                   heat ? heat_in_words(w, pair->materials()[t], state->start_temperature(), given) : "");
+                   w.stiffness / model->units().force, w.damping, mu,
+                   heat ? heat_in_words(w, model->materials()[t], state->start_temperature(), given) : "");
   }
 }
 
@@ -146,7 +148,7 @@ void FixContactTri::check_overlap()
   const double dp = spacing();
   double allowed = OVERLAP_ALLOWED;
   if (overlap_checked) {
-    if (!state->moved_since_last_run()) return;
+    if (!state->history().moved_since_last_run()) return;
     allowed = OVERLAP_ALLOWED + OVERLAP_GROWS + results.depth(world) / dp;    // contact has brought them that deep
   } else if (restored || motion.clock() != 0.0) return;
   const bool closed = tool.mesh().closed && !set.two_sided;
@@ -156,7 +158,7 @@ void FixContactTri::check_overlap()
 void FixContactTri::setup(int vflag)
 {
   evaluate_variables(0.0);
-  checks.jump(motion.pose_now(), motion.by_variable(), state->step_dt(), pair->smallest_spacing());
+  checks.jump(motion.pose_now(), motion.by_variable(), state->time_step().now(), model->smallest_spacing());
   check_overlap();
   overlap_checked = true;
   post_force(vflag);
@@ -178,9 +180,9 @@ void FixContactTri::evaluate_variables(double dt)
 
 void FixContactTri::initial_integrate(int)
 {
-  const double dt = state->step_dt();
+  const double dt = state->time_step().now();
   evaluate_variables(dt);
-  if (set.body_type) particles.move(motion.pose(0.0, dt), motion.pose(state->time_ahead(), dt));
+  if (set.body_type) particles.move(motion.pose(0.0, dt), motion.pose(state->time_step().ahead(), dt));
 }
 
 unsigned FixContactTri::effects(bool of_triangles) const
@@ -199,16 +201,16 @@ unsigned FixContactTri::effects(bool of_triangles) const
 tm_contact_args FixContactTri::contact_args(const tm_pose &pose, bool of_triangles)
 {
   tm_contact_args a = {};
-  const tm_state s = state->state();
-  const tm_records &rec = pair->rate_args().rec;
+  const tm_state s = state->arrays();
+  const tm_records &rec = scene->results().rate_args().rec;
   a.mesh = loop_tool.mesh();
   a.grid = loop_tool.grid();
   a.pose = pose;
   a.reference = tm_pose_to_world(&pose, reference);
   a.deep = spacing();
-  a.dt = state->step_dt();
-  a.after = state->time_ahead() > 0.0 ? a.dt - state->time_ahead() : 0.0;
-  a.force_unit = 1.0 / pair->units().force;
+  a.dt = state->time_step().now();
+  a.after = state->time_step().ahead() > 0.0 ? a.dt - state->time_step().ahead() : 0.0;
+  a.force_unit = 1.0 / model->units().force;
   a.tool_temperature = temperature.now();
   a.law = laws.loop_read();
   a.size = rec.size;
@@ -236,13 +238,13 @@ tm_contact_args FixContactTri::contact_args(const tm_pose &pose, bool of_triangl
 
 void FixContactTri::post_force(int)
 {
-  const auto timed = state->run_clock.timed(this);
-  const double dt = state->step_dt();
+  const auto timed = state->clock().timed(this);
+  const double dt = state->time_step().now();
   const bool of_triangles = output.needs_values();
   if (!update->setupflag)
-    checks.jump(motion.pose(dt, dt), motion.by_variable(), dt, pair->smallest_spacing());
+    checks.jump(motion.pose(dt, dt), motion.by_variable(), dt, model->smallest_spacing());
   ContactLoops::of(state->loops())
-      .contact(state->loops(), atom->nlocal, contact_args(motion.pose(state->time_ahead(), dt), of_triangles),
+      .contact(state->loops(), atom->nlocal, contact_args(motion.pose(state->time_step().ahead(), dt), of_triangles),
                effects(of_triangles), results.begin());
   if (set.body_type && state->has(TM_FX_CONDUCTION)) particles.take_heat();
   limit_time_step();
@@ -252,7 +254,7 @@ void FixContactTri::post_force(int)
 void FixContactTri::finish_contact()
 {
   if (!results.finish()) return;
-  if (state->time_ahead() > 0.0) add_to_energy_balance(state->step_dt());
+  if (state->time_step().ahead() > 0.0) add_to_energy_balance(state->time_step().now());
   const double deep = spacing();
   const tm_contact_result &sums = results.mine();
   if (sums.inner > 0.5 * deep && !warned_deep) {
@@ -262,28 +264,28 @@ void FixContactTri::finish_contact()
                    "surface; beyond 1 it is no longer pushed out: raise penalty or lower the speed{}",
                    id, sums.inner / deep, set.overlap_allowed ? ", or start without overlap" : "");
   }
-  state->contact_spring += sums.spring;
+  state->energy().add_spring(sums.spring);
 }
 
 void FixContactTri::add_to_energy_balance(double dt)
 {
-  FixSPHTM::Ledger &l = state->ledger;
+  EnergyBalance &energy = state->energy();
   const tm_contact_result &sums = results.mine();
-  l.contact_damping += dt * sums.damping_power;
   // the tool's share is heat of particles too where it has some, and counted with theirs
   const double heat = sums.friction_heat + (set.body_type ? sums.heat_tool : 0.0);
-  l.friction += dt * (sums.friction_power - heat);
-  l.friction_heat += dt * heat;
-  l.heat_exchanged += dt * sums.conducted;
-  l.contact_work += dt * sums.particle_power;
-  l.tool_work += dt * sums.tool_power;
+  energy.add(EnergyBalance::CONTACT_DAMPING, dt * sums.damping_power);
+  energy.add(EnergyBalance::FRICTION, dt * (sums.friction_power - heat));
+  energy.add(EnergyBalance::FRICTION_HEAT, dt * heat);
+  energy.add(EnergyBalance::HEAT_EXCHANGED, dt * sums.conducted);
+  energy.add(EnergyBalance::CONTACT_WORK, dt * sums.particle_power);
+  energy.add(EnergyBalance::TOOL_WORK, dt * sums.tool_power);
 }
 
 void FixContactTri::final_integrate()
 {
   finish_contact();
-  const double dt = state->step_dt();
-  const tm_pose half = motion.pose(state->time_ahead(), dt);
+  const double dt = state->time_step().now();
+  const tm_pose half = motion.pose(state->time_step().ahead(), dt);
   motion.end_of_step(dt);
   if (set.body_type) particles.move(half, motion.pose_now());
 }
@@ -291,7 +293,7 @@ void FixContactTri::final_integrate()
 void FixContactTri::end_of_step()
 {
   if (set.lumped_capacity > 0.0)
-    temperature.absorb(state->step_dt() * results.heat_into_tool(world), pair->units().energy);
+    temperature.absorb(state->time_step().now() * results.heat_into_tool(world), model->units().energy);
   write_output();
 }
 
@@ -299,22 +301,23 @@ void FixContactTri::end_of_step()
 
 void FixContactTri::write_output()
 {
-  if (output.needs_values()) triangles.sum_over_ranks(world, pair->units().energy);
+  if (output.needs_values()) triangles.sum_over_ranks(world, model->units().energy);
   output.write(motion.pose_now(), temperature.now(), triangles);
   array_local = output.local_rows();
   if (array_local) size_local_rows = tool.mesh().nt;
 }
 
-FixSPHTM *FixContactTri::current_state() const
+// of a set-up or step, or an error: there are no values
+void FixContactTri::check_current() const
 {
-  return FixSPHTM::current(lmp, state, fmt::format("Fix contact/tri {}", id));
+  scene->check_current(state, fmt::format("Fix contact/tri {}", id));
 }
 
 const double *FixContactTri::results_now()
 {
-  current_state();
+  check_current();
   finish_contact();
-  return results.over_ranks(world, pair->units(), spacing());
+  return results.over_ranks(world, model->units(), spacing());
 }
 
 double FixContactTri::compute_vector(int n)
@@ -327,7 +330,7 @@ double FixContactTri::compute_vector(int n)
 
 double FixContactTri::compute_scalar()
 {
-  if (temperature.now() == 0.0) current_state();
+  if (temperature.now() == 0.0) check_current();
   return temperature.now();
 }
 

@@ -17,16 +17,21 @@
 #include "tool_query.h"
 #include "tool_temperature.h"
 
-#include <string>
+#include <memory>
 #include <vector>
 
-namespace LAMMPS_NS {
+namespace SPHTM_NS {
+class Model;
+class ParticleState;
+class Scene;
+}
 
-class FixSPHTM;
+namespace LAMMPS_NS {
 
 class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
  public:
   FixContactTri(class LAMMPS *, int, char **);
+  ~FixContactTri() override;
   int setmask() override;
   void init() override;
   void setup(int) override;
@@ -54,6 +59,7 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   SPHTM_NS::ToolParticles particles;
 
  private:
+  const std::shared_ptr<SPHTM_NS::Scene> scene;
   SPHTM_NS::TriTool tool;
   SPHTM_NS::ToolMotion motion;
   SPHTM_NS::ToolTemperature temperature;
@@ -63,8 +69,8 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   SPHTM_NS::TriangleValues triangles;
   SPHTM_NS::ToolOutput output;
   SPHTM_NS::ToolChecks checks;
-  FixSPHTM *state = nullptr;
-  class PairSPHTM *pair = nullptr;
+  SPHTM_NS::ParticleState *state = nullptr;
+  const SPHTM_NS::Model *model = nullptr;
   tm_vec3 reference;              // point of the torques, in the tool's frame
   double indexed_radius = 0.0;    // of the search grid
   bool restored = false, overlap_checked = false, warned_deep = false;
@@ -81,7 +87,7 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   void add_to_energy_balance(double dt);
   void write_output();
   const double *results_now();
-  FixSPHTM *current_state() const;    // or an error: there are no values
+  void check_current() const;
   SPHTM_NS::ToolQuery query() const;
   void warn_of_other_input(const std::vector<double> &) const;
 };
