@@ -39,6 +39,17 @@ double ContactResults::over(MPI_Comm world, double mine, MPI_Op op)
   return all;
 }
 
+void ContactResults::add_to(EnergyBalance &energy, double dt, bool tool_particles) const
+{
+  const double heat = sums.friction_heat + (tool_particles ? sums.heat_tool : 0.0);
+  energy.add(EnergyBalance::CONTACT_DAMPING, dt * sums.damping_power);
+  energy.add(EnergyBalance::FRICTION, dt * (sums.friction_power - heat));
+  energy.add(EnergyBalance::FRICTION_HEAT, dt * heat);
+  energy.add(EnergyBalance::HEAT_EXCHANGED, dt * sums.conducted);
+  energy.add(EnergyBalance::CONTACT_WORK, dt * sums.particle_power);
+  energy.add(EnergyBalance::TOOL_WORK, dt * sums.tool_power);
+}
+
 const double *ContactResults::over_ranks(MPI_Comm world, const UnitScale &unit, double spacing)
 {
   if (reduced) return totals;

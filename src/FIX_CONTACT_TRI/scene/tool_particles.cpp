@@ -25,7 +25,8 @@ void ToolParticles::live_in(LAMMPS *l, const Scene &s)
 void ToolParticles::move(const tm_pose &from, const tm_pose &to) const
 {
   ContactLoops::of(*loops).move(*loops, lmp->atom->nlocal,
-                               {scene->state()->arrays(), fix->groupbit, type, lmp->domain->dimension == 3, from, to}, 0);
+                                {scene->state()->arrays(), fix->groupbit, type, lmp->domain->dimension == 3, from, to},
+                                0);
 }
 
 tm_real *ToolParticles::heat_of_contact()

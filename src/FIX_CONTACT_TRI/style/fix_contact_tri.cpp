@@ -21,8 +21,8 @@ using namespace SPHTM_NS;
 using namespace FixConst;
 
 FixContactTri::FixContactTri(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), set(lmp, narg - 3, arg + 3), particles(this, set.body_type), scene(Scene::of(lmp)), motion(lmp),
-    temperature(set), output(lmp, id, set, tool), checks(lmp, *this, set, tool)
+    Fix(lmp, narg, arg), set(lmp, narg - 3, arg + 3), particles(this, set.body_type), scene(Scene::of(lmp)),
+    motion(lmp), temperature(set), output(lmp, id, set, tool), checks(lmp, *this, set, tool)
 {
   scalar_flag = vector_flag = restart_global = 1;
   size_vector = ContactResults::SIZE;
@@ -66,8 +66,6 @@ int FixContactTri::modify_param(int narg, char **arg)
   return 0;
 }
 
-double FixContactTri::spacing() const { return model->settings_in_use().spacing; }
-
 /* ---------------------------------------------------------------------- start of a run */
 
 void FixContactTri::init()
@@ -84,9 +82,9 @@ void FixContactTri::init()
   checks.heat(*state);
   temperature.begin(state->start_temperature());
   motion.init();
-  checks.extent(spacing());
-  const bool first = indexed_radius == 0.0, other = indexed_radius != spacing();
-  if (other) index_tool();
+  checks.extent(model->settings_in_use().spacing);
+  const bool first = spacing == 0.0;
+  if (spacing != model->settings_in_use().spacing) index_tool();
   checks.body_material(*model);
   laws.make(set, *model, state->start_temperature(), domain->dimension);
   if (first) report();
@@ -95,8 +93,8 @@ void FixContactTri::init()
 
 void FixContactTri::index_tool()
 {
-  indexed_radius = spacing();
-  const std::string wrong = tool.index(world, indexed_radius);
+  spacing = model->settings_in_use().spacing;
+  const std::string wrong = tool.index(world, spacing);
   if (!wrong.empty()) error->all(FLERR, "Fix contact/tri {}: {}", id, wrong);
   loop_tool.copy(state->loops(), tool);
 }
@@ -105,7 +103,7 @@ void FixContactTri::limit_time_step()
 {
   // sqrt(m/k): m follows the volume of a particle, k its area
   const double smallest = model->smallest_spacing();
-  state->time_step().limit(laws.stable_dt() * sqrt(smallest / spacing()), TM_DT_CONTACT, this);
+  state->time_step().limit(laws.stable_dt() * sqrt(smallest / spacing), TM_DT_CONTACT, this);
   // no point of the tool moves by more than a fifth of the smallest spacing in a step
   const double speed = motion.top_speed(tool.mesh().lo, tool.mesh().hi);
   checks.speed(speed, laws.sound_speed());
@@ -145,14 +143,14 @@ static constexpr double OVERLAP_ALLOWED = 0.01, OVERLAP_GROWS = 0.05;
 void FixContactTri::check_overlap()
 {
   if (set.overlap_allowed) return;
-  const double dp = spacing();
   double allowed = OVERLAP_ALLOWED;
   if (overlap_checked) {
     if (!state->history().moved_since_last_run()) return;
-    allowed = OVERLAP_ALLOWED + OVERLAP_GROWS + results.depth(world) / dp;    // contact has brought them that deep
+    allowed = OVERLAP_ALLOWED + OVERLAP_GROWS + results.depth(world) / spacing;    // that deep contact has brought them
   } else if (restored || motion.clock() != 0.0) return;
   const bool closed = tool.mesh().closed && !set.two_sided;
-  OverlapCheck(lmp, query(), dp, allowed).stop(fmt::format("Fix contact/tri {}", id), closed ? &tool.mesh() : nullptr);
+  OverlapCheck(lmp, query(), spacing, allowed)
+      .stop(fmt::format("Fix contact/tri {}", id), closed ? &tool.mesh() : nullptr);
 }
 
 void FixContactTri::setup(int vflag)
@@ -207,7 +205,7 @@ tm_contact_args FixContactTri::contact_args(const tm_pose &pose, bool of_triangl
   a.grid = loop_tool.grid();
   a.pose = pose;
   a.reference = tm_pose_to_world(&pose, reference);
-  a.deep = spacing();
+  a.deep = spacing;
   a.dt = state->time_step().now();
   a.after = state->time_step().ahead() > 0.0 ? a.dt - state->time_step().ahead() : 0.0;
   a.force_unit = 1.0 / model->units().force;
@@ -254,31 +252,16 @@ void FixContactTri::post_force(int)
 void FixContactTri::finish_contact()
 {
   if (!results.finish()) return;
-  if (state->time_step().ahead() > 0.0) add_to_energy_balance(state->time_step().now());
-  const double deep = spacing();
+  if (state->time_step().ahead() > 0.0) results.add_to(state->energy(), state->time_step().now(), set.body_type != 0);
   const tm_contact_result &sums = results.mine();
-  if (sums.inner > 0.5 * deep && !warned_deep) {
+  if (sums.inner > 0.5 * spacing && !warned_deep) {
     warned_deep = true;
     error->warning(FLERR,
                    "Fix contact/tri {}: a particle's center lies {:.2f} spacings behind the "
                    "surface; beyond 1 it is no longer pushed out: raise penalty or lower the speed{}",
-                   id, sums.inner / deep, set.overlap_allowed ? ", or start without overlap" : "");
+                   id, sums.inner / spacing, set.overlap_allowed ? ", or start without overlap" : "");
   }
   state->energy().add_spring(sums.spring);
-}
-
-void FixContactTri::add_to_energy_balance(double dt)
-{
-  EnergyBalance &energy = state->energy();
-  const tm_contact_result &sums = results.mine();
-  // the tool's share is heat of particles too where it has some, and counted with theirs
-  const double heat = sums.friction_heat + (set.body_type ? sums.heat_tool : 0.0);
-  energy.add(EnergyBalance::CONTACT_DAMPING, dt * sums.damping_power);
-  energy.add(EnergyBalance::FRICTION, dt * (sums.friction_power - heat));
-  energy.add(EnergyBalance::FRICTION_HEAT, dt * heat);
-  energy.add(EnergyBalance::HEAT_EXCHANGED, dt * sums.conducted);
-  energy.add(EnergyBalance::CONTACT_WORK, dt * sums.particle_power);
-  energy.add(EnergyBalance::TOOL_WORK, dt * sums.tool_power);
 }
 
 void FixContactTri::final_integrate()
@@ -317,7 +300,7 @@ const double *FixContactTri::results_now()
 {
   check_current();
   finish_contact();
-  return results.over_ranks(world, model->units(), spacing());
+  return results.over_ranks(world, model->units(), spacing);
 }
 
 double FixContactTri::compute_vector(int n)
@@ -341,7 +324,7 @@ int FixContactTri::image(int *&kinds, double **&rows)
 
 ToolQuery FixContactTri::query() const
 {
-  return {*atom, groupbit, laws, tool.view(), tool.grid(), motion.pose_now(), spacing(), set.two_sided};
+  return {*atom, groupbit, laws, tool.view(), tool.grid(), motion.pose_now(), spacing, set.two_sided};
 }
 
 void FixContactTri::touched(int i, double radius, std::vector<Surface> &found)
@@ -349,7 +332,7 @@ void FixContactTri::touched(int i, double radius, std::vector<Surface> &found)
   const ToolQuery q = query();
   if (!q.in_contact(i)) return;
   tm_touch touch[TM_TOUCH_MAX];
-  const int n = q.touch(tm_load3(atom->x[i]), std::min(radius, indexed_radius), touch);
+  const int n = q.touch(tm_load3(atom->x[i]), std::min(radius, spacing), touch);
   for (int k = 0; k < n; k++) {
     tm_vec3 normal = tm_mat_mul_vec(q.pose.turn, touch[k].normal);
     if (domain->dimension == 2) normal.z = 0.0;

@@ -72,10 +72,9 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   SPHTM_NS::ParticleState *state = nullptr;
   const SPHTM_NS::Model *model = nullptr;
   tm_vec3 reference;              // point of the torques, in the tool's frame
-  double indexed_radius = 0.0;    // of the search grid
+  double spacing = 0.0;           // of the particles, with which the search grid was built
   bool restored = false, overlap_checked = false, warned_deep = false;
 
-  double spacing() const;
   void index_tool();
   void report() const;
   void limit_time_step();
@@ -84,7 +83,6 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   unsigned effects(bool of_triangles) const;
   tm_contact_args contact_args(const tm_pose &, bool of_triangles);
   void finish_contact();
-  void add_to_energy_balance(double dt);
   void write_output();
   const double *results_now();
   void check_current() const;
