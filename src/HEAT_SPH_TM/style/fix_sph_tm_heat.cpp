@@ -233,7 +233,7 @@ void FixSPHTMHeat::exchange()
   const tm_exchange_result r = loops.exchange(atom->nlocal, a, false);
   power = r.power;
   area = r.area;
-  if (r.rate > 0.0) body->limit_dt(0.5 / r.rate, TM_DT_CONDUCTION, this);    // as tm_heat_time_step
+  body->limit_dt(tm_decay_time_step(r.rate), TM_DT_CONDUCTION, this);
 }
 
 void FixSPHTMHeat::post_force(int)

@@ -108,7 +108,7 @@ std::string FixSPHTM::limiting_particle()
     const double h = size ? size[(size_t) i * tm_field_table[TM_F_SIZE].columns + TM_S_H] : h0, *f = atom->f[i];
     const double mass = atom->rmass_flag ? atom->rmass[i] : atom->mass[atom->type[i]];
     const double a = pair_sph->units().force / mass * sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
-    const double limit = dt_cause == TM_DT_FORCE ? (a > 0.0 ? sqrt(h / a) : 1e300) : dt_of_size(i, h);
+    const double limit = dt_cause == TM_DT_FORCE ? tm_force_time_step(h, a) : dt_of_size(i, h);
     if (limit >= least) continue;
     least = limit;
     worst = i;
@@ -147,8 +147,8 @@ void FixSPHTM::limit_by_bodies()
 {
   if (!pair_sph->has_contact_pairs()) return;
   for (int t = 1; t <= atom->ntypes; t++) {
-    const double l = pair_sph->contact_stiffness_limit(t);
-    if (l > 0.0) limit_dt(0.4 * l, TM_DT_CONTACT);
+    // two particles on their common spring: a fifth of what one pair alone allows, as a particle has several
+    limit_dt(0.2 * pair_sph->contact_time_step(t), TM_DT_CONTACT);
   }
 }
 
@@ -188,10 +188,9 @@ double FixSPHTM::dt_of_size(int i, double h)
   double limit = courant * tm_sound_time_step(h, tm_eos_sound_speed(m, rho, e ? e[i] : 0.0),
                                               pair_sph->settings_in_use().visc_alpha,
                                               pair_sph->settings_in_use().hourglass, fx);
-  const double k = has(TM_FX_CONDUCTION) ? tm_conductivity(m, temperature(i)) : 0.0;
-  if (k > 0.0)
-    limit = std::min(limit, tm_heat_time_step(rho, tm_capacity(m, temperature(i)), h, k,
-                                              pair_sph->largest_conductivity(), pair_sph->fastest_heat_rate()));
+  if (has(TM_FX_CONDUCTION))
+    limit = std::min(limit, tm_conduction_time_step(m, rho, temperature(i), h, pair_sph->largest_conductivity(),
+                                                    pair_sph->fastest_heat_rate()));
   return limit;
 }
 

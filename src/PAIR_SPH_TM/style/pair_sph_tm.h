@@ -99,7 +99,7 @@ class PairSPHTM : public Pair {
   tm_nearest nearest();
   bool has_contact_pairs() const;
   double largest_conductivity() const;      // of all types at all temperatures
-  double contact_stiffness_limit(int type) const;
+  double contact_time_step(int type) const;
   std::vector<unsigned char> segments_of_types();    // per type pair: where in a row they meet
   const SPHTM_NS::UnitScale &units() const { return unit; }
   // particles of different size (effect smoothing): smoothing lengths up to h are in the rows, the

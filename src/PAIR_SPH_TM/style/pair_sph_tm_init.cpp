@@ -121,7 +121,7 @@ void PairSPHTM::make_tables()
   for (int t = 1; t < n; t++) {
     const tm_material &m = material[t];
     young[t] = m.young;
-    effusivity[t] = m.heat ? sqrt(tm_conductivity(&m, T) * tm_capacity(&m, T) * m.rho0) : 0.0;
+    effusivity[t] = m.heat ? tm_effusivity(tm_conductivity(&m, T), tm_capacity(&m, T), m.rho0) : 0.0;
   }
   tables.material.assign(material.data(), n);
   tables.conductance.assign(conductance.data(), conducts ? n * n : 0);

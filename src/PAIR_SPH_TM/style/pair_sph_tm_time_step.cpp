@@ -24,20 +24,19 @@ double PairSPHTM::largest_conductivity() const
   return k;
 }
 
-// largest stable step of body contact for a type: 0.2 of the period of the stiffest pair
-double PairSPHTM::contact_stiffness_limit(int t) const
+// the largest stable step of the stiffest pair of particles in contact, of a type with all others
+double PairSPHTM::contact_time_step(int t) const
 {
-  double limit = 0.0;
+  double limit = TM_DT_NO_LIMIT;
   for (int u = 1; u <= atom_types; u++) {
     const PairLaw &l = law(t, u);
     if (l.meeting != CONTACT) continue;
     const double e1 = material[t].young, e2 = material[u].young;
-    const double k = tm_body_contact_stiffness(l.contact.penalty, e1, e2, set.spacing, least_spacing,
-                                               domain->dimension == 3);
+    const double k = tm_contact_stiffness(l.contact.penalty, e1, e2, set.spacing, least_spacing,
+                                          domain->dimension == 3);
     const double mass = pow(least_spacing, domain->dimension) *
         std::min(material[t].rho0, material[u].rho0) * 0.5;
-    const double dt = sqrt(mass / k);
-    limit = limit > 0.0 ? std::min(limit, dt) : dt;
+    limit = std::min(limit, tm_contact_time_step(k, mass, 0.0));
   }
   return limit;
 }
