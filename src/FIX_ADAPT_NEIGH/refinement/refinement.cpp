@@ -136,9 +136,8 @@ void Refinement::init()
   forget_plans();
   warn_of_lost_levels();
   tools.clear();
-  int dim;
   for (Fix *f : lmp()->modify->get_fix_by_style("^contact/tri"))
-    if (auto *tool = (ContactProbe *) f->extract(ContactProbe::NAME, dim)) tools.push_back(tool);
+    if (auto *tool = dynamic_cast<ContactProbe *>(f)) tools.push_back(tool);
   settle_at = apply_at = -1;
   const double least = *std::min_element(pattern.mass, pattern.mass + pattern.n);
   fix.pair().make_room_for(pow(least, (double) most_level / pattern.dim));
