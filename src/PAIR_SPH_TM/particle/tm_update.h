@@ -336,7 +336,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     if (out.status == TM_OK && !(T - T == 0.0)) out.status = TM_BAD_NAN;
     else if (out.status == TM_OK && !(T > 0.0)) out.status = TM_BAD_TEMPERATURE;
     else if (out.status == TM_OK && T > a->hottest) out.status = TM_BAD_HEAT;
-    if (a->watch_melt && m->strength == TM_STRENGTH_JOHNSON_COOK && T > m->t_melt) out.melted = i;
+    if (a->watch_melt && tm_strength_flow(m->strength) == TM_FLOW_THERMAL && T > m->t_melt) out.melted = i;
   }
   return out;
 }

@@ -70,7 +70,7 @@ double FixSPHTM::find_hottest() const
   double melting = 0.0;
   for (int t = 1; t <= atom->ntypes; t++) {
     const tm_material &m = pair_sph->materials()[t];
-    if (m.strength == TM_STRENGTH_JOHNSON_COOK) melting = std::max(melting, m.t_melt);
+    if (tm_strength_flow(m.strength) == TM_FLOW_THERMAL) melting = std::max(melting, m.t_melt);
   }
   return melting > 0.0 ? TIMES * melting : WITHOUT_MELTING;
 }
