@@ -195,7 +195,7 @@ TM_FN tm_contact_point tm_contact_add_normal(tm_contact_body *b, const tm_touch 
 TM_FN void tm_contact_add_friction(tm_contact_body *b, tm_contact_point *c)
 {
   const tm_vec3 end = tm_vec_sub(tm_vec_axpy(b->v, b->dt / b->mass, b->force), c->tool_v);
-  const tm_vec3 slide = tm_vec_axpy(end, -tm_vec_dot(end, c->normal), c->normal);   /* F15 (14) */
+  const tm_vec3 slide = tm_contact_tangential(end, c->normal);
   const tm_real limit = tm_contact_friction_limit(b->law, c->fn, b->temperature, b->yield);
   c->friction = tm_contact_friction(slide, b->mass, b->dt, limit);                  /* F15 (13) (15) */
   b->force = tm_vec_add(b->force, c->friction);
@@ -207,7 +207,7 @@ TM_FN void tm_contact_add_heat(int i, const tm_contact_args *a, const tm_contact
 {
   const tm_material *m = a->material + a->type[i];
   const tm_real T = b->temperature, k = tm_conductivity(m, T), cp = tm_capacity(m, T);
-  r->friction_heat += friction_power * tm_contact_share(b->law, sqrt(k * m->rho0 * cp));
+  r->friction_heat += friction_power * tm_contact_share(b->law, tm_effusivity(k, m->rho0, cp));
   if (fn > 0.0 && b->law->conductance != 0.0)
     r->conducted += tm_contact_heat(tm_contact_conductance(b->law, k) * b->law->area,
                                     a->tool_temperature, T, b->mass * cp, b->dt);

@@ -15,7 +15,7 @@ static tm_contact_law make_law(const tm_material &m, const ContactSettings &set,
   tm_contact_law w = {};
   w.active = m.body == TM_BODY_SOLID;
   w.radius = 0.5 * dp;
-  w.stiffness = tm_contact_stiffness(set.penalty, m.young, 0.0, dp, dim3);
+  w.stiffness = tm_contact_stiffness(set.penalty, m.young, 0.0, dp, dp, dim3);
   w.damping = set.damping;
   w.area = dim3 ? dp * dp : dp;
   w.friction = set.friction;
@@ -37,7 +37,7 @@ void ContactLaws::make(const ContactSettings &set, const Model &model, double T,
     tm_contact_law &w = laws[t] = make_law(m, set, model.units(), dp, dimension == 3);
     if (set.body_type) {
       const tm_material &b = model.materials()[set.body_type];
-      w.tool_effusivity = sqrt(tm_conductivity(&b, T) * b.rho0 * tm_capacity(&b, T));
+      w.tool_effusivity = tm_effusivity(tm_conductivity(&b, T), b.rho0, tm_capacity(&b, T));
       w.conductance = 0.0;    // conduction goes from particle to particle
     } else if (set.share < 0.0 && set.effusivity < 0.0) {
       w.share = 0.5;

@@ -113,7 +113,7 @@ void FixContactTri::limit_time_step()
 // friction heat of a type
 static std::string heat_in_words(const tm_contact_law &w, const tm_material &m, double T, bool given)
 {
-  const double e = sqrt(tm_conductivity(&m, T) * m.rho0 * tm_capacity(&m, T));
+  const double e = tm_effusivity(tm_conductivity(&m, T), m.rho0, tm_capacity(&m, T));
   return fmt::format(", {:.3f} of the friction heat into the particles{}", tm_contact_share(&w, e),
                      given ? "" : " (give 'effusivity' or 'share' to change that)");
 }

@@ -232,7 +232,7 @@ void FixSPHTMHeat::exchange()
   const tm_exchange_result r = heat.surface_flux(loops, atom->nlocal, a, 0);
   power = r.power;
   area = r.area;
-  if (r.rate > 0.0) state->time_step().limit(0.5 / r.rate, TM_DT_CONDUCTION, this);    // as tm_heat_time_step
+  state->time_step().limit(tm_decay_time_step(r.rate), TM_DT_CONDUCTION, this);
 }
 
 void FixSPHTMHeat::post_force(int)

@@ -103,7 +103,7 @@ void Model::make_tables(double temperature)
   for (int t = 1; t < n; t++) {
     const tm_material &m = material[t];
     young[t] = m.young;
-    effusivity[t] = m.heat ? sqrt(tm_conductivity(&m, temperature) * tm_capacity(&m, temperature) * m.rho0) : 0.0;
+    effusivity[t] = m.heat ? tm_effusivity(tm_conductivity(&m, temperature), tm_capacity(&m, temperature), m.rho0) : 0.0;
   }
   tables.material.assign(material.data(), n);
   tables.conductance.assign(conductance.data(), conducts ? n * n : 0);
@@ -163,16 +163,15 @@ double Model::largest_conductivity() const
 
 double Model::contact_time_step(int t) const
 {
-  double least = 0.0;
+  double least = TM_DT_NO_LIMIT;
   for (int u = 1; u <= atom_types; u++) {
     const PairLaw &l = law(t, u);
     if (l.meeting != CONTACT) continue;
     const double e1 = material[t].young, e2 = material[u].young;
-    const double k = tm_body_contact_stiffness(l.contact.penalty, e1, e2, settings.spacing, least_spacing,
-                                               domain->dimension == 3);
+    const double k = tm_contact_stiffness(l.contact.penalty, e1, e2, settings.spacing, least_spacing,
+                                          domain->dimension == 3);
     const double mass = pow(least_spacing, domain->dimension) * std::min(material[t].rho0, material[u].rho0) * 0.5;
-    const double dt = sqrt(mass / k);
-    least = least > 0.0 ? std::min(least, dt) : dt;
+    least = std::min(least, tm_contact_time_step(k, mass, 0.0));
   }
   return least;
 }

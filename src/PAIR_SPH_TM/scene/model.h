@@ -76,7 +76,7 @@ class Model : protected LAMMPS_NS::Pointers {
   bool has_contact_pairs() const;
   bool has_thermal_pairs() const;                      // that exchange heat and take no part in mechanics together
   double largest_conductivity() const;                 // of all types at all temperatures
-  double contact_time_step(int type) const;            // sqrt(m/k) of the stiffest pair of a type; 0: there is none
+  double contact_time_step(int type) const;            // the largest stable one of the stiffest pair in contact
   std::vector<unsigned char> segments_of_types(bool conduction) const;    // per type pair: where in a row they meet
 
   // distance of particles that each have the volume (in 2d the area) of one on the lattice in use; 0: there is none
