@@ -37,10 +37,10 @@ FixContactTri::FixContactTri(LAMMPS *lmp, int narg, char **arg) :
   const std::string wrong = tool.load(world, set.shape, set.two_sided);
   if (!wrong.empty()) error->all(FLERR, "Fix contact/tri {}: {}", id, wrong);
   reference = set.reference_given ? tm_load3(set.reference) : tool.origin();
-  scene->enter((ContactProbe *) this);
+  scene->enter(this);
 }
 
-FixContactTri::~FixContactTri() { scene->leave((ContactProbe *) this); }
+FixContactTri::~FixContactTri() { scene->leave(this); }
 
 int FixContactTri::setmask()
 {

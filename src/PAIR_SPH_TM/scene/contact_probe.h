@@ -12,7 +12,7 @@ class ContactProbe {
  public:
   struct Surface {
     tm_vec3 normal;     // unit, from the surface to the particle
-    double distance;    // of the particle's centre, negative behind the surface
+    double distance;    // of the particle's center, negative behind the surface
   };
   // adds the surfaces that a sphere about owned particle i touches, now; on the host
   virtual void touched(int i, double radius, std::vector<Surface> &) = 0;
