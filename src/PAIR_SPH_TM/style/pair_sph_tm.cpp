@@ -70,7 +70,7 @@ void PairSPHTM::fill_args(const tm_state &s)
   args.effects = fix->effects();
   args.h = set.h;
   const double reach = tm_kernel_support(set.kernel) * set.h;
-  args.reach2 = reach * reach;
+  args.support_radius2 = reach * reach;
   args.norm = tm_kernel_norm(set.kernel, domain->dimension, set.h);
   args.slope_norm = args.norm / (set.h * lattice.gradient);
   args.support2 = tm_kernel_support(set.kernel) * tm_kernel_support(set.kernel);

@@ -13,7 +13,7 @@ tm_near_args PairSPHTM::near_args(bool of_each)
   tm_near_args a;
   a.rows = args.rows;
   a.main = rec.main;
-  a.reach2 = rec.size ? args.support2 : args.reach2;
+  a.support_radius2 = rec.size ? args.support2 : args.support_radius2;
   a.size = rec.size;
   a.count = near_count.loop_write();
   return a;
@@ -21,7 +21,7 @@ tm_near_args PairSPHTM::near_args(bool of_each)
 
 double PairSPHTM::neighbors(bool of_each)
 {
-  const bool rows = args.reach2 && args.rows.first;
+  const bool rows = args.support_radius2 && args.rows.first;
   return backend.near_count(rows ? atom->nlocal : 0, near_args(of_each));
 }
 
