@@ -316,135 +316,45 @@ TM_FN tm_real tm_weight_slope(const tm_kept_rows *r, const short *w, int k)
   return tm_weight_float(upper << 16 | (unsigned short) w[tm_weight_place(r, TM_W_SLOPE + 1, k)]);
 }
 
-/* Rates of particle i from its kept pairs; effects: TM_FX_3D, VISCOSITY, CONDUCTION. */
-TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
+/* Three weights that follow each other, for TM_LANES entries. */
+TM_FN tm_lanes_vec tm_weight_vec(const short *w, ptrdiff_t stride)
 {
-  const int dim3 = (effects & TM_FX_3D) != 0, viscosity = (effects & TM_FX_VISCOSITY) != 0;
-  const int conduction = (effects & TM_FX_CONDUCTION) != 0;
-  const int n_row = a->rows.kept[i], add = a->rows.fresh[i] > 0;
-  const ptrdiff_t stride = TM_VECTOR >= 32 ? 1 : a->rows.stride;    /* no GPU */
-  const int *row = a->rows.index + a->rows.first[i];
-  const short *weight = tm_weight(&a->rows, i);
-  tm_real *memory = a->memory + (ptrdiff_t) i * TM_K;
-  const int mixed = memory[TM_K_MIXED] > 0.5;
-#if TM_VECTOR
-  const int ahead = stride == 1 && a->rows.kept[i + 1] ? (memory[TM_K + TM_K_MIXED] > 0.5 ? 2 : 1) : 0;
-#endif
+  const tm_lanes_vec v = {tm_weight_lanes(w, stride), tm_weight_lanes(w + 8 * stride, stride),
+                          tm_weight_lanes(w + 16 * stride, stride)};
+  return v;
+}
 
-  const tm_real *ri = tm_main_record(&a->rec, i);
-  const tm_real xi = ri[tm_part(0)], yi = ri[tm_part(1)], zi = ri[tm_part(2)], mi = ri[tm_part(TM_REC_M)];
-  const tm_real vxi = ri[tm_part(4)], vyi = ri[tm_part(5)], vzi = ri[tm_part(6)];
-  tm_real ti = 0, ki = 0;
-  if (conduction) {
-    ti = tm_heat_record(&a->rec, i)[tm_part(TM_REC_T)];
-    ki = tm_heat_record(&a->rec, i)[tm_part(TM_REC_K)];
-  }
-  const tm_real per_r = a->slope_norm / a->h, bulk = per_r / a->h, shock = bulk / a->h;
+/* Sums over the pairs of a row, in units of the weights; their order is that of tm_kept_results(). */
+typedef struct {
+  tm_sum_mat gradient;
+  tm_sum_vec force, artificial_force;
+  tm_sum artificial, heat;
+} tm_kept_sums;
 
-  const tm_sum zero = tm_lanes_zero();
-  tm_sum lxx = zero, lxy = zero, lxz = zero, lyx = zero, lyy = zero, lyz = zero;
-  tm_sum lzx = zero, lzy = zero, lzz = zero;
-  tm_sum fx = zero, fy = zero, fz = zero;
-  tm_sum dxs = zero, dys = zero, dzs = zero, art = zero, heat = zero;
+/* Columns of the neighbors jj, as many as `lanes`. */
+TM_FN void tm_kept_fetch(const tm_kept_args *a, const int *jj, int lanes, int conduction, tm_values *col)
+{
+  tm_fetch_records(a->rec.main, TM_REC, 0, TM_KCOL_SHOWN, jj, lanes, col[0]);
+  if (conduction) tm_fetch_records(a->rec.main, TM_REC, TM_REC_RHO - 1, 2, jj, lanes, col[TM_KCOL_RHO]);
+  tm_fetch_rows(a->shown, TM_KEPT, jj, lanes, col[TM_KCOL_SHOWN]);
+  if (conduction) tm_fetch_records(a->rec.heat, TM_REC_HEAT, 0, TM_REC_HEAT, jj, lanes, col[TM_KCOL_HEAT]);
+}
 
-  int some[TM_COLUMN];
-  tm_pair TM_ALIGNED col[TM_KCOLS][TM_COLUMN];
-  for (int k = 0; k < n_row; k += TM_CHUNK) {
-    const int n = n_row - k < TM_CHUNK ? n_row - k : TM_CHUNK;
-    const int lanes = TM_COLUMN == 1 ? 1 : (n + TM_LANES - 1) / TM_LANES * TM_LANES;
-    const int *entry = row + k * stride, *jj = entry;
-    if (stride != 1) {
-      for (int l = 0; l < lanes; l++) some[tm_at(l)] = entry[l * stride];
-      jj = some;
-    }
-    if (TM_COLUMN > 1) {
-      tm_transpose_rows(a->rec.main, TM_REC, jj, lanes, TM_KCOL_SHOWN, col[0]);
-      if (conduction) tm_transpose_rows(a->rec.main + TM_REC_RHO - 1, TM_REC, jj, lanes, 2, col[TM_KCOL_RHO]);
-      tm_transpose_rows(a->shown, TM_KEPT, jj, lanes, TM_KEPT, col[TM_KCOL_SHOWN]);
-      if (conduction) tm_transpose_rows(a->rec.heat, TM_REC_HEAT, jj, lanes, TM_REC_HEAT, col[TM_KCOL_HEAT]);
-    } else {
-      const int j = jj[0];
-      for (int c = 0; c < TM_KCOL_SHOWN; c++) col[c][0] = tm_main_record(&a->rec, j)[tm_part(c)];
-      for (int c = 0; c < TM_KEPT; c++) col[TM_KCOL_SHOWN + c][0] = a->shown[(ptrdiff_t) j * TM_KEPT + c];
-      if (conduction) col[TM_KCOL_RHO + 1][0] = tm_main_record(&a->rec, j)[tm_part(TM_REC_RHO)];
-      for (int c = 0; conduction && c < TM_REC_HEAT; c++)
-        col[TM_KCOL_HEAT + c][0] = tm_heat_record(&a->rec, j)[tm_part(c)];
-    }
-#define TM_KCOL(c) col[c][tm_at(l)]
-    if (conduction)
-      for (int l = 0; l < lanes; l++)
-        TM_KCOL(TM_KCOL_CONDUCTED) =
-            tm_conduction_pair(ki, TM_KCOL(TM_KCOL_HEAT + TM_REC_K), ti, TM_KCOL(TM_KCOL_HEAT + TM_REC_T),
-                               TM_KCOL(TM_REC_M) / TM_KCOL(TM_KCOL_RHO + 1),
-                               per_r * tm_weight_slope(&a->rows, weight, k + l));
-
-#define TM_LOAD(c) tm_lanes_load(&TM_KCOL(c))
-#define TM_A(c) TM_LOAD(TM_KCOL_SHOWN + tm_kept_column(c))
-#define TM_V(c) TM_LOAD(TM_KCOL_SHOWN + TM_KEPT_V + (c))
-#define TM_W_AT(c) (((c) < TM_W_OTHER ? own : other) + (ptrdiff_t) ((c) % TM_W_OTHER) * 8 * stride)
-#define TM_W(c) tm_weight_lanes(TM_W_AT(c), stride)
-#define TM_W_UPPER(c) tm_weight_upper_lanes(TM_W_AT(c), stride)
-    for (int l = 0; l < lanes; l += TM_LANES) {
-      /* those of the first entry; others of the eight follow, then the next weight: tm_weight_place() */
-      const int at = (k + l) / 8 * 8, in = (k + l) % 8;
-      const short *own = weight + ((ptrdiff_t) at * TM_W_OTHER + in) * stride;
-      const short *other = weight +
-          ((ptrdiff_t) TM_W_OTHER * a->rows.capacity + (ptrdiff_t) at * (TM_W_SLOPE - TM_W_OTHER) + in) * stride;
-#if TM_VECTOR
-      /* the next row lies far away, and memory is slow: it is asked for in good time, a part at a time */
-      if (ahead && l % 8 == 0) {
-        const short *w = own + a->rows.capacity * TM_WEIGHTS;
-        __builtin_prefetch(w);
-        __builtin_prefetch(w + 32);
-        if (l % 16 == 0) __builtin_prefetch(row + a->rows.capacity + k + l);
-        if (ahead > 1) __builtin_prefetch(other + a->rows.capacity * TM_WEIGHTS);
-      }
-#endif
-      const tm_lanes m = TM_LOAD(TM_REC_M);
-      const tm_lanes dx = xi - TM_LOAD(0), dy = yi - TM_LOAD(1), vx = vxi - TM_V(0), vy = vyi - TM_V(1);
-      const tm_lanes wx = m * TM_W(TM_W_OWN), wy = m * TM_W(TM_W_OWN + 1);
-      const tm_lanes ox = mixed ? m * TM_W(TM_W_OTHER) : wx, oy = mixed ? m * TM_W(TM_W_OTHER + 1) : wy;
-      tm_lanes dz = zero, vz = zero;
-      lxx -= vx * wx; lxy -= vx * wy; lyx -= vy * wx; lyy -= vy * wy;
-      fx += TM_A(0) * ox + TM_A(1) * oy;
-      fy += TM_A(3) * ox + TM_A(4) * oy;
-      if (dim3) {
-        const tm_lanes wz = m * TM_W(TM_W_OWN + 2), oz = mixed ? m * TM_W(TM_W_OTHER + 2) : wz;
-        dz = zi - TM_LOAD(2);
-        vz = vzi - TM_V(2);
-        lxz -= vx * wz; lyz -= vy * wz; lzx -= vz * wx; lzy -= vz * wy; lzz -= vz * wz;
-        fx += TM_A(2) * oz;
-        fy += TM_A(5) * oz;
-        fz += TM_A(6) * ox + TM_A(7) * oy + TM_A(8) * oz;
-      }
-      if (viscosity) {
-        tm_lanes closing = vx * dx + vy * dy;
-        if (dim3) closing += vz * dz;
-        closing = tm_lanes_negative(closing);
-        const tm_lanes pi = m * closing * (shock * TM_W_UPPER(TM_W_SHOCK) * closing - bulk * TM_W_UPPER(TM_W_BULK));
-        const tm_lanes ax = -pi * dx, ay = -pi * dy, az = dim3 ? -pi * dz : zero;
-        dxs += ax; dys += ay; dzs += az;
-        art -= ax * vx + ay * vy + az * vz;
-      }
-      if (conduction) heat += TM_LOAD(TM_KCOL_CONDUCTED);
-    }
-#undef TM_W
-#undef TM_W_AT
-#undef TM_W_UPPER
-#undef TM_A
-#undef TM_V
-#undef TM_LOAD
-#undef TM_KCOL
-  }
-
-  const tm_real w = a->slope_norm * a->rows.unit;
-  tm_real *B = memory + TM_K_B;
-  const tm_real *shown = a->shown + (ptrdiff_t) i * TM_KEPT;
-  tm_real A[9];
+/* Sums of particle i into the results: L = gradient B^T, times K of tm_kept_moment.h; the force F15 (4) of its own A,
+   whose sum over a_i is stored, and of its neighbors' A. B and G go on to the next force point. */
+TM_FN void tm_kept_results(int i, const tm_kept_args *a, const tm_kept_sums *s, int viscosity, int conduction, int dim3)
+{
+  const int add = a->rows.fresh[i] > 0;
+  const tm_real w = a->slope_norm * a->rows.unit, mi = tm_main_record(&a->rec, i)[tm_part(TM_REC_M)];
+  tm_real *memory = a->memory + (ptrdiff_t) i * TM_K, *B = memory + TM_K_B, *G = memory + TM_K_G;
+  const tm_real *S = memory + TM_K_SUM, *shown = a->shown + (ptrdiff_t) i * TM_KEPT;
+  tm_real A[9], l[16];
   for (int c = 0; c < 9; c++) A[c] = shown[tm_kept_column(c)];
-  const tm_sum all[16] = {lxx, lxy, lxz, lyx, lyy, lyz, lzx, lzy, lzz, fx, fy, fz, dxs, dys, dzs, art};
-  tm_real l[16];
-  const tm_real *S = memory + TM_K_SUM, *other_force = l + 9, *artificial_force = l + 12;
+  const tm_sum_mat *g = &s->gradient;
+  const tm_sum all[16] = {g->xx, g->xy, g->xz, g->yx, g->yy, g->yz, g->zx, g->zy, g->zz,
+                          s->force.x, s->force.y, s->force.z, s->artificial_force.x, s->artificial_force.y,
+                          s->artificial_force.z, s->artificial};
+  const tm_real *other_force = l + 9, *artificial_force = l + 12;
   tm_lanes_sums(all, 16, l);
   tm_real *L = a->gradient + tm_row(i, 9);
   for (int r = 0; r < 3; r++) {
@@ -464,12 +374,93 @@ TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
                   + artificial_force[c]);
   if (viscosity && a->artificial)
     a->artificial[i] = (add ? a->artificial[i] : 0.0) + 0.5 * mi * l[15];
-  if (conduction) a->heat[i] = (add ? a->heat[i] : 0.0) + tm_lanes_sum(heat);
-
-  /* to the next force point */
-  tm_real *G = memory + TM_K_G;
+  if (conduction) a->heat[i] = (add ? a->heat[i] : 0.0) + tm_lanes_sum(s->heat);
   for (int c = 0; c < 9; c++) G[c] += a->dt * w * l[c];
   tm_kept_turn(memory, tm_mat_from_row(L), a->dt, dim3);
+}
+
+/* Rates of particle i from its kept pairs; effects: TM_FX_3D, VISCOSITY, CONDUCTION. */
+TM_FN void tm_kept_rates(int i, const tm_kept_args *a, unsigned effects)
+{
+  const int dim3 = (effects & TM_FX_3D) != 0, viscosity = (effects & TM_FX_VISCOSITY) != 0;
+  const int conduction = (effects & TM_FX_CONDUCTION) != 0, n_row = a->rows.kept[i];
+  const ptrdiff_t stride = TM_VECTOR >= 32 ? 1 : a->rows.stride;    /* no GPU */
+  const int *row = a->rows.index + a->rows.first[i];
+  const short *weight = tm_weight(&a->rows, i);
+  const tm_real *memory = a->memory + (ptrdiff_t) i * TM_K;
+  const int mixed = memory[TM_K_MIXED] > 0.5;
+#if TM_VECTOR
+  const int ahead = stride == 1 && a->rows.kept[i + 1] ? (memory[TM_K + TM_K_MIXED] > 0.5 ? 2 : 1) : 0;
+#endif
+
+  const tm_real *ri = tm_main_record(&a->rec, i);
+  const tm_real x[3] = {ri[tm_part(0)], ri[tm_part(1)], ri[tm_part(2)]};
+  const tm_real vi[3] = {ri[tm_part(4)], ri[tm_part(5)], ri[tm_part(6)]};
+  const tm_real ti = conduction ? tm_heat_record(&a->rec, i)[tm_part(TM_REC_T)] : 0.0;
+  const tm_real ki = conduction ? tm_heat_record(&a->rec, i)[tm_part(TM_REC_K)] : 0.0;
+  /* units of the frozen W'/r, and of the factors of tm_viscosity_factors() */
+  const tm_real per_r = a->slope_norm / a->h, bulk = per_r / a->h, shock = bulk / a->h;
+  tm_kept_sums s;
+  s.gradient = tm_sum_mat_zero();
+  s.force = s.artificial_force = tm_sum_vec_zero();
+  s.artificial = s.heat = tm_lanes_zero();
+
+  int some[TM_COLUMN];
+  tm_pair TM_ALIGNED col[TM_KCOLS][TM_COLUMN];
+  for (int k = 0; k < n_row; k += TM_CHUNK) {
+    const int n = n_row - k < TM_CHUNK ? n_row - k : TM_CHUNK;
+    const int lanes = TM_COLUMN == 1 ? 1 : (n + TM_LANES - 1) / TM_LANES * TM_LANES;
+    const int *entry = row + k * stride, *jj = entry;
+    if (stride != 1) {
+      for (int l = 0; l < lanes; l++) some[tm_at(l)] = entry[l * stride];
+      jj = some;
+    }
+    tm_kept_fetch(a, jj, lanes, conduction, col);
+    if (conduction)    /* F15 (6) */
+      for (int l = 0; l < lanes; l++) {
+        const int m = tm_at(l);
+        col[TM_KCOL_CONDUCTED][m] =
+            tm_conduction_pair(ki, col[TM_KCOL_HEAT + TM_REC_K][m], ti, col[TM_KCOL_HEAT + TM_REC_T][m],
+                               col[TM_REC_M][m] / col[TM_KCOL_RHO + 1][m],
+                               per_r * tm_weight_slope(&a->rows, weight, k + l));
+      }
+
+    for (int l = 0; l < lanes; l += TM_LANES) {
+      /* those of the first entry; others of the eight follow, then the next weight: tm_weight_place() */
+      const int at = (k + l) / 8 * 8, in = (k + l) % 8;
+      const short *own = weight + ((ptrdiff_t) at * TM_W_OTHER + in) * stride;
+      const short *other = weight +
+          ((ptrdiff_t) TM_W_OTHER * a->rows.capacity + (ptrdiff_t) at * (TM_W_SLOPE - TM_W_OTHER) + in) * stride;
+#if TM_VECTOR
+      /* the next row lies far away, and memory is slow: it is asked for in good time, a part at a time */
+      if (ahead && l % 8 == 0) {
+        const short *w = own + a->rows.capacity * TM_WEIGHTS;
+        __builtin_prefetch(w);
+        __builtin_prefetch(w + 32);
+        if (l % 16 == 0) __builtin_prefetch(row + a->rows.capacity + k + l);
+        if (ahead > 1) __builtin_prefetch(other + a->rows.capacity * TM_WEIGHTS);
+      }
+#endif
+      const tm_lanes m = tm_values_load(col[TM_REC_M], l);
+      const tm_lanes_vec d = tm_pair_difference(x, col, l, dim3);                                 /* x_i - x_j */
+      const tm_lanes_vec v = tm_pair_difference(vi, col + TM_KCOL_SHOWN + TM_KEPT_V, l, dim3);    /* v_i - v_j */
+      const tm_lanes_vec ai = tm_lanes_scale(m, tm_weight_vec(own, stride));                      /* m_j a_i */
+      const tm_lanes_vec aj = mixed ? tm_lanes_scale(m, tm_weight_vec(other, stride)) : ai;       /* m_j a_j */
+#define TM_A(c) tm_values_load(col[TM_KCOL_SHOWN + tm_kept_column(c)], l)
+      const tm_lanes_mat A = {TM_A(0), TM_A(1), TM_A(2), TM_A(3), TM_A(4), TM_A(5), TM_A(6), TM_A(7), TM_A(8)};
+#undef TM_A
+      tm_pair_gradient(&s.gradient, v, ai, dim3);     /* sum of m_j (v_j - v_i) (x) a_i */
+      tm_pair_momentum(&s.force, A, aj, dim3);        /* F15 (4): sum of m_j A_j a_j */
+      if (viscosity) {                                /* F14 (15) */
+        const tm_lanes pi = tm_pair_viscosity_frozen(m, tm_lanes_dot(v, d, dim3), shock,
+                                                     tm_weight_upper_lanes(own + TM_W_SHOCK * 8 * stride, stride), bulk,
+                                                     tm_weight_upper_lanes(own + TM_W_BULK * 8 * stride, stride));
+        tm_pair_artificial(&s.artificial_force, &s.artificial, tm_lanes_scale(-pi, d), v);
+      }
+      if (conduction) s.heat += tm_values_load(col[TM_KCOL_CONDUCTED], l);
+    }
+  }
+  tm_kept_results(i, a, &s, viscosity, conduction, dim3);
 }
 
 #endif

@@ -118,10 +118,11 @@ TM_FN int tm_settle_pair(int i, int j, int to, const tm_settle_args *a, int kern
     TM_OUT(TM_W_OTHER + c) = other;
     mixed |= own != other;
   }
-  const tm_real per_soft = 1.0 / tm_viscosity_soft2(1.0, q * q);
-  const tm_real pi = 2.0 * g * per_soft / (ri[tm_part(TM_REC_RHO)] + rj[tm_part(TM_REC_RHO)]);
-  TM_OUT(TM_W_BULK) = tm_weight_upper(a->visc_alpha * 0.5 * (ri[tm_part(TM_REC_C)] + rj[tm_part(TM_REC_C)]) * pi);
-  TM_OUT(TM_W_SHOCK) = tm_weight_upper(a->visc_beta * per_soft * pi);
+  tm_real bulk, shock;
+  tm_viscosity_factors(a->visc_alpha, a->visc_beta, q, g, 0.5 * (ri[tm_part(TM_REC_C)] + rj[tm_part(TM_REC_C)]),
+                       ri[tm_part(TM_REC_RHO)] + rj[tm_part(TM_REC_RHO)], &bulk, &shock);
+  TM_OUT(TM_W_BULK) = tm_weight_upper(bulk);
+  TM_OUT(TM_W_SHOCK) = tm_weight_upper(shock);
   TM_OUT(TM_W_SLOPE) = (short) (bits >> 16);
   TM_OUT(TM_W_SLOPE + 1) = (short) (bits & 0xffffu);
   TM_OUT(TM_W_DISTANCE) = tm_weight_whole(q / TM_DISTANCE_UNIT);

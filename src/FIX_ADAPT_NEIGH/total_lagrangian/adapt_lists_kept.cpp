@@ -351,7 +351,7 @@ void AdaptLists::end_of_step()
   a.strain = strain;
   a.dt = fix.body().step_dt();
   a.h = rates.h;
-  a.reach2 = rates.reach2;
+  a.reach2 = rates.support_radius2;
   a.slope_norm = rates.slope_norm;
   a.visc_alpha = rates.visc_alpha;
   a.visc_beta = rates.visc_beta;

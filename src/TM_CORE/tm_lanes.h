@@ -1,11 +1,11 @@
-/* SPH-TM: several neighbours at once.
+/* SPH-TM: several neighbors at once.
 
-   A tm_lanes holds one value of TM_LANES neighbours: a vector register of the instruction set the
+   A tm_lanes holds one value of TM_LANES neighbors: a vector register of the instruction set the
    file is compiled for, or one number (CUDA, other compilers), in the precision of pair arithmetic.
    + - * / work on it in C and C++, also with a number on one side (vector extension of GCC and clang).
-   Comparisons and functions do not: what needs them is written for one neighbour and put into a column.
+   Comparisons and functions do not: what needs them is written for one neighbor and put into a column.
 
-   A column holds one quantity of up to TM_COLUMN neighbours. Particles are stored as records (all
+   A column holds one quantity of up to TM_COLUMN neighbors. Particles are stored as records (all
    quantities of one particle side by side), so records are transposed into columns. Transposing in
    registers costs a quarter of the time of hardware gathers, and a third of that of scalar copies. */
 #ifndef TM_LANES_H
@@ -32,7 +32,7 @@
 #endif
 #define TM_LANES (TM_VECTOR ? TM_VECTOR / (TM_SINGLE ? 4 : 8) : 1)
 
-/* Neighbours looked at together; multiples of 8 keep columns aligned. On a GPU one. */
+/* Neighbors looked at together; multiples of 8 keep columns aligned. On a GPU one. */
 #define TM_COLUMN_MOST 112    /* of all kinds of files */
 #if defined(__CUDACC__)
 #define TM_CHUNK 1
@@ -42,7 +42,7 @@
 #define TM_COLUMN (TM_CHUNK + (TM_SINGLE ? 16 : 8))
 #endif
 
-/* Loops of scalar code that the compiler vectorises have a multiple of this many turns: so no
+/* Loops of scalar code that the compiler vectorizes have a multiple of this many turns: so no
    remainder, whose last bit might differ. */
 #define TM_TURNS (TM_VECTOR ? 8 : 1)
 
@@ -61,13 +61,23 @@ typedef tm_pair tm_lanes_any __attribute__((vector_size(TM_VECTOR), aligned(4), 
 typedef tm_pair tm_lanes, tm_lanes_mem, tm_lanes_any;
 #endif
 
-/* A sum over the neighbours of a row. Where it is not spread over lanes it is kept in double, so that
-   its error does not grow with the number of neighbours. */
+/* A sum over the neighbors of a row. Where it is not spread over lanes it is kept in double, so that
+   its error does not grow with the number of neighbors. */
 #if TM_VECTOR
 typedef tm_lanes tm_sum;
 #else
 typedef tm_real tm_sum;
 #endif
+
+/* A loop over the neighbors of a chunk, of scalar code that the compiler vectorizes. */
+#if defined(__CUDACC__)
+#define TM_SIMD
+#else
+#define TM_SIMD _Pragma("omp simd")
+#endif
+
+/* One quantity of the neighbors of a chunk. */
+typedef tm_pair tm_values[TM_COLUMN];
 
 /* Index into a column or a list of a chunk. Where it can only be 0 the compiler is told so, and
    keeps columns in registers. */
@@ -99,6 +109,8 @@ TM_FN void tm_fetch(const tm_pair *p, int n, tm_pair *out)
 }
 
 TM_FN tm_lanes tm_lanes_load(const tm_pair *p) { return *(const tm_lanes_mem *) p; }
+/* TM_LANES neighbors of a column, from neighbor l on. */
+TM_FN tm_lanes tm_values_load(const tm_pair *column, int l) { return tm_lanes_load(column + tm_at(l)); }
 TM_FN tm_lanes tm_lanes_load_any(const tm_pair *p) { return *(const tm_lanes_any *) p; } /* not aligned */
 TM_FN void tm_lanes_store(tm_pair *p, tm_lanes v) { *(tm_lanes_mem *) p = v; }
 TM_FN tm_sum tm_lanes_zero(void)

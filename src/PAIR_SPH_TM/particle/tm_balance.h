@@ -1,6 +1,6 @@
 /* SPH-TM: the balanced artificial stress, which leaves a lattice under even stress alone.
 
-   The artificial stress R f^n, f = W(r)/W(dp), pushes neighbours apart that are in tension. On the lattice, where
+   The artificial stress R f^n, f = W(r)/W(dp), pushes neighbors apart that are in tension. On the lattice, where
    nothing is wrong yet, it takes a part of the force already:
      a_i = sum m_j (P_i + P_j + (R_i + R_j) f^n).gradW,  P = sigma/rho^2,  R = -eps P+
      share = sum_j V f^n |W'|/r x^2 / sum_j V |W'|/r x^2     on the lattice of the particle's h over spacing
@@ -19,11 +19,11 @@
 /* [setup] The share on the lattice of spacing 1, h over spacing, with exponent n. */
 TM_FN tm_real tm_tensile_share(int kernel, int dim, tm_real h, int n)
 {
-  const int reach = tm_lattice_reach(kernel, h), nz = dim == 3 ? reach : 0;
+  const int cells = tm_lattice_cells(kernel, h), nz = dim == 3 ? cells : 0;
   const tm_real inv_w = 1.0 / tm_kernel_shape(kernel, 1.0 / h);
   tm_real part = 0.0, whole = 0.0;
-  for (int x = 1; x <= reach; x++)
-    for (int y = -reach; y <= reach; y++)
+  for (int x = 1; x <= cells; x++)
+    for (int y = -cells; y <= cells; y++)
       for (int z = -nz; z <= nz; z++) {
         const tm_real w = tm_lattice_weight(kernel, dim, h, x, y, z) * x * x;
         const tm_real f = tm_kernel_shape(kernel, sqrt((tm_real) (x * x + y * y + z * z)) / h) * inv_w;

@@ -1,4 +1,4 @@
-/* SPH-TM: records of neighbours into columns, see tm_lanes.h.
+/* SPH-TM: records of neighbors into columns, see tm_lanes.h.
 
    GCC 12 joins registers with a shuffle where an insertion from memory would leave the shuffle unit
    free: hence its built-ins. */
@@ -177,6 +177,25 @@ TM_FN void tm_transpose_rows(const tm_pair *rec, ptrdiff_t stride, const int *jj
 {
   for (int l = 0; l < n; l += TM_LANES)
     tm_transpose(rec, stride, jj + tm_at(l), columns, out + tm_at(l));
+}
+
+/* ---- columns of the neighbors jj, `lanes` of them: a multiple of TM_LANES, on a GPU one */
+
+/* n columns of their records, which have `columns`, from the one numbered `from` on. from and n are literals, multiples
+   of what tm_transpose() takes. */
+TM_FN void tm_fetch_records(const tm_pair *rec, int columns, int from, int n, const int *jj, int lanes, tm_pair *out)
+{
+  if (TM_COLUMN > 1) tm_transpose_rows(rec + from, columns, jj, lanes, n, out);
+  else tm_fetch(rec + tm_pair_record(jj[0], columns) + tm_pair_part(from), n, out);
+}
+
+/* All columns of plain rows, which lie one behind the other on a GPU too. */
+TM_FN void tm_fetch_rows(const tm_pair *rows, int columns, const int *jj, int lanes, tm_pair *out)
+{
+  if (TM_COLUMN == 1 || columns % TM_TOGETHER)
+    for (int l = 0; l < lanes; l++)
+      for (int c = 0; c < columns; c++) out[c * TM_COLUMN + tm_at(l)] = rows[jj[tm_at(l)] * (ptrdiff_t) columns + c];
+  else tm_transpose_rows(rows, columns, jj, lanes, columns, out);
 }
 
 #endif
