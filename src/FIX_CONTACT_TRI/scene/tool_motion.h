@@ -3,7 +3,7 @@
 #ifndef SPHTM_TOOL_MOTION_H
 #define SPHTM_TOOL_MOTION_H
 
-#include "tm_motion.h"
+#include "motion_command.h"
 
 #include <cstdio>
 #include <string>
@@ -19,8 +19,7 @@ class ToolMotion {
  public:
   explicit ToolMotion(LAMMPS_NS::LAMMPS *lmp);
 
-  // arguments after `move`; returns how many were used. Errors stop the run.
-  int parse(int narg, char **arg);
+  void set(const MotionCommand &);
   // find the variables (start of a run)
   void init();
   bool by_variable() const { return !names.empty(); }
@@ -51,7 +50,6 @@ class ToolMotion {
   int variable[6];
   tm_vec3 moved, moved_next, rate;    // by variables
 
-  void check(const char *name, const tm_motion &, bool along_z) const;
   double value(int k) const;
   tm_vec3 displacement(tm_vec3 otherwise) const;
   void evaluate_now();
