@@ -47,39 +47,39 @@ int Backend::largest(int n, const int *v)
   return most;
 }
 
-void Backend::hold_tags(int n, const tm_places_args &a)
+void Backend::hold_tags(int n, const tm_tag_map_args &a)
 {
   for (int j = 0; j < n; j++) {
-    a.other[j] = a.holder[a.tag[j]];
-    a.holder[a.tag[j]] = j + 1;
+    a.next[j] = a.first[a.tag[j]];
+    a.first[a.tag[j]] = j + 1;
   }
 }
 
-void Backend::searched(int n, const tm_real *memory, tm_real *next)
+void Backend::searched(int n, const tm_real *history, tm_real *next_ul)
 {
-  for (int i = 0; i < n; i++) next[i] = tm_is_searched(memory + (ptrdiff_t) i * TM_K);
+  for (int i = 0; i < n; i++) next_ul[i] = tm_is_ul(history + (ptrdiff_t) i * TM_TL_HISTORY);
 }
 
-int Backend::places(int n, const tm_places_args &a)
+int Backend::places(int n, const tm_tag_map_args &a)
 {
   int lost = 0;
-  for (int i = 0; i < n; i++) lost += tm_places(i, &a);
+  for (int i = 0; i < n; i++) lost += tm_tag_map_resolve(i, &a);
   return lost;
 }
 
-void Backend::reorder(int n, const tm_kept_store &from, const int *order, const tm_kept_store &to)
+void Backend::reorder(int n, const tm_tl_store &from, const int *order, const tm_tl_store &to)
 {
-  for (int i = 0; i < n; i++) tm_kept_copy(&from, order[i], &to, i);
+  for (int i = 0; i < n; i++) tm_tl_copy(&from, order[i], &to, i);
 }
 
-void Backend::kept_send(int n, const tm_kept_send_args &a)
+void Backend::kept_send(int n, const tm_tl_migration_args &a)
 {
-  for (int k = 0; k < n; k++) tm_kept_send(k, &a);
+  for (int k = 0; k < n; k++) tm_tl_send(k, &a);
 }
 
-void Backend::kept_receive(int n, const tm_kept_send_args &a)
+void Backend::kept_receive(int n, const tm_tl_migration_args &a)
 {
-  for (int k = 0; k < n; k++) tm_kept_receive(k, &a);
+  for (int k = 0; k < n; k++) tm_tl_receive(k, &a);
 }
 
 void Backend::blocks(int n, const std::function<void(int, int)> &f)
@@ -165,68 +165,76 @@ int Backend::moved(int n, const tm_moved_args &a)
   return sum_particles(*this, n, 0, [&](int i) { return tm_moved(i, &a); }, add_count);
 }
 
-int Backend::select(int n, const tm_select_args &a, int *which)
+int Backend::near_moved(int n, const tm_near_moved_args &a, int *which)
 {
   int m = 0;
   for (int i = 0; i < n; i++)
-    if (tm_selected(i, &a)) which[m++] = i;
+    if (tm_near_moved(i, &a)) which[m++] = i;
   return m;
 }
 
-int Backend::border_change(int n, const tm_border_args &a)
+int Backend::of_kind(int n, const tm_kind_args &a, int *which)
 {
-  return sum_particles(*this, n, 0, [&](int i) { return tm_border_change(i, &a); }, add_count);
+  int m = 0;
+  for (int i = 0; i < n; i++)
+    if (tm_is_of_kind(i, &a)) which[m++] = i;
+  return m;
 }
 
-void Backend::border_touch(int n, const tm_border_args &a)
+int Backend::border_change(int n, const tm_interface_args &a)
 {
-  for (int i = 0; i < n; i++) tm_border_touch(i, &a);
+  return sum_particles(*this, n, 0, [&](int i) { return tm_interface_switch(i, &a); }, add_count);
 }
 
-void Backend::border(int n, const tm_border_args &a)
+void Backend::border_touch(int n, const tm_interface_args &a)
+{
+  for (int i = 0; i < n; i++) tm_interface_mark(i, &a);
+}
+
+void Backend::border(int n, const tm_interface_args &a)
 {
   blocks(n, [&](int begin, int end) {
-    for (int i = begin; i < end; i++) tm_border(i, &a);
+    for (int i = begin; i < end; i++) tm_interface_row(i, &a);
   });
 }
 
-void Backend::kept_moments(int n, const tm_kept_moment_args &a, unsigned effects)
+void Backend::kept_moments(int n, const tm_tl_correction_args &a, unsigned effects)
 {
   const auto loop = list_loops().moments;
   blocks(n, [&](int begin, int end) { loop(begin, end, &a, effects); });
 }
 
-void Backend::kept_show(int n, const tm_kept_args &a, tm_real *shown)
+void Backend::kept_show(int n, const tm_tl_args &a, tm_real *shown)
 {
   const auto loop = list_loops().show;
   blocks(n, [&](int begin, int end) { loop(begin, end, &a, shown); });
 }
 
-void Backend::kept_rates(int n, const tm_kept_args &a, unsigned effects)
+void Backend::kept_rates(int n, const tm_tl_args &a, unsigned effects)
 {
   const auto loop = list_loops().kept[kept_loop_index(effects)];
   blocks(n, [&](int begin, int end) { loop(begin, end, &a); });
 }
 
-int Backend::settle_leaps(int n, const tm_settle_args &a)
+int Backend::settle_leaps(int n, const tm_freeze_args &a)
 {
-  return sum_particles(*this, n, 0, [&](int i) { return tm_settle_leaps(i, &a); }, add_count);
+  return sum_particles(*this, n, 0, [&](int i) { return tm_freeze_is_urgent(i, &a); }, add_count);
 }
 
-void Backend::settle_tell(int n, const tm_settle_args &a, unsigned effects)
+void Backend::settle_tell(int n, const tm_freeze_args &a, unsigned effects)
 {
   blocks(n, [&](int begin, int end) {
-    for (int i = begin; i < end; i++) tm_settle_tell(i, &a, effects);
+    for (int i = begin; i < end; i++) tm_freeze_decide(i, &a, effects);
   });
 }
 
-void Backend::settle(int n, const tm_settle_args &a, unsigned effects)
+void Backend::settle(int n, const tm_freeze_args &a, unsigned effects)
 {
   const auto loop = list_loops().settle;
   blocks(n, [&](int begin, int end) { loop(begin, end, &a, effects); });
 }
 
-int Backend::watch(int n, const tm_watch_args &a)
+int Backend::watch(int n, const tm_proximity_args &a)
 {
   const auto loop = list_loops().watch;
   return sum_blocks(n, 0, [&](int begin, int end) { return loop(begin, end, &a); }, add_count);

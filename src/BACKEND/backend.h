@@ -9,7 +9,7 @@
 #define SPHTM_BACKEND_H
 
 #include "tm_body_contact.h"
-#include "tm_border.h"
+#include "tm_candidates.h"
 #include "tm_drift.h"
 #include "tm_exchange.h"
 #include "tm_hold.h"
@@ -17,7 +17,10 @@
 #include "tm_initial.h"
 #include "tm_moment.h"
 #include "tm_neighbors.h"
-#include "tm_places.h"
+#include "tm_tag_map.h"
+#include "tm_tl_correction.h"
+#include "tm_tl_interface.h"
+#include "tm_tl_proximity.h"
 #include "tm_predict.h"
 #include "tm_rates.h"
 #include "tm_single.h"
@@ -64,26 +67,27 @@ class Backend {
   virtual int search(int n, const tm_search_args &);
   virtual int mark(const tm_cells &, const unsigned char *marks);    // counts those marked in order of cells
   virtual int moved(int n, const tm_moved_args &);
-  virtual int select(int n, const tm_select_args &, int *which);    // which are, in order; how many
+  virtual int near_moved(int n, const tm_near_moved_args &, int *which);    // which are, in order; how many
   // rows that are kept, and those at their border
-  virtual int border_change(int n, const tm_border_args &);
-  virtual void border_touch(int n, const tm_border_args &);
-  virtual void border(int n, const tm_border_args &);
-  virtual void kept_moments(int n, const tm_kept_moment_args &, unsigned effects);
-  virtual void kept_show(int n, const tm_kept_args &, tm_real *shown);
-  virtual void kept_rates(int n, const tm_kept_args &, unsigned effects);
-  virtual int settle_leaps(int n, const tm_settle_args &);    // how many
-  virtual void settle_tell(int n, const tm_settle_args &, unsigned effects);
-  virtual void settle(int n, const tm_settle_args &, unsigned effects);
-  virtual int watch(int n, const tm_watch_args &);
-  // and when particles get new places: tm_places.h
+  virtual int border_change(int n, const tm_interface_args &);
+  virtual void border_touch(int n, const tm_interface_args &);
+  virtual void border(int n, const tm_interface_args &);
+  virtual int of_kind(int n, const tm_kind_args &, int *which);    // which are, in order; how many
+  virtual void kept_moments(int n, const tm_tl_correction_args &, unsigned effects);
+  virtual void kept_show(int n, const tm_tl_args &, tm_real *shown);
+  virtual void kept_rates(int n, const tm_tl_args &, unsigned effects);
+  virtual int settle_leaps(int n, const tm_freeze_args &);    // how many
+  virtual void settle_tell(int n, const tm_freeze_args &, unsigned effects);
+  virtual void settle(int n, const tm_freeze_args &, unsigned effects);
+  virtual int watch(int n, const tm_proximity_args &);
+  // and when particles get new places: tm_tl_migration.h
   virtual int largest(int n, const int *);    // at least 0
-  virtual void hold_tags(int n, const tm_places_args &);
-  virtual void searched(int n, const tm_real *memory, tm_real *next);
-  virtual int places(int n, const tm_places_args &);    // how many entries are nowhere
-  virtual void reorder(int n, const tm_kept_store &from, const int *order, const tm_kept_store &to);
-  virtual void kept_send(int n, const tm_kept_send_args &);
-  virtual void kept_receive(int n, const tm_kept_send_args &);
+  virtual void hold_tags(int n, const tm_tag_map_args &);
+  virtual void searched(int n, const tm_real *history, tm_real *next_ul);
+  virtual int places(int n, const tm_tag_map_args &);    // how many entries are nowhere
+  virtual void reorder(int n, const tm_tl_store &from, const int *order, const tm_tl_store &to);
+  virtual void kept_send(int n, const tm_tl_migration_args &);
+  virtual void kept_receive(int n, const tm_tl_migration_args &);
 
   // one step of particles 0..n-1
   virtual void drift(int n, const tm_drift_args &, unsigned effects, int *lost);    // the first one lost, or n

@@ -1,7 +1,7 @@
 /* Rows from the cells against all pairs: two and three dimensions, one reach and one each, types, rows that are full, cells
    as wide as the largest reach and, where each has its own, narrower; how far a particle has to look;
    which rows one that has moved is near to; rows with a margin where each has its own reach, which grows. */
-#include "tm_border.h"
+#include "tm_tl_interface.h"
 #include "ut.h"
 
 #include <string.h>
@@ -150,7 +150,7 @@ static void run(int dim3, int own_reach, int types, ptrdiff_t stride, tm_real wi
   tm_moved_args m = {x[0], was_at[0], 0.4, 0.5, marks, NULL, 0, NULL};
   tm_select_args near;
   memset(&near, 0, sizeof near);
-  near.kind = TM_SELECT_NEAR;
+  near.kind = TM_SELECT_NEAR_MOVED;
   near.cells = a.cells;
   near.border.dirty = dirty;
   int some = 0;

@@ -57,7 +57,7 @@ void AdaptLists::init()
   move_to(fix.body().loops());
   if (keeps()) make_room(lmp->atom->nmax);
   put_rows(rows_of);
-  weight_unit = tm_kept_unit(set.kernel);
+  weight_unit = tm_tl_unit(set.kernel);
   fix.update_packed_size();
 }
 
@@ -67,13 +67,13 @@ void AdaptLists::move_to(Backend &loops)
   backend = &loops;
   for (auto *t : {&table, &quiet, &other}) t->move_to(*backend);
   for (auto *a : {&cells.cell, &cells.begin, &cells.index, &cells.marked, &kept, &which, &which_border, &which_near,
-                  &names, &holder, &other_holder})
+                  &names, &tag_head, &other_holder})
     a->move_to(*backend);
   for (auto &a : cells.column) a.move_to(*backend);
   for (auto &a : cells.look) a.move_to(*backend);
-  for (auto *a : {&memory, &shown, &told, &next, &correction}) a->move_to(*backend);
-  for (auto *a : {&meets, &marks, &was, &now, &dirty, &gone}) a->move_to(*backend);
-  fresh_first.move_to(*backend);
+  for (auto *a : {&history, &exported, &pull_back, &next_ul, &correction}) a->move_to(*backend);
+  for (auto *a : {&meets, &marks, &was_ul, &is_ul, &dirty, &gone}) a->move_to(*backend);
+  ul_first.move_to(*backend);
   weight.move_to(*backend);
   place.move_to(*backend);
   reaches.move_to(*backend);
@@ -247,15 +247,15 @@ double AdaptLists::entries()
 
 double AdaptLists::bytes() const
 {
-  double sum = table.bytes() + quiet.bytes() + other.bytes() + fresh_first.bytes() + weight.bytes() + place.bytes() +
+  double sum = table.bytes() + quiet.bytes() + other.bytes() + ul_first.bytes() + weight.bytes() + place.bytes() +
       reaches.bytes();
   for (const auto *a : {&cells.cell, &cells.begin, &cells.index, &cells.marked, &kept, &which, &which_border,
-                        &which_near, &names, &holder, &other_holder})
+                        &which_near, &names, &tag_head, &other_holder})
     sum += a->bytes();
   for (const auto &c : cells.column) sum += c.bytes();
   for (const auto &c : cells.look) sum += c.bytes();
-  for (const auto *a : {&memory, &shown, &told, &next, &correction}) sum += a->bytes();
-  for (const auto *a : {&meets, &marks, &was, &now, &dirty, &gone}) sum += a->bytes();
+  for (const auto *a : {&history, &exported, &pull_back, &next_ul, &correction}) sum += a->bytes();
+  for (const auto *a : {&meets, &marks, &was_ul, &is_ul, &dirty, &gone}) sum += a->bytes();
   return sum;
 }
 

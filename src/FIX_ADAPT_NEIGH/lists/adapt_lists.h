@@ -1,5 +1,5 @@
 /* SPH-TM: adaptive neighbor lists, a part of fix adapt/neigh: rows of neighbors from a cell search of its
-   own, searched again where the deformation asks for it and kept elsewhere. F14; see tm_kept.h and
+   own, searched again where the deformation asks for it and kept elsewhere. F14; see tm_tl_rates.h and
    doc/fix_adapt_neigh.rst. */
 #ifndef SPHTM_ADAPT_LISTS_H
 #define SPHTM_ADAPT_LISTS_H
@@ -89,15 +89,15 @@ class AdaptLists : public AdaptPart, public RowSource {
   // with rows that are kept
   RowTable quiet;             // kept entries, and those at the border
   LoopArray<int> kept, which, which_border, which_near;
-  LoopArray<ptrdiff_t> fresh_first;
+  LoopArray<ptrdiff_t> ul_first;
   LoopArray<short> weight;
   double weight_unit = 1.0;
   int kept_kernel = -1;       // that rows were kept with
   double kept_h = 0.0;
-  LoopArray<tm_real> memory, shown, told, next, correction;
+  LoopArray<tm_real> history, exported, pull_back, next_ul, correction;
   LoopArray<double> place, reaches;    // at the last search
-  LoopArray<unsigned char> marks, was, now, dirty;
-  LoopArray<int> holder, other_holder;    // see tm_places.h
+  LoopArray<unsigned char> marks, was_ul, is_ul, dirty;
+  LoopArray<int> tag_head, other_holder;    // see tm_tl_migration.h
   LoopArray<int> names;       // tags of what entries of kept rows mean, while particles get new places
   int n_names = 0;
   LoopArray<unsigned char> gone;    // of each name: the particle is nowhere near
@@ -116,13 +116,13 @@ class AdaptLists : public AdaptPart, public RowSource {
   std::vector<std::vector<double>> take_rows();
   void put_rows(const std::vector<std::vector<double>> &);
   void check_kernel();
-  tm_kept_rows kept_rows(bool on_host = false);
-  tm_kept_store kept_store(bool on_host = false);
-  tm_kept_args kept_args(const tm_records &);
-  tm_border_args border_args();
+  tm_tl_rows kept_rows(bool on_host = false);
+  tm_tl_store kept_store(bool on_host = false);
+  tm_tl_args kept_args(const tm_records &);
+  tm_interface_args border_args();
   bool blind() const;
   bool corrects() const;
-  bool leaps(const tm_settle_args &);
+  bool leaps(const tm_freeze_args &);
   tm_rates_args border_rates(const tm_rates_args &);
   void to_tags();
   int to_indices(bool same);

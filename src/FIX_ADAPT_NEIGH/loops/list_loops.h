@@ -2,7 +2,10 @@
 #ifndef SPHTM_LIST_LOOPS_H
 #define SPHTM_LIST_LOOPS_H
 
-#include "tm_border.h"
+#include "tm_search.h"
+#include "tm_tl_correction.h"
+#include "tm_freeze.h"
+#include "tm_tl_proximity.h"
 
 namespace SPHTM_NS {
 
@@ -20,11 +23,11 @@ constexpr int kept_loop_index(unsigned fx)
 // one table per instruction set; particles begin to end - 1
 struct ListLoops {
   int (*search)(int begin, int end, const tm_search_args *);    // the longest row
-  void (*kept[KEPT_LOOPS])(int begin, int end, const tm_kept_args *);
-  void (*show)(int begin, int end, const tm_kept_args *, tm_real *shown);
-  void (*moments)(int begin, int end, const tm_kept_moment_args *, unsigned effects);
-  void (*settle)(int begin, int end, const tm_settle_args *, unsigned effects);
-  int (*watch)(int begin, int end, const tm_watch_args *);
+  void (*kept[KEPT_LOOPS])(int begin, int end, const tm_tl_args *);
+  void (*show)(int begin, int end, const tm_tl_args *, tm_real *shown);
+  void (*moments)(int begin, int end, const tm_tl_correction_args *, unsigned effects);
+  void (*settle)(int begin, int end, const tm_freeze_args *, unsigned effects);
+  int (*watch)(int begin, int end, const tm_proximity_args *);
 };
 namespace isa_default { extern const ListLoops list_loops; }
 namespace isa_avx2 { extern const ListLoops list_loops; }

@@ -13,31 +13,31 @@ int search(int begin, int end, const tm_search_args *args)
   return longest;
 }
 
-template <unsigned EFFECTS> void kept(int begin, int end, const tm_kept_args *args)
+template <unsigned EFFECTS> void kept(int begin, int end, const tm_tl_args *args)
 {
   for (int i = begin; i < end; i++)
-    if (args->rows.kept[i]) tm_kept_rates(i, args, EFFECTS);
+    if (args->rows.tl[i]) tm_tl_rates(i, args, EFFECTS);
 }
 
-void show(int begin, int end, const tm_kept_args *args, tm_real *shown)
+void show(int begin, int end, const tm_tl_args *args, tm_real *shown)
 {
-  for (int i = begin; i < end; i++) tm_kept_show(i, args, shown);
+  for (int i = begin; i < end; i++) tm_tl_export(i, args, shown);
 }
 
-void moments(int begin, int end, const tm_kept_moment_args *args, unsigned effects)
+void moments(int begin, int end, const tm_tl_correction_args *args, unsigned effects)
 {
-  for (int i = begin; i < end; i++) tm_kept_moment(i, args, effects);
+  for (int i = begin; i < end; i++) tm_tl_correction(i, args, effects);
 }
 
-void settle(int begin, int end, const tm_settle_args *args, unsigned effects)
+void settle(int begin, int end, const tm_freeze_args *args, unsigned effects)
 {
-  for (int k = begin; k < end; k++) tm_settle(args->which ? args->which[k] : k, args, effects);
+  for (int k = begin; k < end; k++) tm_freeze(args->which ? args->which[k] : k, args, effects);
 }
 
-int watch(int begin, int end, const tm_watch_args *args)
+int watch(int begin, int end, const tm_proximity_args *args)
 {
   int sum = 0;
-  for (int i = begin; i < end; i++) sum += tm_watch(i, args);
+  for (int i = begin; i < end; i++) sum += tm_proximity_check(i, args);
   return sum;
 }
 

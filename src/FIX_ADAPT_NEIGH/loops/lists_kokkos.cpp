@@ -140,47 +140,57 @@ struct Moved {
   tm_moved_args a;
   KOKKOS_FUNCTION int operator()(int i) const { return tm_moved(i, &a); }
 };
-struct Select {
-  tm_select_args a;
+struct NearMoved {
+  tm_near_moved_args a;
   int *which;
   KOKKOS_FUNCTION void operator()(int i, int &m, bool last) const
   {
-    if (!tm_selected(i, &a)) return;
+    if (!tm_near_moved(i, &a)) return;
+    if (last) which[m] = i;
+    m++;
+  }
+};
+struct OfKind {
+  tm_kind_args a;
+  int *which;
+  KOKKOS_FUNCTION void operator()(int i, int &m, bool last) const
+  {
+    if (!tm_is_of_kind(i, &a)) return;
     if (last) which[m] = i;
     m++;
   }
 };
 struct BorderChange {
-  tm_border_args a;
-  KOKKOS_FUNCTION int operator()(int i) const { return tm_border_change(i, &a); }
+  tm_interface_args a;
+  KOKKOS_FUNCTION int operator()(int i) const { return tm_interface_switch(i, &a); }
 };
 struct BorderTouch {
-  tm_border_args a;
-  KOKKOS_FUNCTION void operator()(int i) const { tm_border_touch(i, &a); }
+  tm_interface_args a;
+  KOKKOS_FUNCTION void operator()(int i) const { tm_interface_mark(i, &a); }
 };
 struct Border {
-  tm_border_args a;
-  KOKKOS_FUNCTION void operator()(int i) const { tm_border(i, &a); }
+  tm_interface_args a;
+  KOKKOS_FUNCTION void operator()(int i) const { tm_interface_row(i, &a); }
 };
 struct KeptMoment {
-  tm_kept_moment_args a;
+  tm_tl_correction_args a;
   unsigned fx;
-  KOKKOS_FUNCTION void operator()(int i) const { tm_kept_moment(i, &a, fx); }
+  KOKKOS_FUNCTION void operator()(int i) const { tm_tl_correction(i, &a, fx); }
 };
 struct KeptShow {
-  tm_kept_args a;
+  tm_tl_args a;
   tm_real *shown;
-  KOKKOS_FUNCTION void operator()(int i) const { tm_kept_show(i, &a, shown); }
+  KOKKOS_FUNCTION void operator()(int i) const { tm_tl_export(i, &a, shown); }
 };
 template <unsigned EFFECTS> struct KeptRates {
-  tm_kept_args a;
+  tm_tl_args a;
   KOKKOS_FUNCTION void operator()(int i) const
   {
-    if (a.rows.kept[i]) tm_kept_rates(i, &a, EFFECTS);
+    if (a.rows.tl[i]) tm_tl_rates(i, &a, EFFECTS);
   }
 };
-typedef void (*device_kept_loop_t)(int, const tm_kept_args &);
-template <unsigned EFFECTS> void run_kept(int n, const tm_kept_args &a)
+typedef void (*device_kept_loop_t)(int, const tm_tl_args &);
+template <unsigned EFFECTS> void run_kept(int n, const tm_tl_args &a)
 {
   kokkos_each("sph/tm kept rates", n, KeptRates<EFFECTS>{a});
 }
@@ -191,22 +201,22 @@ device_kept_loop_t find_kept(int index, std::integer_sequence<int, INDEX...>)
   return table[index];
 }
 struct SettleLeaps {
-  tm_settle_args a;
-  KOKKOS_FUNCTION int operator()(int i) const { return tm_settle_leaps(i, &a); }
+  tm_freeze_args a;
+  KOKKOS_FUNCTION int operator()(int i) const { return tm_freeze_is_urgent(i, &a); }
 };
 struct SettleTell {
-  tm_settle_args a;
+  tm_freeze_args a;
   unsigned fx;
-  KOKKOS_FUNCTION void operator()(int i) const { tm_settle_tell(i, &a, fx); }
+  KOKKOS_FUNCTION void operator()(int i) const { tm_freeze_decide(i, &a, fx); }
 };
 struct Settle {
-  tm_settle_args a;
+  tm_freeze_args a;
   unsigned fx;
-  KOKKOS_FUNCTION void operator()(int k) const { tm_settle(a.which ? a.which[k] : k, &a, fx); }
+  KOKKOS_FUNCTION void operator()(int k) const { tm_freeze(a.which ? a.which[k] : k, &a, fx); }
 };
 struct Watch {
-  tm_watch_args a;
-  KOKKOS_FUNCTION int operator()(int i) const { return tm_watch(i, &a); }
+  tm_proximity_args a;
+  KOKKOS_FUNCTION int operator()(int i) const { return tm_proximity_check(i, &a); }
 };
 struct Int {
   const int *v;
@@ -216,30 +226,30 @@ struct Larger {
   KOKKOS_FUNCTION void operator()(int *most, const int *v) const { *most = *v > *most ? *v : *most; }
 };
 struct HoldTags {
-  tm_places_args a;
-  KOKKOS_FUNCTION void operator()(int j) const { a.other[j] = Kokkos::atomic_exchange(a.holder + a.tag[j], j + 1); }
+  tm_tag_map_args a;
+  KOKKOS_FUNCTION void operator()(int j) const { a.next[j] = Kokkos::atomic_exchange(a.first + a.tag[j], j + 1); }
 };
 struct Searched {
-  const tm_real *memory;
-  tm_real *next;
-  KOKKOS_FUNCTION void operator()(int i) const { next[i] = tm_is_searched(memory + (ptrdiff_t) i * TM_K); }
+  const tm_real *history;
+  tm_real *next_ul;
+  KOKKOS_FUNCTION void operator()(int i) const { next_ul[i] = tm_is_ul(history + (ptrdiff_t) i * TM_TL_HISTORY); }
 };
 struct Places {
-  tm_places_args a;
-  KOKKOS_FUNCTION int operator()(int i) const { return tm_places(i, &a); }
+  tm_tag_map_args a;
+  KOKKOS_FUNCTION int operator()(int i) const { return tm_tag_map_resolve(i, &a); }
 };
 struct Reorder {
-  tm_kept_store from, to;
+  tm_tl_store from, to;
   const int *order;
-  KOKKOS_FUNCTION void operator()(int i) const { tm_kept_copy(&from, order[i], &to, i); }
+  KOKKOS_FUNCTION void operator()(int i) const { tm_tl_copy(&from, order[i], &to, i); }
 };
 struct KeptSend {
-  tm_kept_send_args a;
-  KOKKOS_FUNCTION void operator()(int k) const { tm_kept_send(k, &a); }
+  tm_tl_migration_args a;
+  KOKKOS_FUNCTION void operator()(int k) const { tm_tl_send(k, &a); }
 };
 struct KeptReceive {
-  tm_kept_send_args a;
-  KOKKOS_FUNCTION void operator()(int k) const { tm_kept_receive(k, &a); }
+  tm_tl_migration_args a;
+  KOKKOS_FUNCTION void operator()(int k) const { tm_tl_receive(k, &a); }
 };
 
 }    // namespace
@@ -283,52 +293,58 @@ int KokkosLists::moved(int n, const tm_moved_args &a)
 {
   return kokkos_sum("sph/tm moved", n, 0, Moved{a}, SumInt());
 }
-int KokkosLists::select(int n, const tm_select_args &a, int *which)
+int KokkosLists::near_moved(int n, const tm_near_moved_args &a, int *which)
 {
   int m = 0;
-  Kokkos::parallel_scan("sph/tm select", Kokkos::RangePolicy<LMPDeviceType>(0, n), Select{a, which}, m);
+  Kokkos::parallel_scan("sph/tm near moved", Kokkos::RangePolicy<LMPDeviceType>(0, n), NearMoved{a, which}, m);
   return m;
 }
-int KokkosLists::border_change(int n, const tm_border_args &a)
+int KokkosLists::of_kind(int n, const tm_kind_args &a, int *which)
+{
+  int m = 0;
+  Kokkos::parallel_scan("sph/tm of kind", Kokkos::RangePolicy<LMPDeviceType>(0, n), OfKind{a, which}, m);
+  return m;
+}
+int KokkosLists::border_change(int n, const tm_interface_args &a)
 {
   return kokkos_sum("sph/tm border change", n, 0, BorderChange{a}, SumInt());
 }
-void KokkosLists::border_touch(int n, const tm_border_args &a)
+void KokkosLists::border_touch(int n, const tm_interface_args &a)
 {
   kokkos_each("sph/tm border touch", n, BorderTouch{a});
 }
-void KokkosLists::border(int n, const tm_border_args &a)
+void KokkosLists::border(int n, const tm_interface_args &a)
 {
   kokkos_each("sph/tm border", n, Border{a});
 }
 
 /* ---------------------------------------------------------------------- rows that are kept */
 
-void KokkosLists::kept_moments(int n, const tm_kept_moment_args &a, unsigned fx)
+void KokkosLists::kept_moments(int n, const tm_tl_correction_args &a, unsigned fx)
 {
   kokkos_each("sph/tm kept moments", n, KeptMoment{a, fx});
 }
-void KokkosLists::kept_show(int n, const tm_kept_args &a, tm_real *shown)
+void KokkosLists::kept_show(int n, const tm_tl_args &a, tm_real *shown)
 {
   kokkos_each("sph/tm kept show", n, KeptShow{a, shown});
 }
-void KokkosLists::kept_rates(int n, const tm_kept_args &a, unsigned fx)
+void KokkosLists::kept_rates(int n, const tm_tl_args &a, unsigned fx)
 {
   find_kept(kept_loop_index(fx), std::make_integer_sequence<int, KEPT_LOOPS>())(n, a);
 }
-int KokkosLists::settle_leaps(int n, const tm_settle_args &a)
+int KokkosLists::settle_leaps(int n, const tm_freeze_args &a)
 {
   return kokkos_sum("sph/tm settle leaps", n, 0, SettleLeaps{a}, SumInt());
 }
-void KokkosLists::settle_tell(int n, const tm_settle_args &a, unsigned fx)
+void KokkosLists::settle_tell(int n, const tm_freeze_args &a, unsigned fx)
 {
   kokkos_each("sph/tm settle tell", n, SettleTell{a, fx});
 }
-void KokkosLists::settle(int n, const tm_settle_args &a, unsigned fx)
+void KokkosLists::settle(int n, const tm_freeze_args &a, unsigned fx)
 {
   kokkos_each("sph/tm settle", n, Settle{a, fx});
 }
-int KokkosLists::watch(int n, const tm_watch_args &a)
+int KokkosLists::watch(int n, const tm_proximity_args &a)
 {
   return kokkos_sum("sph/tm watch", n, 0, Watch{a}, SumInt());
 }
@@ -339,27 +355,27 @@ int KokkosLists::largest(int n, const int *v)
 {
   return kokkos_sum("sph/tm largest", n, 0, Int{v}, Larger());
 }
-void KokkosLists::hold_tags(int n, const tm_places_args &a)
+void KokkosLists::hold_tags(int n, const tm_tag_map_args &a)
 {
   kokkos_each("sph/tm hold tags", n, HoldTags{a});
 }
-void KokkosLists::searched(int n, const tm_real *memory, tm_real *next)
+void KokkosLists::searched(int n, const tm_real *history, tm_real *next_ul)
 {
-  kokkos_each("sph/tm searched", n, Searched{memory, next});
+  kokkos_each("sph/tm searched", n, Searched{history, next_ul});
 }
-int KokkosLists::places(int n, const tm_places_args &a)
+int KokkosLists::places(int n, const tm_tag_map_args &a)
 {
   return kokkos_sum("sph/tm places", n, 0, Places{a}, SumInt());
 }
-void KokkosLists::reorder(int n, const tm_kept_store &from, const int *order, const tm_kept_store &to)
+void KokkosLists::reorder(int n, const tm_tl_store &from, const int *order, const tm_tl_store &to)
 {
   kokkos_each("sph/tm reorder", n, Reorder{from, to, order});
 }
-void KokkosLists::kept_send(int n, const tm_kept_send_args &a)
+void KokkosLists::kept_send(int n, const tm_tl_migration_args &a)
 {
   kokkos_each("sph/tm send rows", n, KeptSend{a});
 }
-void KokkosLists::kept_receive(int n, const tm_kept_send_args &a)
+void KokkosLists::kept_receive(int n, const tm_tl_migration_args &a)
 {
   kokkos_each("sph/tm receive rows", n, KeptReceive{a});
 }

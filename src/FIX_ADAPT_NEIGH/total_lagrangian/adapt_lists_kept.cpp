@@ -33,9 +33,9 @@ void AdaptLists::make_room(int n)
   table.make_room(n, room);
   quiet.make_room(n, room);
   kept.resize(quiet.particles);
-  fresh_first.resize(quiet.particles);
+  ul_first.resize(quiet.particles);
   weight.resize(quiet.slots() * TM_WEIGHTS);
-  memory.resize((size_t) quiet.particles * TM_K);
+  history.resize((size_t) quiet.particles * TM_TL_HISTORY);
 }
 
 // Rows of particles, packed, where they must go to a table of another shape; then into it
@@ -47,10 +47,10 @@ std::vector<std::vector<double>> AdaptLists::take_rows()
   std::vector<int> entry(by_tag ? n_names : all());
   std::iota(entry.begin(), entry.end(), 0);
   for (size_t i = 0; i < rows_of.size(); i++) {
-    const tm_kept_store s = kept_store(true);
-    if (s.rows.kept[i] > room) stop_on_long_row(room, s.rows.kept[i]);
-    rows_of[i].resize(tm_kept_packed(s.rows.kept[i]));
-    tm_kept_pack((int) i, &s, entry.data(), rows_of[i].data());
+    const tm_tl_store s = kept_store(true);
+    if (s.rows.tl[i] > room) stop_on_long_row(room, s.rows.tl[i]);
+    rows_of[i].resize(tm_tl_packed(s.rows.tl[i]));
+    tm_tl_pack((int) i, &s, entry.data(), rows_of[i].data());
   }
   return rows_of;
 }
@@ -59,10 +59,10 @@ void AdaptLists::put_rows(const std::vector<std::vector<double>> &rows_of)
 {
   std::vector<int> entry(room);
   for (size_t i = 0; i < rows_of.size(); i++) {
-    const tm_kept_store s = kept_store(true);
-    tm_kept_unpack((int) i, &s, rows_of[i].data(), 0, entry.data());
+    const tm_tl_store s = kept_store(true);
+    tm_tl_unpack((int) i, &s, rows_of[i].data(), 0, entry.data());
     int *row = s.rows.index + s.rows.first[i];
-    for (int e = 0; e < s.rows.kept[i]; e++) row[e * s.rows.stride] = entry[e];
+    for (int e = 0; e < s.rows.tl[i]; e++) row[e * s.rows.stride] = entry[e];
   }
 }
 
@@ -81,15 +81,15 @@ void AdaptLists::check_kernel()
 }
 
 // where the loops run, or on the host
-tm_kept_rows AdaptLists::kept_rows(bool on_host)
+tm_tl_rows AdaptLists::kept_rows(bool on_host)
 {
   const auto write = [on_host](auto &a) { return on_host ? a.host_write() : a.loop_write(); };
-  tm_kept_rows r;
+  tm_tl_rows r;
   r.index = write(quiet.index);
-  r.kept = write(kept);
-  r.fresh = write(quiet.count[0]);
+  r.tl = write(kept);
+  r.ul = write(quiet.count[0]);
   r.first = on_host ? quiet.first.host_read() : quiet.first.loop_read();
-  r.fresh_first = write(fresh_first);
+  r.ul_first = write(ul_first);
   r.stride = quiet.stride;
   r.capacity = quiet.capacity;
   r.unit = weight_unit;
@@ -105,19 +105,19 @@ bool AdaptLists::corrects() const { return fix.body().has(TM_FX_CORRECTION) && !
 
 /* ---------------------------------------------------------------------- one step */
 
-tm_kept_store AdaptLists::kept_store(bool on_host)
+tm_tl_store AdaptLists::kept_store(bool on_host)
 {
-  return {kept_rows(on_host), on_host ? memory.host_write() : memory.loop_write()};
+  return {kept_rows(on_host), on_host ? history.host_write() : history.loop_write()};
 }
 
-tm_kept_args AdaptLists::kept_args(const tm_records &rec)
+tm_tl_args AdaptLists::kept_args(const tm_records &rec)
 {
   const tm_rates_args &rates = fix.pair().rate_args();
-  tm_kept_args a = {};
+  tm_tl_args a = {};
   a.rows = kept_rows();
   a.rec = rec;
-  a.shown = shown.loop_write();
-  a.memory = memory.loop_write();
+  a.exported = exported.loop_write();
+  a.history = history.loop_write();
   a.dt = stepping ? fix.body().step_dt() : 0.0;
   a.h = rates.h;
   a.slope_norm = rates.slope_norm;
@@ -126,14 +126,14 @@ tm_kept_args AdaptLists::kept_args(const tm_records &rec)
   return a;
 }
 
-tm_border_args AdaptLists::border_args()
+tm_interface_args AdaptLists::border_args()
 {
-  tm_border_args a = {};
+  tm_interface_args a = {};
   a.rows = kept_rows();
-  a.near = table.loop_rows();
-  a.next = next.loop_read();
-  a.was = was.loop_write();
-  a.now = now.loop_write();
+  a.candidates = table.loop_rows();
+  a.next_ul = next_ul.loop_read();
+  a.was_ul = was_ul.loop_write();
+  a.is_ul = is_ul.loop_write();
   a.dirty = dirty.loop_write();
   a.own = own();
   a.ghosts = all() - own();
@@ -144,18 +144,18 @@ void AdaptLists::show(const tm_records &rec)
 {
   if (!keeps()) return;
   check_effects();
-  shown.make_room(true, (size_t) all() * TM_KEPT + TM_KEPT);
-  const tm_kept_args a = kept_args(rec);
-  backend->kept_show(own(), a, shown.loop_write());
-  fix.pair().forward(shown, TM_KEPT);
+  exported.make_room(true, (size_t) all() * TM_TL_EXPORT + TM_TL_EXPORT);
+  const tm_tl_args a = kept_args(rec);
+  backend->kept_show(own(), a, exported.loop_write());
+  fix.pair().forward(exported, TM_TL_EXPORT);
 }
 
 // the ghosts have new places: who is searched
 void AdaptLists::tell_searched()
 {
-  next.make_room(true, all() + 1);
-  backend->searched(own(), memory.loop_read(), next.loop_write());
-  fix.pair().forward(next, 1);
+  next_ul.make_room(true, all() + 1);
+  backend->searched(own(), history.loop_read(), next_ul.loop_write());
+  fix.pair().forward(next_ul, 1);
 }
 
 void AdaptLists::search_again(bool renumbered)
@@ -164,7 +164,7 @@ void AdaptLists::search_again(bool renumbered)
     make_room(fix.host()->atom->nmax);
     const bool same = same_places();
     const int lost = to_indices(same);
-    const int mine[2] = {!same || (int) now.size() < all(), lost > 0};
+    const int mine[2] = {!same || (int) is_ul.size() < all(), lost > 0};
     int any[2];    // all ranks tell and drop, or none
     MPI_Allreduce(mine, any, 2, MPI_INT, MPI_MAX, fix.host()->world);
     if (any[1]) drop_gone(lost);
@@ -172,27 +172,23 @@ void AdaptLists::search_again(bool renumbered)
       rows_good = false;
       dirty.make_room(true, all() + 1);
       for (auto *a : {&which, &which_border}) a->make_room(true, own() + 1);
-      for (auto *a : {&was, &now}) a->make_room(true, all() + 1);
-      told.make_room(true, (size_t) all() * TM_TOLD + TM_TOLD);
+      for (auto *a : {&was_ul, &is_ul}) a->make_room(true, all() + 1);
+      pull_back.make_room(true, (size_t) all() * TM_FREEZE_EXPORT + TM_FREEZE_EXPORT);
       tell_searched();
       backend->border_change(all(), border_args());
       any_dirty = true;
     }
   }
-  tm_select_args s = {};
-  if (any_dirty) {
-    s.border = border_args();
-    s.kind = TM_SELECT_SEARCHED;
-    active = backend->select(own(), s, which.loop_write());
+  if (any_dirty) active = backend->of_kind(own(), {border_args(), 1}, which.loop_write());
+  {
   }
   if (active || !blind()) search_moved(!rows_good);
   else backend->zero(table.count[0].loop_write(), own() * sizeof(int));
   if (stepping && std::isfinite(approach) && time_now >= next_watch) watch();
   if (!any_dirty) return;
-  s.border = border_args();
-  backend->border(own(), s.border);
-  s.kind = TM_SELECT_BORDER;
-  at_border = backend->select(own(), s, which_border.loop_write());
+  const tm_interface_args border = border_args();
+  backend->border(own(), border);
+  at_border = backend->of_kind(own(), {border, 0}, which_border.loop_write());
   any_dirty = false;
 }
 
@@ -205,12 +201,12 @@ void AdaptLists::search_moved(bool all_of_them)
   tm_moved_args m = {};
   m.x = fix.body().state().x;
   m.place = place.loop_write();
-  m.margin = margin;
+  m.skin = margin;
   m.part = 0.5;
   if (own_reach()) {
     reaches.make_room(true, all() + 1);
     m.size = fix.pair().rate_args().rec.size;
-    m.margin = margin / reach;
+    m.skin = margin / reach;
     m.support = tm_kernel_support(fix.pair().settings_in_use().kernel) * spare();
     m.reach = reaches.loop_write();
   }
@@ -221,16 +217,12 @@ void AdaptLists::search_moved(bool all_of_them)
   backend->moved(all(), m);
   make_grid(reach + margin, m.place, m.reach);
   sort_into_cells(m.place);
-  tm_select_args s = {};
-  s.border = border_args();
   int n = own();
   if (!all_of_them) {
     backend->mark(cells.grid, m.marks);
-    s.kind = TM_SELECT_NEAR;
-    s.cells = cells.grid;
-    n = backend->select(own(), s, which_near.loop_write());
+    n = backend->near_moved(own(), {cells.grid, dirty.loop_write()}, which_near.loop_write());
   } else
-    backend->fill(s.border.dirty, 1, own());
+    backend->fill(dirty.loop_write(), 1, own());
   search(table, TM_MEETS_MECHANICAL, reach + margin, n, all_of_them ? nullptr : which_near.loop_read());
   any_dirty = rows_good = true;
 }
@@ -240,12 +232,12 @@ void AdaptLists::search_moved(bool all_of_them)
 void AdaptLists::watch()
 {
   LAMMPS *lmp = fix.host();
-  tm_watch_args w = {};
+  tm_proximity_args w = {};
   w.rows = kept_rows();
-  w.near_rows = table.loop_rows();
+  w.candidates = table.loop_rows();
   w.rec = fix.pair().rate_args().rec;
-  w.memory = memory.loop_write();
-  w.now = now.loop_read();
+  w.history = history.loop_write();
+  w.is_ul = is_ul.loop_read();
   w.h = fix.pair().settings_in_use().h;
   w.support = tm_kernel_support(fix.pair().settings_in_use().kernel);
   w.near = w.support * (1.0 - approach);
@@ -285,7 +277,7 @@ tm_rates_args AdaptLists::border_rates(const tm_rates_args &rates)
 {
   tm_rates_args border = rates;
   border.rows = quiet.loop_rows();
-  border.rows.first = fresh_first.loop_read();
+  border.rows.first = ul_first.loop_read();
   border.which = which_border.loop_read();
   return border;
 }
@@ -294,11 +286,11 @@ void AdaptLists::kept_moments(const tm_rates_args &rates, unsigned effects)
 {
   if (!keeps() || !corrects()) return;
   correction.make_room(true, (size_t) own() * 9 + 9);
-  tm_kept_moment_args a = {};
-  a.fresh = border_rates(rates);
-  a.kept = kept.loop_read();
-  a.now = now.loop_read();
-  a.memory = memory.loop_read();
+  tm_tl_correction_args a = {};
+  a.ul = border_rates(rates);
+  a.tl = kept.loop_read();
+  a.is_ul = is_ul.loop_read();
+  a.history = history.loop_read();
   a.correction = correction.loop_write();
   backend->kept_moments(own(), a, effects);
 }
@@ -308,7 +300,7 @@ void AdaptLists::kept_rates(const tm_rates_args &rates, unsigned effects)
 {
   if (!keeps()) return;
   backend->rates(at_border, border_rates(rates), effects);
-  tm_kept_args a = kept_args(rates.rec);
+  tm_tl_args a = kept_args(rates.rec);
   a.force = rates.force;
   a.force_begins = rates.force_begins;
   a.gradient = rates.gradient;
@@ -318,7 +310,7 @@ void AdaptLists::kept_rates(const tm_rates_args &rates, unsigned effects)
 }
 
 // on any rank
-bool AdaptLists::leaps(const tm_settle_args &a)
+bool AdaptLists::leaps(const tm_freeze_args &a)
 {
   if (!fix.body().has(TM_FX_PLASTICITY) || std::isinf(threshold)) return false;
   const int mine = backend->settle_leaps(own(), a);
@@ -333,19 +325,19 @@ void AdaptLists::end_of_step()
   if (!keeps()) return;
   PairSPHTM &pair = fix.pair();
   const tm_rates_args &rates = pair.rate_args();
-  tm_settle_args a = {};
+  tm_freeze_args a = {};
   a.rows = kept_rows();
-  a.near = table.loop_rows();
+  a.candidates = table.loop_rows();
   a.rec = rates.rec;
   a.state = fix.body().state();
   a.gradient = rates.gradient;
-  a.memory = memory.loop_write();
-  a.told = told.loop_write();
-  a.next = next.loop_write();
-  a.settles = first_search || fix.host()->update->ntimestep % SETTLE_EVERY == 0;
+  a.history = history.loop_write();
+  a.pull_back = pull_back.loop_write();
+  a.next_ul = next_ul.loop_write();
+  a.freezes = first_search || fix.host()->update->ntimestep % SETTLE_EVERY == 0;
   a.measures = fix.host()->update->ntimestep % MEASURE_EVERY == 0;
   a.corrected = fix.body().has(TM_FX_CORRECTION) && !corrects();
-  a.for_ever = blind();
+  a.permanent = blind();
   a.threshold = threshold;
   a.strain = strain;
   a.dt = fix.body().step_dt();
@@ -358,8 +350,8 @@ void AdaptLists::end_of_step()
   sum_searched += active;
   last_searched = active;
   time_now += a.dt;
-  a.was = a.now = now.loop_read();
-  if (!a.settles && !came_near && fix.host()->update->ntimestep % LOOK_EVERY != 0 && !leaps(a)) {
+  a.was_ul = a.is_ul = is_ul.loop_read();
+  if (!a.freezes && !came_near && fix.host()->update->ntimestep % LOOK_EVERY != 0 && !leaps(a)) {
     // as it was; the first time all are told
     a.dirty = nullptr;
     if (!looked) {
@@ -374,17 +366,17 @@ void AdaptLists::end_of_step()
   first_search = came_near = false;
   looked = true;
   backend->settle_tell(own(), a, fx);
-  pair.forward(next, 1);
-  if (a.settles) {
-    pair.forward(told, TM_TOLD);
-    a.told = told.loop_write();
+  pair.forward(next_ul, 1);
+  if (a.freezes) {
+    pair.forward(pull_back, TM_FREEZE_EXPORT);
+    a.pull_back = pull_back.loop_write();
   }
-  const tm_border_args border = border_args();
+  const tm_interface_args border = border_args();
   any_dirty = backend->border_change(all(), border) > 0;
   backend->fill(border.dirty, 0, own());
   if (any_dirty) backend->border_touch(own(), border);
-  a.was = border.was;
-  a.now = border.now;
+  a.was_ul = border.was_ul;
+  a.is_ul = border.is_ul;
   a.dirty = border.dirty;
   backend->settle(own(), a, fx);
 }

@@ -56,20 +56,20 @@ int AdaptLists::to_indices(bool same)
   const bool was_by_tag = by_tag;
   by_tag = false;
   if (!keeps() || !was_by_tag || same) return 0;
-  tm_places_args a = {};
+  tm_tag_map_args a = {};
   a.store = kept_store();
-  a.name = names.loop_read();
+  a.entry_tag = names.loop_read();
   a.tag = fix.pair().loop_tags();
   a.x = fix.body().state().x;
-  a.most = backend->largest(all(), a.tag);
-  holder.make_room(true, (size_t) a.most + 1);
+  a.largest = backend->largest(all(), a.tag);
+  tag_head.make_room(true, (size_t) a.largest + 1);
   other_holder.make_room(true, (size_t) all() + 1);
-  a.holder = holder.loop_write();
-  a.other = other_holder.loop_write();
-  backend->zero(a.holder, ((size_t) a.most + 1) * sizeof(int));
+  a.first = tag_head.loop_write();
+  a.next = other_holder.loop_write();
+  backend->zero(a.first, ((size_t) a.largest + 1) * sizeof(int));
   backend->hold_tags(all(), a);
-  a.forgets = std::isfinite(approach);    // deleted, or far away: not a neighbor any more
-  gone.make_room(!a.forgets, n_names + 1);
+  a.back_to_ul = std::isfinite(approach);    // deleted, or far away: not a neighbor any more
+  gone.make_room(!a.back_to_ul, n_names + 1);
   a.gone = gone.loop_write();
   if (a.gone) backend->fill(a.gone, 0, n_names);
   const tm_rates_args &rates = fix.pair().rate_args();
@@ -78,7 +78,7 @@ int AdaptLists::to_indices(bool same)
   a.corrected = fix.body().has(TM_FX_CORRECTION) && !corrects();
   a.dim3 = fix.host()->domain->dimension == 3;
   const int lost = backend->places(own(), a);
-  return a.forgets ? 0 : lost;
+  return a.back_to_ul ? 0 : lost;
 }
 
 // All ranks together: pairs of which this rank found so many without their other end are dropped, where that particle
@@ -140,58 +140,58 @@ void AdaptLists::grow(int nmax)
 void AdaptLists::copy(int from, int to)
 {
   if (!keeps() || quiet.capacity == 0) return;
-  const tm_kept_store s = kept_store(true);
-  tm_kept_copy(&s, from, &s, to);
+  const tm_tl_store s = kept_store(true);
+  tm_tl_copy(&s, from, &s, to);
 }
 
 void AdaptLists::set_new(int i)
 {
   if (!keeps() || quiet.capacity == 0) return;
   kept.host_write()[i] = 0;
-  std::fill_n(memory.host_write() + (size_t) i * TM_K, (int) TM_K, 0.0);
+  std::fill_n(history.host_write() + (size_t) i * TM_TL_HISTORY, (int) TM_TL_HISTORY, 0.0);
 }
 
-int AdaptLists::most_packed() const { return keeps() ? tm_kept_packed(room ? room : quiet.capacity) : 0; }
+int AdaptLists::most_packed() const { return keeps() ? tm_tl_packed(room ? room : quiet.capacity) : 0; }
 
 int AdaptLists::pack(int i, double *buf)
 {
   if (!keeps() || quiet.capacity == 0) return 0;
-  const tm_kept_store s = kept_store(true);
-  return tm_kept_pack(i, &s, by_tag ? names.host_read() : fix.host()->atom->tag, buf);
+  const tm_tl_store s = kept_store(true);
+  return tm_tl_pack(i, &s, by_tag ? names.host_read() : fix.host()->atom->tag, buf);
 }
 
 int AdaptLists::unpack(int i, const double *buf)
 {
   if (!keeps() || quiet.capacity == 0) return 0;
-  const tm_kept_store s = kept_store(true);
+  const tm_tl_store s = kept_store(true);
   const int first = room_for_names((int) buf[0]);
-  return tm_kept_unpack(i, &s, buf, first, names.host_write());
+  return tm_tl_unpack(i, &s, buf, first, names.host_write());
 }
 
-// the row of tm_kept_pack()
+// the row of tm_tl_pack()
 int AdaptLists::look(const double *row, int n, std::string &why) const
 {
   if (!keeps() || quiet.capacity == 0) return 0;
   const int most = quiet.capacity;
-  if (n < tm_kept_packed(0) || !is_whole(row[0], 0, most) || n < tm_kept_packed((int) row[0])) {
+  if (n < tm_tl_packed(0) || !is_whole(row[0], 0, most) || n < tm_tl_packed((int) row[0])) {
     why = fmt::format("a kept row of {} entries in {} values, 0 to {} entries expected", n ? row[0] : 0.0, n, most);
     return -1;
   }
-  const double *value = row + 1, *end = row + tm_kept_packed((int) row[0]);
-  for (int c = 0; c < TM_K; c++, value++)
+  const double *value = row + 1, *end = row + tm_tl_packed((int) row[0]);
+  for (int c = 0; c < TM_TL_HISTORY; c++, value++)
     if (!std::isfinite(*value)) why = fmt::format("{} in the memory of its kept row", *value);
   for (; why.empty() && value < end; value += 1 + TM_WEIGHTS) {
     if (!is_whole(*value, 1, MAXSMALLINT)) why = fmt::format("a neighbor {} in its kept row", *value);
     for (int c = 1; c <= TM_WEIGHTS; c++)
       if (!is_whole(value[c], -32768, 32767)) why = fmt::format("a weight {} in its kept row", value[c]);
   }
-  return why.empty() ? tm_kept_packed((int) row[0]) : -1;
+  return why.empty() ? tm_tl_packed((int) row[0]) : -1;
 }
 
 void AdaptLists::reorder(int n, const int *order)
 {
   if (!keeps() || quiet.capacity == 0) return;
-  const tm_kept_store to = kept_store();
+  const tm_tl_store to = kept_store();
   LoopArray<int> index(*backend), lengths(*backend);
   LoopArray<short> weights(*backend);
   LoopArray<tm_real> memories(*backend);
@@ -200,11 +200,11 @@ void AdaptLists::reorder(int n, const int *order)
     backend->copy(copy.loop_write(), of.loop_read(), of.bytes());
     return copy.loop_write();
   };
-  tm_kept_store from = to;
+  tm_tl_store from = to;
   from.rows.index = copied(index, quiet.index);
-  from.rows.kept = copied(lengths, kept);
+  from.rows.tl = copied(lengths, kept);
   from.rows.weight = copied(weights, weight);
-  from.memory = copied(memories, memory);
+  from.history = copied(memories, history);
   backend->reorder(n, from, order, to);
   backend->wait();
 }
@@ -227,8 +227,8 @@ void AdaptLists::changed(bool moved, bool renamed)
 {
   if (!keeps() || quiet.capacity == 0) return;
   backend->zero(kept.loop_write(), kept.bytes());
-  backend->zero(memory.loop_write(), memory.bytes());
-  for (auto *a : {&was, &now}) a->clear();    // all ranks tell who is searched
+  backend->zero(history.loop_write(), history.bytes());
+  for (auto *a : {&was_ul, &is_ul}) a->clear();    // all ranks tell who is searched
   first_search = true;
   time_now = time_watched = next_watch = 0.0;
   LAMMPS *lmp = fix.host();
@@ -272,7 +272,7 @@ bool AdaptLists::restore(const double *value, size_t n)
 void *AdaptLists::extract(const char *what)
 {
   if (strcmp(what, RowSource::NAME) == 0) return static_cast<RowSource *>(this);
-  if (strcmp(what, "memory of lists") == 0) return keeps() ? (void *) memory.loop_read() : nullptr;
+  if (strcmp(what, "memory of lists") == 0) return keeps() ? (void *) history.loop_read() : nullptr;
   return nullptr;
 }
 

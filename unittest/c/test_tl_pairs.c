@@ -1,7 +1,7 @@
 /* Rows that are kept: a block that turns and stretches. Exact gradients of linear velocities where corrected,
    objective ones where not; forces without resultant, work conjugate to the strain rates; one end searched; one end gone. */
-#include "tm_border.h"
-#include "tm_places.h"
+#include "tm_tl_interface.h"
+#include "tm_tl_migration.h"
 #include "ut.h"
 
 #include <stdlib.h>
@@ -14,16 +14,16 @@ enum { SIDE = 6, MOST = SIDE * SIDE * SIDE, ROOM = 128 };
 static int N, in_3d;
 static double X[MOST][3], x[MOST][3], force[MOST][3];
 static tm_real main_rec[MOST * TM_REC], stress_rec[MOST * TM_REC_STRESS], heat_rec[MOST * TM_REC_HEAT];
-static tm_real shown[MOST * TM_KEPT], told[MOST * TM_TOLD], memory[(MOST + 1) * TM_K];
-static tm_real gradient[MOST * 9], heat[MOST], artificial[MOST], next[MOST];
+static tm_real exported[MOST * TM_TL_EXPORT], pull_back[MOST * TM_FREEZE_EXPORT], history[(MOST + 1) * TM_TL_HISTORY];
+static tm_real gradient[MOST * 9], heat[MOST], artificial[MOST], next_ul[MOST];
 static int row[MOST * ROOM], kept[MOST + 1], fresh[MOST], near[MOST * ROOM], near_count[MOST];
-static unsigned char was[MOST], now[MOST], dirty[MOST];
-static ptrdiff_t first[MOST], fresh_first[MOST];
+static unsigned char was_ul[MOST], is_ul[MOST], dirty[MOST];
+static ptrdiff_t first[MOST], ul_first[MOST];
 static short *weight;
 
-static tm_kept_rows rows(void)
+static tm_tl_rows rows(void)
 {
-  tm_kept_rows r = {row, kept, fresh, first, fresh_first, 1, ROOM, tm_kept_unit(TM_KERNEL_HYPERBOLIC), weight};
+  tm_tl_rows r = {row, kept, fresh, first, ul_first, 1, ROOM, tm_tl_unit(TM_KERNEL_HYPERBOLIC), weight};
   return r;
 }
 
@@ -54,34 +54,34 @@ static void search(int i)
   }
 }
 
-static tm_rows near_rows(void)
+static tm_rows candidates(void)
 {
   tm_rows r = {near, first, near_count, NULL, NULL, 1};
   return r;
 }
 
-static tm_border_args border_args(void)
+static tm_interface_args border_args(void)
 {
-  tm_border_args a = {rows(), near_rows(), next, was, now, dirty, 0, 0};
+  tm_interface_args a = {rows(), candidates(), next_ul, was_ul, is_ul, dirty, 0, 0};
   a.own = N;
   return a;
 }
 
-static tm_settle_args settle_args(int corrected)
+static tm_freeze_args settle_args(int corrected)
 {
-  tm_settle_args a;
+  tm_freeze_args a;
   memset(&a, 0, sizeof a);
   a.rows = rows();
   a.rec.main = main_rec;
   a.gradient = gradient;
-  a.near = near_rows();
-  a.memory = memory;
-  a.told = told;
-  a.next = next;
-  a.was = was;
-  a.now = now;
+  a.near = candidates();
+  a.history = history;
+  a.pull_back = pull_back;
+  a.next_ul = next_ul;
+  a.was_ul = was_ul;
+  a.is_ul = is_ul;
   a.dirty = dirty;
-  a.settles = a.measures = 1;
+  a.freezes = a.measures = 1;
   a.corrected = corrected;
   a.threshold = a.strain = INFINITY;
   a.h = H;
@@ -91,27 +91,27 @@ static tm_settle_args settle_args(int corrected)
   return a;
 }
 
-static void settle(const tm_settle_args *a, unsigned fx)
+static void settle(const tm_freeze_args *a, unsigned fx)
 {
-  const tm_border_args b = border_args();
-  for (int i = 0; i < N; i++) tm_settle_tell(i, a, fx);
-  for (int i = 0; i < N; i++) tm_border_change(i, &b);
+  const tm_interface_args b = border_args();
+  for (int i = 0; i < N; i++) tm_freeze_decide(i, a, fx);
+  for (int i = 0; i < N; i++) tm_interface_switch(i, &b);
   memset(dirty, 0, sizeof dirty);
-  for (int i = 0; i < N; i++) tm_border_touch(i, &b);
-  for (int i = 0; i < N; i++) tm_settle(i, a, fx);
-  for (int i = 0; i < N; i++) tm_border(i, &b);
+  for (int i = 0; i < N; i++) tm_interface_mark(i, &b);
+  for (int i = 0; i < N; i++) tm_freeze(i, a, fx);
+  for (int i = 0; i < N; i++) tm_interface_row(i, &b);
 }
 
 static void rates(unsigned fx)
 {
-  tm_kept_args a;
+  tm_tl_args a;
   memset(&a, 0, sizeof a);
   a.rows = rows();
   a.rec.main = main_rec;
   a.rec.stress = stress_rec;
   a.rec.heat = heat_rec;
-  a.shown = shown;
-  a.memory = memory;
+  a.exported = exported;
+  a.history = history;
   a.h = H;
   a.slope_norm = settle_args(0).slope_norm;
   a.force_unit = 1.0;
@@ -120,8 +120,8 @@ static void rates(unsigned fx)
   a.heat = heat;
   a.artificial = artificial;
   memset(force, 0, sizeof force);
-  for (int i = 0; i < N; i++) tm_kept_show(i, &a, shown);
-  for (int i = 0; i < N; i++) tm_kept_rates(i, &a, fx);
+  for (int i = 0; i < N; i++) tm_tl_export(i, &a, exported);
+  for (int i = 0; i < N; i++) tm_tl_rates(i, &a, fx);
 }
 
 static void check_conservation(unsigned fx, double scale)
@@ -172,8 +172,8 @@ static void start(void)
         heat_rec[N * TM_REC_HEAT + 1] = 100;
         first[N] = (ptrdiff_t) N * ROOM;
         kept[N] = fresh[N] = 0;
-        now[N] = 1;
-        for (int k = 0; k < TM_K; k++) memory[N * TM_K + k] = 0.0;
+        is_ul[N] = 1;
+        for (int k = 0; k < TM_TL_HISTORY; k++) history[N * TM_TL_HISTORY + k] = 0.0;
       }
 }
 
@@ -192,7 +192,7 @@ static void check_gradient(int i, tm_mat3 want, double within)
 }
 
 /* turned and stretched; B follows from the positions, by way of one step */
-static void turned(tm_settle_args *a, int corrected, unsigned fx)
+static void turned(tm_freeze_args *a, int corrected, unsigned fx)
 {
   static tm_real before[MOST * 9];
   memcpy(before, gradient, sizeof before);
@@ -204,8 +204,8 @@ static void turned(tm_settle_args *a, int corrected, unsigned fx)
     A = tm_mat_mul(A, U);
   }
   const tm_mat3 L = velocity_gradient(), R = turn(1.1);
-  const tm_mat3 now = corrected ? L : tm_mat_mul(tm_mat_mul(R, L), tm_mat_transposed(R));
-  place(A, now);
+  const tm_mat3 is_ul = corrected ? L : tm_mat_mul(tm_mat_mul(R, L), tm_mat_transposed(R));
+  place(A, is_ul);
   rates(fx);
   a->dt = 0.0;
   settle(a, fx);
@@ -219,17 +219,17 @@ static void turned(tm_settle_args *a, int corrected, unsigned fx)
 }
 
 /* one is searched: its pairs are as new, all others stay */
-static void one_searched(tm_settle_args *a, unsigned fx)
+static void one_searched(tm_freeze_args *a, unsigned fx)
 {
   for (int i = 0; i < N; i++) search(i);
-  memory[(N / 2) * TM_K + TM_K_NEAR] = 1.0;
+  history[(N / 2) * TM_TL_HISTORY + TM_TL_PROXIMITY] = 1.0;
   settle(a, fx);
   UT_TRUE(kept[N / 2] == 0);
-  memory[(N / 2) * TM_K + TM_K_NEAR] = 0.0;
+  history[(N / 2) * TM_TL_HISTORY + TM_TL_PROXIMITY] = 0.0;
   int border = 0;
   for (int i = 0; i < N; i++) {
     for (int e = 0; e < kept[i]; e++) UT_TRUE(row[first[i] + e] != N / 2);
-    UT_TRUE(fresh[i] <= 1 && (!fresh[i] || row[fresh_first[i]] == N / 2));
+    UT_TRUE(fresh[i] <= 1 && (!fresh[i] || row[ul_first[i]] == N / 2));
     border += fresh[i];
   }
   UT_TRUE(border == near_count[N / 2]);
@@ -240,7 +240,7 @@ static void one_searched(tm_settle_args *a, unsigned fx)
   check_conservation(fx, 0.0);
   for (int i = 0; i < N; i++) {
     UT_TRUE(fresh[i] == 0);
-    UT_TRUE(memory[i * TM_K + TM_K_SEARCHES] == 1.0 + (i == N / 2));
+    UT_TRUE(history[i * TM_TL_HISTORY + TM_TL_UL_STEPS] == 1.0 + (i == N / 2));
   }
 }
 
@@ -252,7 +252,7 @@ static void both_ends_agree(int i)
     int back = 0;
     while (back < kept[j] && row[first[j] + back] != i) back++;
     UT_TRUE(back < kept[j]);
-    const tm_kept_rows r = rows();
+    const tm_tl_rows r = rows();
     const short *w = tm_weight(&r, i), *v = tm_weight(&r, j);
     for (int c = 0; c < 3; c++) {
       UT_TRUE(w[tm_weight_place(&r, TM_W_OWN + c, e)] == -v[tm_weight_place(&r, TM_W_OTHER + c, back)]);
@@ -265,19 +265,19 @@ static void both_ends_agree(int i)
 }
 
 /* The last particle is gone: pairs with it go, B of the others stays and goes on to turn with them. */
-static void one_gone(tm_settle_args *a, int corrected, unsigned fx)
+static void one_gone(tm_freeze_args *a, int corrected, unsigned fx)
 {
-  static int name[MOST], holder[MOST + 1], other[MOST];
+  static int name[MOST], tag_head[MOST + 1], other[MOST];
   static unsigned char gone[MOST];
   static tm_real before[MOST * 9];
-  tm_places_args p;
+  tm_tag_map_args p;
   memset(&p, 0, sizeof p);
   p.store.rows = rows();
-  p.store.memory = memory;
+  p.store.history = history;
   p.name = p.tag = name;
   p.x = x[0];
   p.most = N;
-  p.holder = holder;
+  p.tag_head = tag_head;
   p.other = other;
   p.gone = gone;
   p.rec.main = main_rec;
@@ -287,18 +287,18 @@ static void one_gone(tm_settle_args *a, int corrected, unsigned fx)
   memset(gone, 0, sizeof gone);
   for (int i = 0; i < N; i++) {
     name[i] = i + 1;
-    holder[i + 1] = i < N - 1 ? i + 1 : 0;
-    for (int k = 0; k < 9; k++) before[9 * i + k] = memory[i * TM_K + TM_K_B + k];
+    tag_head[i + 1] = i < N - 1 ? i + 1 : 0;
+    for (int k = 0; k < 9; k++) before[9 * i + k] = history[i * TM_TL_HISTORY + TM_TL_B + k];
   }
   int pairs = 0;
   N--;
   for (int i = 0; i < N; i++) {
-    const int all = kept[i], lost = tm_places(i, &p);
+    const int all = kept[i], lost = tm_tag_map_resolve(i, &p);
     pairs += lost;
     UT_TRUE(kept[i] == all - lost && lost <= 1);
-    for (int e = 0; e < tm_kept_places(kept[i]); e++) UT_TRUE(row[first[i] + e] < N);
+    for (int e = 0; e < tm_tl_padded(kept[i]); e++) UT_TRUE(row[first[i] + e] < N);
     for (int k = 0; k < 9 && !corrected; k++)
-      UT_WITHIN(memory[i * TM_K + TM_K_B + k] * 2700, before[9 * i + k] * 2700, 1e-12);
+      UT_WITHIN(history[i * TM_TL_HISTORY + TM_TL_B + k] * 2700, before[9 * i + k] * 2700, 1e-12);
   }
   UT_TRUE(pairs == kept[N] && pairs > 5);
   for (int i = 0; i < N; i++) UT_TRUE(!gone[i]);
@@ -328,7 +328,7 @@ static void run(int corrected, unsigned fx)
   place(tm_mat_identity(), L);
   for (int i = 0; i < N; i++) search(i);
   memset(gradient, 0, sizeof gradient);
-  tm_settle_args a = settle_args(corrected);
+  tm_freeze_args a = settle_args(corrected);
   settle(&a, fx);
   /* as it lies: reference */
   rates(fx);
@@ -347,7 +347,7 @@ static void weights(void)
   for (int kernel = 0; kernel < TM_KERNEL_COUNT; kernel++) {
     double steepest = 0.0;
     for (double q = 0.0; q < 3.0; q += 0.0007) steepest = fmax(steepest, fabs(tm_kernel_slope(kernel, q)));
-    UT_WITHIN(tm_kept_unit(kernel) * 32767.0 / (TM_KEPT_MOST * steepest), 1.0, 1e-4);
+    UT_WITHIN(tm_tl_unit(kernel) * 32767.0 / (TM_TL_SLOPE_RANGE * steepest), 1.0, 1e-4);
   }
   for (int k = 0; k < 1000; k++) {
     const double v = ut_random(-32767.0, 32767.0), u = ut_random(-1, 1) * pow(10.0, ut_random(-6, 6));
@@ -371,7 +371,7 @@ static void too_large(unsigned fx)
     const tm_mat3 still = tm_mat_scale(0.0, tm_mat_identity());
     place(tm_mat_identity(), still);
     for (int i = 0; i < N; i++) search(i);
-    tm_settle_args a = settle_args(0);
+    tm_freeze_args a = settle_args(0);
     settle(&a, fx);
     tm_mat3 U = tm_mat_identity();
     U.xx = large ? 2.01 : 1.99;    /* the density stays: E = F^T */
@@ -380,7 +380,7 @@ static void too_large(unsigned fx)
     settle(&a, fx);                       /* B follows */
     rates(fx);
     settle(&a, fx);
-    for (int i = 0; i < N; i++) UT_TRUE(now[i] == large);
+    for (int i = 0; i < N; i++) UT_TRUE(is_ul[i] == large);
   }
 }
 
