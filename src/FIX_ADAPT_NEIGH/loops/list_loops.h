@@ -1,4 +1,4 @@
-/* SPH-TM: the loops of fix adapt/neigh over rows, compiled once per instruction set like those of rate_loops.h. */
+/* SPH-TM: the loops of fix adapt/neigh over rows, compiled once per instruction set. */
 #ifndef SPHTM_LIST_LOOPS_H
 #define SPHTM_LIST_LOOPS_H
 

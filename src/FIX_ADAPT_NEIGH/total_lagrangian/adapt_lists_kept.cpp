@@ -4,6 +4,7 @@
 
 #include "fix_adapt_neigh.h"
 #include "fix_sph_tm.h"
+#include "pair_loops.h"
 #include "pair_sph_tm.h"
 
 #include "atom.h"
@@ -299,7 +300,7 @@ void AdaptLists::kept_moments(const tm_rates_args &rates, unsigned effects)
 void AdaptLists::kept_rates(const tm_rates_args &rates, unsigned effects)
 {
   if (!keeps()) return;
-  backend->rates(at_border, border_rates(rates), effects);
+  PairLoops::of(*backend).rates(*backend, at_border, border_rates(rates), effects);
   tm_tl_args a = kept_args(rates.rec);
   a.force = rates.force;
   a.force_begins = rates.force_begins;

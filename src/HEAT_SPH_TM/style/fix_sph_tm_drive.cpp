@@ -6,6 +6,7 @@
 #include "fix_sph_tm_drive.h"
 
 #include "fix_sph_tm.h"
+#include "heat_loops.h"
 #include "pair_sph_tm.h"
 #include "restart_block.h"
 
@@ -111,7 +112,7 @@ void FixSPHTMDrive::drive(const double *target, bool act)
   a.act = act;
   a.dt = body->step_dt();
   a.accel_unit = body->pair()->units().force;
-  const tm_drive_result r = body->loops().drive(atom->nlocal, a);
+  const tm_drive_result r = HeatLoops::of(body->loops()).drive(body->loops(), atom->nlocal, a, 0);
   std::copy_n(r.force, 3, sum);
   sum[3] += r.work;
 }

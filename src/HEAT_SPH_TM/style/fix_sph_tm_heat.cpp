@@ -3,6 +3,7 @@
 
 #include "argument.h"
 #include "fix_sph_tm.h"
+#include "heat_loops.h"
 #include "material_constants.h"
 #include "pair_sph_tm.h"
 #include "restart_block.h"
@@ -172,7 +173,7 @@ double FixSPHTMHeat::temperature_now()
 // returns the heat this took
 double FixSPHTMHeat::hold(double T)
 {
-  return body->loops().hold(atom->nlocal, {body->state(), groupbit, T});
+  return HeatLoops::of(body->loops()).dirichlet(body->loops(), atom->nlocal, {body->state(), groupbit, T}, 0);
 }
 
 void FixSPHTMHeat::end_of_step()
@@ -224,13 +225,14 @@ void FixSPHTMHeat::exchange()
 {
   tm_exchange_args a = exchange_args();
   Backend &loops = body->loops();
+  const HeatLoops &heat = HeatLoops::of(loops);
   if (known_area > 0.0) {
-    const double found = loops.exchange(atom->nlocal, a, true).area;
+    const double found = heat.surface_area(loops, atom->nlocal, a, 0);
     double all = 0.0;
     MPI_Allreduce(&found, &all, 1, MPI_DOUBLE, MPI_SUM, world);
     a.area_factor = all > 0.0 ? known_area / all : 0.0;
   }
-  const tm_exchange_result r = loops.exchange(atom->nlocal, a, false);
+  const tm_exchange_result r = heat.surface_flux(loops, atom->nlocal, a, 0);
   power = r.power;
   area = r.area;
   if (r.rate > 0.0) body->limit_dt(0.5 / r.rate, TM_DT_CONDUCTION, this);    // as tm_heat_time_step

@@ -2,6 +2,7 @@
 
 #include "all_ranks.h"
 #include "fix_sph_tm.h"
+#include "pair_loops.h"
 #include "pair_sph_tm.h"
 #include "run_clock.h"
 
@@ -130,7 +131,7 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::of_centers(AuditPatch &p, unsi
     a.correction = K.data();
     a.rec.correction = PK.data();
     const double began = RunClock::processor_time();
-    Backend::host().moments(n, a, effects);
+    PairLoops::of(Backend::host()).correction(Backend::host(), n, a, effects);
     if (n) times.moments += (RunClock::processor_time() - began) / n;
   }
 
@@ -256,7 +257,7 @@ AccuracyMeter::Rates AccuracyMeter::rates(AuditPatch &p, const tm_records &rec, 
     a.single.more = part(more);
     a.single.correction = part(correction);
     a.single.size = part(size);
-    Backend::host().round((int) p.member.size(), {rec, a.single}, effects);
+    PairLoops::of(Backend::host()).round_to_single(Backend::host(), (int) p.member.size(), {rec, a.single}, effects);
   }
   a.force = r.force.data();
   a.force_begins = 1;
@@ -269,7 +270,7 @@ AccuracyMeter::Rates AccuracyMeter::rates(AuditPatch &p, const tm_records &rec, 
   r.seconds = 1e300;
   for (int turn = 0; turn < 2; turn++) {    // the second finds its data in the cache
     const double began = RunClock::processor_time();
-    Backend::host().rates(n, a, effects);
+    PairLoops::of(Backend::host()).rates(Backend::host(), n, a, effects);
     r.seconds = std::min(r.seconds, RunClock::processor_time() - began);
   }
   return r;

@@ -2,6 +2,7 @@
 
 #include "effect_plan.h"
 #include "fix_sph_tm.h"
+#include "pair_loops.h"
 #include "pair_sph_tm.h"
 #include "run_clock.h"
 
@@ -77,9 +78,10 @@ double EffectProbe::step(unsigned fx)
 
   loops.wait();
   const double begin = probe_time(loops);
-  loops.predict(n, p, fx);
-  loops.rates(n, r, fx);
-  loops.update(n, u, fx);
+  const PairLoops &run = PairLoops::of(loops);
+  run.predict(loops, n, p, fx);
+  run.rates(loops, n, r, fx);
+  run.update(loops, n, u, fx);
   loops.wait();
   return probe_time(loops) - begin;
 }

@@ -23,7 +23,7 @@ using namespace SPHTM_NS;
 using namespace FixConst;
 
 FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg, Backend &loops) :
-    Fix(lmp, narg, arg), backend(loops), fields(loops), source(loops)
+    Fix(lmp, narg, arg), backend(loops), particle_loops(PairLoops::of(loops)), fields(loops), source(loops)
 {
   time_integrate = 1;
   create_attribute = 1;
@@ -185,7 +185,7 @@ tm_initial_args FixSPHTM::initial_args(const tm_state &s, unsigned mask) const
 
 void FixSPHTM::initialise_particles()
 {
-  backend.initial_of_new(atom->nlocal, initial_args(state(), fields.mask()));
+  particle_loops.initial_of_new(backend, atom->nlocal, initial_args(state(), fields.mask()), fx);
   if (preset.empty()) return;
   double *T = fields[TM_F_TEMP].host_write();
   for (const auto &p : preset)
@@ -227,7 +227,7 @@ tm_size_range FixSPHTM::sizes()
 {
   const PairSPHTM::Settings &set = pair_sph->settings_in_use();
   if (!has(TM_FX_SMOOTHING)) return {set.h, set.h, set.spacing};
-  const tm_size_range mine = backend.size_range(atom->nlocal, state());
+  const tm_size_range mine = particle_loops.size_range(backend, atom->nlocal, state(), fx);
   const double low[3] = {-mine.largest_h, mine.smallest_h, mine.smallest_dp};
   double all[3];
   MPI_Allreduce(low, all, 3, MPI_DOUBLE, MPI_MIN, world);
@@ -276,7 +276,7 @@ void FixSPHTM::empty_source()
 void FixSPHTM::setup(int)
 {
   energy_step = -1;    // velocities and particles may have changed since the last run
-  const tm_update_result r = backend.initial_limits(atom->nlocal, update_args(), fx, !started);
+  const tm_update_result r = particle_loops.initial_limits(backend, atom->nlocal, {update_args(), !started}, fx);
   limit_dt_by(r.dt);
   if (!started) check_start();
   else check_changes();
@@ -325,7 +325,7 @@ void FixSPHTM::initial_integrate(int)
   if (source_of_setup) empty_source();
   source_of_setup = false;
   drifted = atom->nlocal;
-  backend.drift(drifted, drift_args(), fx, lost);
+  particle_loops.drift(backend, drifted, drift_args(), fx, lost);
 }
 
 void FixSPHTM::pre_exchange()
@@ -373,7 +373,7 @@ void FixSPHTM::final_integrate()
 {
   const tm_update_result sum = [this] {
     const auto timed = run_clock.timed(RunClock::UPDATE);
-    return backend.update(atom->nlocal, update_args(), fx);
+    return particle_loops.update(backend, atom->nlocal, update_args(), fx);
   }();
   if (sum.status != TM_OK) stop_on(sum.particle, sum);
   if (sum.melted < INT_MAX) report_melting(sum.melted);

@@ -7,6 +7,7 @@
 
 #include "fix.h"
 #include "energy_watch.h"
+#include "pair_loops.h"
 #include "particle_fields.h"
 #include "run_clock.h"
 
@@ -128,6 +129,7 @@ class FixSPHTM : public Fix {
  protected:
   virtual void delete_lost() {}    // LAMMPS does, in the exchange that follows
   SPHTM_NS::Backend &backend;
+  const SPHTM_NS::PairLoops &particle_loops;
   SPHTM_NS::ParticleFields fields;
   PairSPHTM *pair_sph = nullptr;
   unsigned fx = 0;                 // effects in use

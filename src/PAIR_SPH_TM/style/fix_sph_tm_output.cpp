@@ -21,7 +21,7 @@ void FixSPHTM::sum_energies()
   energy_step = update->ntimestep;
   const Ledger &l = ledger;
   double mine[VECTOR_SIZE] = {};
-  mine[ENERGY_KINETIC] = backend.kinetic_energy(atom->nlocal, state());
+  mine[ENERGY_KINETIC] = particle_loops.kinetic_energy(backend, atom->nlocal, state(), fx);
   mine[ENERGY_ELASTIC] = l.elastic;
   mine[ENERGY_PLASTIC] = l.plastic - l.plastic_heat;
   mine[ENERGY_HEAT] = l.heat - l.heat_exchanged;

@@ -16,20 +16,20 @@
 using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
 
-PairSPHTM::PairSPHTM(LAMMPS *lmp, Backend &loops) : Pair(lmp), backend(loops)
+PairSPHTM::PairSPHTM(LAMMPS *lmp, Backend &where) : Pair(lmp), backend(where), loops(PairLoops::of(where))
 {
-  tables.live_in(loops);
-  for (auto *a : {&row_index, &row_mechanical, &row_thermal, &row_contact}) a->live_in(loops);
-  row_first.live_in(loops);
-  rec_main.live_in(loops, TM_REC, 2);
-  rec_stress.live_in(loops, TM_REC_STRESS, 2);
-  gradient.live_in(loops, 9);
+  tables.live_in(where);
+  for (auto *a : {&row_index, &row_mechanical, &row_thermal, &row_contact}) a->live_in(where);
+  row_first.live_in(where);
+  rec_main.live_in(where, TM_REC, 2);
+  rec_stress.live_in(where, TM_REC_STRESS, 2);
+  gradient.live_in(where, 9);
   for (auto *a : {&rec_heat, &rec_correction, &rec_size, &rec_hourglass, &heat, &correction, &xsph_v, &hourglass_rate,
                   &surface, &artificial, &near_count, &tally, &force_internal})
-    a->live_in(loops);
-  single_main.live_in(loops, TM_REC, 4);
-  single_more.live_in(loops, TM_MORE, 4);
-  for (auto *a : {&single_correction, &single_size}) a->live_in(loops);
+    a->live_in(where);
+  single_main.live_in(where, TM_REC, 4);
+  single_more.live_in(where, TM_MORE, 4);
+  for (auto *a : {&single_correction, &single_size}) a->live_in(where);
   restartinfo = 1;
   single_enable = 0;
   one_coeff = 0;
@@ -98,7 +98,7 @@ void PairSPHTM::fill_args(const tm_state &s)
 void PairSPHTM::correct_gradients(int n, tm_rates_args &search)
 {
   const auto timed = fix->run_clock.timed(RunClock::MOMENTS);
-  backend.moments(n, search, fix->effects());
+  loops.correction(backend, n, search, fix->effects());
   if (row_source) row_source->kept_moments(args, fix->effects());
   forward(rec_correction, TM_REC_CORRECTION);
   search.rec.correction = args.rec.correction = rec.correction = rec_correction.loop_write();
@@ -110,7 +110,7 @@ void PairSPHTM::resist_hourglass(const tm_rates_args &rates)
   const auto timed = fix->run_clock.timed(RunClock::HOURGLASS);
   tm_rates_args a = rates;
   a.rec.hourglass = rec_hourglass.loop_write();    // the host may have filled those of ghosts
-  backend.hourglass(atom->nlocal, a, fix->effects());
+  loops.hourglass(backend, atom->nlocal, a, fix->effects());
 }
 
 void PairSPHTM::compute(int eflag, int vflag)
@@ -160,18 +160,18 @@ void PairSPHTM::compute(int eflag, int vflag)
   search.force_begins = args.force_begins = (clear || internal) && !row_source;    // parts of rows add theirs
   {
     const auto timed = clock.timed(RunClock::RATES);
-    backend.rates(searched, search, fx);
+    loops.rates(backend, searched, search, fx);
     if (row_source) row_source->kept_rates(args, fx);
   }
   if (fx & TM_FX_HOURGLASS) resist_hourglass(args);
   if (meter) audit(apart);
   args.force = s.force;
-  if (internal) backend.add(s.force, internal, 3 * (size_t) nlocal);
+  if (internal) loops.add(backend, 3 * nlocal, {s.force, internal}, fx);
   tm_rates_args others = args;
   if (row_source) others.rows = row_source->others();
   if (meets_thermal) {
     const auto timed = clock.timed(RunClock::THERMAL);
-    backend.thermal(nlocal, others, fx);
+    loops.thermal(backend, nlocal, others, fx);
   }
   if (fx & TM_FX_BODIES) body_contact(others);
   if (eflag || vflag) tally_virial_energy();
@@ -195,7 +195,7 @@ void PairSPHTM::body_contact(const tm_rates_args &others)
   b.spacing = set.spacing;
   b.dt = fix->step_dt();
   b.source = fix->heat_source();
-  const tm_body_contact_result r = backend.body_contact(atom->nlocal, others, b, fix->effects());
+  const tm_body_contact_result r = loops.body_contact(backend, atom->nlocal, {others, b}, fix->effects());
   fix->contact_spring += r.spring;
   fix->ledger.contact_damping += b.dt * r.damping_power;
   fix->ledger.friction += b.dt * (r.friction_power - r.heat_power);
@@ -214,7 +214,7 @@ void PairSPHTM::tally_virial_energy()
   a.material = loop_materials();
   a.to_energy = 1.0 / unit.energy;
   a.per_particle = tally.loop_write();
-  const tm_tally_result sum = backend.tally(atom->nlocal, a, fix->effects());
+  const tm_tally_result sum = loops.tally(backend, atom->nlocal, a, fix->effects());
   if (eflag_global) eng_vdwl += sum.value[0];
   if (vflag_global)
     for (int k = 0; k < 6; k++) virial[k] += sum.value[1 + k];

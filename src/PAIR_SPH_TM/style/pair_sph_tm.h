@@ -7,6 +7,7 @@
 
 #include "pair.h"
 #include "loop_array.h"
+#include "pair_loops.h"
 #include "row_source.h"
 #include "tm_material.h"
 #include "tm_surface.h"
@@ -115,6 +116,7 @@ class PairSPHTM : public Pair {
 
  protected:
   SPHTM_NS::Backend &backend;
+  const SPHTM_NS::PairLoops &loops;
   Settings set;
   SPHTM_NS::UnitScale unit;
   tm_lattice lattice = {};

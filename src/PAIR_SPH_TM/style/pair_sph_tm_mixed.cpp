@@ -21,7 +21,7 @@ static double position_unit(double reach, double skin, double spacing)
 
 void PairSPHTM::check_mixed() const
 {
-  if (!backend.rates_in_single(set.kernel))
+  if (!loops.has_single(backend, set.kernel))
     error->all(FLERR, "Pair style sph/tm precision mixed on a GPU is for the kernel hyperbolic alone; write 'precision "
                       "double', or that kernel");
   double far = 0.0;
@@ -58,5 +58,5 @@ void PairSPHTM::round_records()
 {
   const auto timed = fix->run_clock.timed(SPHTM_NS::RunClock::RATES);
   const tm_single_args a = {args.rec, args.single};
-  backend.round(atom->nlocal + atom->nghost, a, fix->effects());
+  loops.round_to_single(backend, atom->nlocal + atom->nghost, a, fix->effects());
 }

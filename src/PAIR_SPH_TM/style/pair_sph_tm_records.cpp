@@ -73,7 +73,7 @@ tm_predict_args PairSPHTM::predict_args(const tm_state &s)
 void PairSPHTM::predict(const tm_state &s)
 {
   const auto timed = fix->run_clock.timed(RunClock::PREDICT);
-  backend.predict(atom->nlocal, predict_args(s), fix->effects());
+  loops.predict(backend, atom->nlocal, predict_args(s), fix->effects());
 }
 
 int PairSPHTM::forward_columns() const

@@ -22,7 +22,7 @@ tm_near_args PairSPHTM::near_args(bool of_each)
 double PairSPHTM::neighbors(bool of_each)
 {
   const bool rows = args.reach2 && args.rows.first;
-  return backend.near_count(rows ? atom->nlocal : 0, near_args(of_each));
+  return loops.near_count(backend, rows ? atom->nlocal : 0, near_args(of_each), 0);
 }
 
 const tm_real *PairSPHTM::loop_neighbors()
@@ -31,7 +31,7 @@ const tm_real *PairSPHTM::loop_neighbors()
   return near_count.loop_read();
 }
 
-tm_nearest PairSPHTM::nearest() { return backend.nearest(atom->nlocal, near_args(false)); }
+tm_nearest PairSPHTM::nearest() { return loops.nearest(backend, atom->nlocal, near_args(false), 0); }
 
 std::map<unsigned, double> PairSPHTM::bytes_by_effect() const
 {

@@ -1,7 +1,15 @@
-/* SPH-TM: included once per instruction set with SPHTM_ISA set to the namespace. */
-#include "rate_loops.h"
+/* SPH-TM: the hot loops of a step, for particles begin to end - 1; included once per instruction set with SPHTM_ISA set
+   to its namespace. */
+#include "effect_sets.h"
+#include "pair_loops.h"
+
+#include <utility>
 
 namespace {
+
+using namespace SPHTM_NS;
+
+typedef void (*rate_range_t)(int begin, int end, const tm_rates_args *args);
 
 // the record and the row of a particle, which do not follow those before
 void ask_for(int i, const tm_rates_args *args)
@@ -14,7 +22,7 @@ void ask_for(int i, const tm_rates_args *args)
   __builtin_prefetch(record + 8);
 }
 
-template <unsigned EFFECTS> void loop(int begin, int end, const tm_rates_args *args)
+template <unsigned EFFECTS> void rates_of_set(int begin, int end, const tm_rates_args *args)
 {
   const int *which = args->which;
   for (int k = begin; k < end; k++) {
@@ -22,21 +30,44 @@ template <unsigned EFFECTS> void loop(int begin, int end, const tm_rates_args *a
     tm_rates(which ? which[k] : k, args, EFFECTS);
   }
 }
+template <int... INDEX> rate_range_t rates_of(int index, std::integer_sequence<int, INDEX...>)
+{
+  static const rate_range_t range[] = {rates_of_set<rate_set(INDEX)>...};
+  return range[index];
+}
+void rates_in_double(int begin, int end, const tm_rates_args *args, unsigned effects)
+{
+  rates_of(rate_set_index(effects), std::make_integer_sequence<int, RATE_SETS>())(begin, end, args);
+}
 
-template <unsigned EFFECTS> void moments(int begin, int end, const tm_rates_args *args)
+template <unsigned EFFECTS> void correction_of_set(int begin, int end, const tm_rates_args *args)
 {
   for (int i = begin; i < end; i++) tm_moment(args->which ? args->which[i] : i, args, EFFECTS);
 }
+template <int... INDEX> rate_range_t correction_of(int index, std::integer_sequence<int, INDEX...>)
+{
+  static const rate_range_t range[] = {correction_of_set<kernel_set(INDEX)>...};
+  return range[index];
+}
+void correction(int begin, int end, const tm_rates_args *args, unsigned effects)
+{
+  correction_of(kernel_set_index(effects), std::make_integer_sequence<int, KERNEL_SETS>())(begin, end, args);
+}
 
-template <unsigned EFFECTS> void hourglass(int begin, int end, const tm_rates_args *args)
+template <unsigned EFFECTS> void hourglass_of_set(int begin, int end, const tm_rates_args *args)
 {
   for (int i = begin; i < end; i++) tm_hourglass(i, args, EFFECTS);
 }
+template <int... INDEX> rate_range_t hourglass_of(int index, std::integer_sequence<int, INDEX...>)
+{
+  static const rate_range_t range[] = {hourglass_of_set<kernel_set(INDEX)>...};
+  return range[index];
+}
+void hourglass(int begin, int end, const tm_rates_args *args, unsigned effects)
+{
+  hourglass_of(kernel_set_index(effects), std::make_integer_sequence<int, KERNEL_SETS>())(begin, end, args);
+}
 
-// Prediction and update: scenes without the rare effects have loops for just their set; with one of
-// those all effects are tested at run time.
-constexpr unsigned RARE = TM_FX_DAMAGE | TM_FX_ENERGY | TM_FX_BALSARA | TM_FX_XSPH | TM_FX_PLANE_STRESS |
-    TM_FX_SMOOTHING | TM_FX_FORM_F14 | TM_FX_HOURGLASS;
 // of the correction update needs one constant, of the others prediction and update need nothing
 constexpr unsigned TESTED = TM_FX_CORRECTION | TM_FX_ARTSTRESS;
 
@@ -54,10 +85,12 @@ void predict_set(int begin, int end, const tm_predict_args *args, unsigned given
 
 void predict(int begin, int end, const tm_predict_args *args, unsigned effects)
 {
-  if (effects & RARE) predict_set<0u, ~0u>(begin, end, args, effects);
+  if (effects & RARE_IN_PREDICTION) predict_set<0u, ~0u>(begin, end, args, effects);
   else if (effects & TM_FX_HEAT) predict_set<TM_FX_HEAT, TESTED | TM_FX_3D>(begin, end, args, effects);
   else predict_set<0u, TESTED | TM_FX_3D>(begin, end, args, effects);
 }
+
+typedef tm_update_result (*update_range_t)(int begin, int end, const tm_update_args *args, unsigned effects);
 
 template <unsigned SET, unsigned ASK>
 tm_update_result update_set(int begin, int end, const tm_update_args *args, unsigned given)
@@ -72,8 +105,8 @@ tm_update_result update_set(int begin, int end, const tm_update_args *args, unsi
 }
 
 // each of the bits is in the set, or not
-template <unsigned SET> SPHTM_NS::update_loop_t update_of(unsigned) { return update_set<SET, TESTED>; }
-template <unsigned SET, unsigned BIT, unsigned... BITS> SPHTM_NS::update_loop_t update_of(unsigned effects)
+template <unsigned SET> update_range_t update_of(unsigned) { return update_set<SET, TESTED>; }
+template <unsigned SET, unsigned BIT, unsigned... BITS> update_range_t update_of(unsigned effects)
 {
   if (effects & BIT) return update_of<SET | BIT, BITS...>(effects);
   return update_of<SET, BITS...>(effects);
@@ -82,7 +115,7 @@ template <unsigned SET, unsigned BIT, unsigned... BITS> SPHTM_NS::update_loop_t 
 tm_update_result update(int begin, int end, const tm_update_args *args, unsigned effects)
 {
   constexpr unsigned HEAT = TM_FX_HEAT, CONDUCTION = TM_FX_CONDUCTION, FLOW = TM_FX_PLASTICITY;
-  const SPHTM_NS::update_loop_t run = (effects & RARE) ? update_set<0u, ~0u>
+  const update_range_t run = (effects & RARE_IN_UPDATE) ? update_set<0u, ~0u>
       : (effects & HEAT) ? update_of<HEAT, CONDUCTION, FLOW, TM_FX_LEDGER, TM_FX_3D>(effects)
                          : update_of<0u, FLOW, TM_FX_LEDGER, TM_FX_3D>(effects);
   return run(begin, end, args, effects);
@@ -93,23 +126,10 @@ tm_update_result update(int begin, int end, const tm_update_args *args, unsigned
 namespace SPHTM_NS {
 namespace SPHTM_ISA {
 
-#define TM_LOOP(I) loop<rate_loop_effects(I)>
-#define TM_LOOPS_2(I) TM_LOOP(I), TM_LOOP(I + 1)
-#define TM_LOOPS_6(I) TM_LOOPS_2(I), TM_LOOPS_2(I + 2), TM_LOOPS_2(I + 4)
-#define TM_LOOPS_26(I) TM_LOOPS_6(I), TM_LOOPS_6(I + 6), TM_LOOPS_6(I + 12), TM_LOOPS_6(I + 18), TM_LOOPS_2(I + 24)
+void rates_in_single(int begin, int end, const tm_rates_args *args, unsigned effects);    // single_ranges.h
 
-#define TM_OF_KERNEL(F, K)                           \
-  F<(unsigned) TM_KERNEL_##K << TM_FX_KERNEL_SHIFT>, \
-      F<(unsigned) TM_KERNEL_##K << TM_FX_KERNEL_SHIFT | (unsigned) TM_FX_3D>
-#define TM_OF_ALL(F)                                                                                    \
-  TM_OF_KERNEL(F, HYPERBOLIC), TM_OF_KERNEL(F, CUBIC), TM_OF_KERNEL(F, QUINTIC), TM_OF_KERNEL(F, WENDLAND_C2), \
-      TM_OF_KERNEL(F, WENDLAND_C4)
-
-extern const ParticleLoops loops;
-const ParticleLoops loops = {
-    {TM_LOOPS_26(0), TM_LOOPS_26(26), TM_LOOPS_26(52), TM_LOOPS_26(78), TM_LOOPS_26(104)},
-    {TM_OF_ALL(moments)}, {TM_OF_ALL(hourglass)},
-    predict, update};
+extern const PairRanges pair_ranges;
+const PairRanges pair_ranges = {PAIR_LOOPS(SPHTM_RANGE_NAME)};
 
 }    // namespace SPHTM_ISA
 }    // namespace SPHTM_NS
