@@ -1,7 +1,8 @@
-/* Rows that are kept: a block that turns and stretches. Exact gradients of linear velocities where corrected,
-   objective ones where not; forces without resultant, work conjugate to the strain rates; one end searched; one end gone. */
+/* Total-Lagrangian pairs: a block that turns and stretches. Exact gradients of linear velocities where corrected,
+   objective ones where not; forces without resultant, work conjugate to the strain rates; one end updated-Lagrangian; one
+   end deleted. */
+#include "tm_tag_map.h"
 #include "tm_tl_interface.h"
-#include "tm_tl_migration.h"
 #include "ut.h"
 
 #include <stdlib.h>
@@ -16,14 +17,14 @@ static double X[MOST][3], x[MOST][3], force[MOST][3];
 static tm_real main_rec[MOST * TM_REC], stress_rec[MOST * TM_REC_STRESS], heat_rec[MOST * TM_REC_HEAT];
 static tm_real exported[MOST * TM_TL_EXPORT], pull_back[MOST * TM_FREEZE_EXPORT], history[(MOST + 1) * TM_TL_HISTORY];
 static tm_real gradient[MOST * 9], heat[MOST], artificial[MOST], next_ul[MOST];
-static int row[MOST * ROOM], kept[MOST + 1], fresh[MOST], near[MOST * ROOM], near_count[MOST];
+static int row[MOST * ROOM], tl[MOST + 1], ul[MOST], candidate[MOST * ROOM], candidates_of[MOST];
 static unsigned char was_ul[MOST], is_ul[MOST], dirty[MOST];
 static ptrdiff_t first[MOST], ul_first[MOST];
 static short *weight;
 
 static tm_tl_rows rows(void)
 {
-  tm_tl_rows r = {row, kept, fresh, first, ul_first, 1, ROOM, tm_tl_unit(TM_KERNEL_HYPERBOLIC), weight};
+  tm_tl_rows r = {row, tl, ul, first, ul_first, 1, ROOM, tm_tl_unit(TM_KERNEL_HYPERBOLIC), weight};
   return r;
 }
 
@@ -46,35 +47,35 @@ static void place(tm_mat3 A, tm_mat3 L)
 
 static void search(int i)
 {
-  near_count[i] = 0;
+  candidates_of[i] = 0;
   for (int j = 0; j < N; j++) {
     if (j == i) continue;
     const double a = x[i][0] - x[j][0], b = x[i][1] - x[j][1], c = x[i][2] - x[j][2];
-    if (a * a + b * b + c * c < 4.5 * H * H) near[first[i] + near_count[i]++] = j;
+    if (a * a + b * b + c * c < 4.5 * H * H) candidate[first[i] + candidates_of[i]++] = j;
   }
 }
 
-static tm_rows candidates(void)
+static tm_rows candidate_rows(void)
 {
-  tm_rows r = {near, first, near_count, NULL, NULL, 1};
+  tm_rows r = {candidate, first, candidates_of, NULL, NULL, 1};
   return r;
 }
 
-static tm_interface_args border_args(void)
+static tm_interface_args interface_args(void)
 {
-  tm_interface_args a = {rows(), candidates(), next_ul, was_ul, is_ul, dirty, 0, 0};
+  tm_interface_args a = {rows(), candidate_rows(), next_ul, was_ul, is_ul, dirty, 0, 0};
   a.own = N;
   return a;
 }
 
-static tm_freeze_args settle_args(int corrected)
+static tm_freeze_args freeze_args(int corrected)
 {
   tm_freeze_args a;
   memset(&a, 0, sizeof a);
   a.rows = rows();
   a.rec.main = main_rec;
   a.gradient = gradient;
-  a.near = candidates();
+  a.candidates = candidate_rows();
   a.history = history;
   a.pull_back = pull_back;
   a.next_ul = next_ul;
@@ -91,9 +92,9 @@ static tm_freeze_args settle_args(int corrected)
   return a;
 }
 
-static void settle(const tm_freeze_args *a, unsigned fx)
+static void freeze(const tm_freeze_args *a, unsigned fx)
 {
-  const tm_interface_args b = border_args();
+  const tm_interface_args b = interface_args();
   for (int i = 0; i < N; i++) tm_freeze_decide(i, a, fx);
   for (int i = 0; i < N; i++) tm_interface_switch(i, &b);
   memset(dirty, 0, sizeof dirty);
@@ -113,7 +114,7 @@ static void rates(unsigned fx)
   a.exported = exported;
   a.history = history;
   a.h = H;
-  a.slope_norm = settle_args(0).slope_norm;
+  a.slope_norm = freeze_args(0).slope_norm;
   a.force_unit = 1.0;
   a.force = force[0];
   a.gradient = gradient;
@@ -171,7 +172,7 @@ static void start(void)
         heat_rec[N * TM_REC_HEAT] = ut_random(300, 400);
         heat_rec[N * TM_REC_HEAT + 1] = 100;
         first[N] = (ptrdiff_t) N * ROOM;
-        kept[N] = fresh[N] = 0;
+        tl[N] = ul[N] = 0;
         is_ul[N] = 1;
         for (int k = 0; k < TM_TL_HISTORY; k++) history[N * TM_TL_HISTORY + k] = 0.0;
       }
@@ -208,7 +209,7 @@ static void turned(tm_freeze_args *a, int corrected, unsigned fx)
   place(A, is_ul);
   rates(fx);
   a->dt = 0.0;
-  settle(a, fx);
+  freeze(a, fx);
   rates(fx);
   check_conservation(fx, 0.0);
   for (int i = 0; i < N; i++) {
@@ -218,28 +219,28 @@ static void turned(tm_freeze_args *a, int corrected, unsigned fx)
   }
 }
 
-/* one is searched: its pairs are as new, all others stay */
-static void one_searched(tm_freeze_args *a, unsigned fx)
+/* one is updated-Lagrangian: its pairs are as new, all others stay */
+static void one_updated(tm_freeze_args *a, unsigned fx)
 {
   for (int i = 0; i < N; i++) search(i);
   history[(N / 2) * TM_TL_HISTORY + TM_TL_PROXIMITY] = 1.0;
-  settle(a, fx);
-  UT_TRUE(kept[N / 2] == 0);
+  freeze(a, fx);
+  UT_TRUE(tl[N / 2] == 0);
   history[(N / 2) * TM_TL_HISTORY + TM_TL_PROXIMITY] = 0.0;
   int border = 0;
   for (int i = 0; i < N; i++) {
-    for (int e = 0; e < kept[i]; e++) UT_TRUE(row[first[i] + e] != N / 2);
-    UT_TRUE(fresh[i] <= 1 && (!fresh[i] || row[ul_first[i]] == N / 2));
-    border += fresh[i];
+    for (int e = 0; e < tl[i]; e++) UT_TRUE(row[first[i] + e] != N / 2);
+    UT_TRUE(ul[i] <= 1 && (!ul[i] || row[ul_first[i]] == N / 2));
+    border += ul[i];
   }
-  UT_TRUE(border == near_count[N / 2]);
+  UT_TRUE(border == candidates_of[N / 2]);
   memset(gradient, 0, sizeof gradient);
   rates(fx);
-  settle(a, fx);
+  freeze(a, fx);
   rates(fx);
   check_conservation(fx, 0.0);
   for (int i = 0; i < N; i++) {
-    UT_TRUE(fresh[i] == 0);
+    UT_TRUE(ul[i] == 0);
     UT_TRUE(history[i * TM_TL_HISTORY + TM_TL_UL_STEPS] == 1.0 + (i == N / 2));
   }
 }
@@ -247,11 +248,11 @@ static void one_searched(tm_freeze_args *a, unsigned fx)
 /* of every kept pair of particle i */
 static void both_ends_agree(int i)
 {
-  for (int e = 0; e < kept[i]; e++) {
+  for (int e = 0; e < tl[i]; e++) {
     const int j = row[first[i] + e];
     int back = 0;
-    while (back < kept[j] && row[first[j] + back] != i) back++;
-    UT_TRUE(back < kept[j]);
+    while (back < tl[j] && row[first[j] + back] != i) back++;
+    UT_TRUE(back < tl[j]);
     const tm_tl_rows r = rows();
     const short *w = tm_weight(&r, i), *v = tm_weight(&r, j);
     for (int c = 0; c < 3; c++) {
@@ -264,21 +265,21 @@ static void both_ends_agree(int i)
   }
 }
 
-/* The last particle is gone: pairs with it go, B of the others stays and goes on to turn with them. */
+/* The last particle is deleted: its pairs are dropped, B of the others stays and turns on with them. */
 static void one_gone(tm_freeze_args *a, int corrected, unsigned fx)
 {
-  static int name[MOST], tag_head[MOST + 1], other[MOST];
+  static int tag[MOST], with_tag[MOST + 1], image[MOST];
   static unsigned char gone[MOST];
   static tm_real before[MOST * 9];
   tm_tag_map_args p;
   memset(&p, 0, sizeof p);
   p.store.rows = rows();
   p.store.history = history;
-  p.name = p.tag = name;
+  p.entry_tag = p.tag = tag;
   p.x = x[0];
-  p.most = N;
-  p.tag_head = tag_head;
-  p.other = other;
+  p.largest = N;
+  p.first = with_tag;
+  p.next = image;
   p.gone = gone;
   p.rec.main = main_rec;
   p.slope_norm = a->slope_norm;
@@ -286,21 +287,21 @@ static void one_gone(tm_freeze_args *a, int corrected, unsigned fx)
   p.dim3 = in_3d;
   memset(gone, 0, sizeof gone);
   for (int i = 0; i < N; i++) {
-    name[i] = i + 1;
-    tag_head[i + 1] = i < N - 1 ? i + 1 : 0;
+    tag[i] = i + 1;
+    with_tag[i + 1] = i < N - 1 ? i + 1 : 0;
     for (int k = 0; k < 9; k++) before[9 * i + k] = history[i * TM_TL_HISTORY + TM_TL_B + k];
   }
   int pairs = 0;
   N--;
   for (int i = 0; i < N; i++) {
-    const int all = kept[i], lost = tm_tag_map_resolve(i, &p);
+    const int all = tl[i], lost = tm_tag_map_resolve(i, &p);
     pairs += lost;
-    UT_TRUE(kept[i] == all - lost && lost <= 1);
-    for (int e = 0; e < tm_tl_padded(kept[i]); e++) UT_TRUE(row[first[i] + e] < N);
+    UT_TRUE(tl[i] == all - lost && lost <= 1);
+    for (int e = 0; e < tm_tl_padded(tl[i]); e++) UT_TRUE(row[first[i] + e] < N);
     for (int k = 0; k < 9 && !corrected; k++)
       UT_WITHIN(history[i * TM_TL_HISTORY + TM_TL_B + k] * 2700, before[9 * i + k] * 2700, 1e-12);
   }
-  UT_TRUE(pairs == kept[N] && pairs > 5);
+  UT_TRUE(pairs == tl[N] && pairs > 5);
   for (int i = 0; i < N; i++) UT_TRUE(!gone[i]);
   UT_TRUE(gone[N]);
   memset(gradient, 0, sizeof gradient);
@@ -313,7 +314,7 @@ static void one_gone(tm_freeze_args *a, int corrected, unsigned fx)
   place(all, tm_mat_mul(tm_mat_mul(all, L), tm_mat_transposed(all)));
   for (int i = 0; i < N; i++) search(i);
   rates(fx);
-  settle(a, fx);
+  freeze(a, fx);
   rates(fx);
   check_conservation(fx, 0.0);
   for (int i = 0; i < N; i++)
@@ -328,14 +329,14 @@ static void run(int corrected, unsigned fx)
   place(tm_mat_identity(), L);
   for (int i = 0; i < N; i++) search(i);
   memset(gradient, 0, sizeof gradient);
-  tm_freeze_args a = settle_args(corrected);
-  settle(&a, fx);
+  tm_freeze_args a = freeze_args(corrected);
+  freeze(&a, fx);
   /* as it lies: reference */
   rates(fx);
   check_conservation(fx, 0.0);
   for (int i = 0; i < N && corrected; i++) check_gradient(i, L, 1e-11);
   turned(&a, corrected, fx);
-  one_searched(&a, fx);
+  one_updated(&a, fx);
   for (int i = 0; i < N; i++) both_ends_agree(i);
   for (int i = 0; i < N && corrected; i++) check_gradient(i, L, 1e-10);
   one_gone(&a, corrected, fx);
@@ -362,7 +363,7 @@ static void weights(void)
   }
 }
 
-/* A particle whose gradients would not fit is searched; one that is turned and a little less stretched is not. */
+/* A particle whose gradients would not fit is updated-Lagrangian; one that is turned and a little less stretched is not. */
 static void too_large(unsigned fx)
 {
   for (int large = 0; large < 2; large++) {
@@ -371,15 +372,15 @@ static void too_large(unsigned fx)
     const tm_mat3 still = tm_mat_scale(0.0, tm_mat_identity());
     place(tm_mat_identity(), still);
     for (int i = 0; i < N; i++) search(i);
-    tm_freeze_args a = settle_args(0);
-    settle(&a, fx);
+    tm_freeze_args a = freeze_args(0);
+    freeze(&a, fx);
     tm_mat3 U = tm_mat_identity();
     U.xx = large ? 2.01 : 1.99;    /* the density stays: E = F^T */
     place(tm_mat_mul(turn(0.7), U), still);
     rates(fx);
-    settle(&a, fx);                       /* B follows */
+    freeze(&a, fx);                       /* B follows */
     rates(fx);
-    settle(&a, fx);
+    freeze(&a, fx);
     for (int i = 0; i < N; i++) UT_TRUE(is_ul[i] == large);
   }
 }

@@ -1,5 +1,5 @@
 /* SPH-TM: the end of a step of adaptive lists: which particles are updated-Lagrangian in the next step, the freezing of
-   pairs (their gradients are stored), and the update of B and G. F14 section 3; see tm_tl_rates.h. */
+   pairs (their gradients are stored), and the update of B and G. F14, Adaptive Neighbor Search; see tm_tl_rates.h. */
 #ifndef TM_FREEZE_H
 #define TM_FREEZE_H
 
@@ -42,7 +42,7 @@ TM_FN int tm_freeze_yields(int i, const tm_freeze_args *a, unsigned effects)
   const tm_real *k = a->history + (ptrdiff_t) i * TM_TL_HISTORY;
   if (k[TM_TL_PROXIMITY] > 0.5) return 1;
   if ((effects & TM_FX_PLASTICITY) &&
-      tm_field_row(&a->state, TM_F_PSTRAIN, i)[0] - k[TM_TL_PSTRAIN] > a->threshold)
+      tm_field_row(&a->state, TM_F_PSTRAIN, i)[0] - k[TM_TL_PSTRAIN] > a->threshold)    /* F14: adapt_thresh */
     return 1;
   return (a->threshold < 1e300) && (effects & TM_FX_DAMAGE) &&
       tm_field_row(&a->state, TM_F_DAMAGE, i)[tm_column(1)] > 0.5;
@@ -106,7 +106,8 @@ TM_FN int tm_freeze_pair(int i, int j, int to, const tm_freeze_args *a, int kern
                            dim3 ? ri[tm_part(2)] - rj[tm_part(2)] : 0.0);
   const tm_real r = tm_vec_norm(d), q = r / a->h, slope = tm_kernel_slope(kernel, q), g = slope / q;
   const tm_vec3 w = tm_vec_scale(slope / r, d);
-  const tm_real *ei = a->pull_back + (ptrdiff_t) i * TM_FREEZE_EXPORT, *ej = a->pull_back + (ptrdiff_t) j * TM_FREEZE_EXPORT;
+  const tm_real *ei = a->pull_back + (ptrdiff_t) i * TM_FREEZE_EXPORT;
+  const tm_real *ej = a->pull_back + (ptrdiff_t) j * TM_FREEZE_EXPORT;
   short *out = tm_weight(&a->rows, i);
 #define TM_OUT(c) out[tm_weight_place(&a->rows, c, to)]
   const tm_real per_unit = 1.0 / a->rows.unit;

@@ -40,8 +40,8 @@ TM_FN void tm_interface_mark(int i, const tm_interface_args *a)
     }
 }
 
-/* Behind the total-Lagrangian pairs of a row: those whose other end is updated-Lagrangian, in the order of the candidate
-   row. */
+/* Behind the total-Lagrangian pairs of a row: those whose other end is updated-Lagrangian, in the order of the
+   candidate row. */
 TM_FN void tm_interface_row(int i, const tm_interface_args *a)
 {
   if (!a->dirty[i]) return;
@@ -59,7 +59,7 @@ TM_FN void tm_interface_row(int i, const tm_interface_args *a)
 
 typedef struct {
   tm_interface_args interface;
-  int updated;                 /* updated-Lagrangian particles; 0: the others that have such neighbors, or none at all */
+  int updated;                 /* updated-Lagrangian particles; 0: the others that have such neighbors, or no pairs */
 } tm_kind_args;
 
 TM_FN int tm_is_of_kind(int i, const tm_kind_args *a)

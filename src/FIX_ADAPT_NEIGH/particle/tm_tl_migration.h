@@ -20,7 +20,8 @@ TM_FN void tm_tl_copy(const tm_tl_store *a, int from, const tm_tl_store *b, int 
   int *to_index = s->index + s->first[to];
   short *to_w = tm_weight(s, to);
   s->tl[to] = r->tl[from];
-  for (int c = 0; c < TM_TL_HISTORY; c++) b->history[(ptrdiff_t) to * TM_TL_HISTORY + c] = a->history[(ptrdiff_t) from * TM_TL_HISTORY + c];
+  for (int c = 0; c < TM_TL_HISTORY; c++)
+    b->history[(ptrdiff_t) to * TM_TL_HISTORY + c] = a->history[(ptrdiff_t) from * TM_TL_HISTORY + c];
   for (int e = 0; e < tm_tl_padded(r->tl[from]); e++) {
     to_index[e * s->stride] = index[e * r->stride];
     for (int c = 0; c < TM_WEIGHTS; c++) to_w[tm_weight_place(s, c, e)] = w[tm_weight_place(r, c, e)];

@@ -23,8 +23,8 @@ typedef struct {
 
 /* With weights a pair has moved if its distance differs from that of the freezing; without, if it is near and has moved
    far since the last check. Rows may hold particles beyond the reach: those do not count. */
-TM_FN tm_proximity_counts tm_proximity_row(int i, const int *row, ptrdiff_t stride, int n_row, const tm_tl_rows *weights,
-                              const tm_proximity_args *a)
+TM_FN tm_proximity_counts tm_proximity_row(int i, const int *row, ptrdiff_t stride, int n_row,
+                                           const tm_tl_rows *weights, const tm_proximity_args *a)
 {
   const tm_real *ri = tm_main_record(&a->rec, i);
   const tm_real xi = ri[tm_part(0)], yi = ri[tm_part(1)], zi = ri[tm_part(2)];
@@ -62,8 +62,8 @@ TM_FN tm_proximity_counts tm_proximity_row(int i, const int *row, ptrdiff_t stri
 }
 
 /* Sets TM_TL_PROXIMITY: the particle is updated-Lagrangian until no pair has moved in TM_PROXIMITY_HOLD checks. Where
-   bodies meet, slide and part, rates are thus updated-Lagrangian; total-Lagrangian pairs would hold bodies together that
-   part. Returns whether it was not so before. */
+   bodies meet, slide and part, rates are thus updated-Lagrangian; total-Lagrangian pairs would hold parting bodies
+   together. Returns whether it was not so before. */
 TM_FN int tm_proximity_check(int i, const tm_proximity_args *a)
 {
   tm_real *k = a->history + (ptrdiff_t) i * TM_TL_HISTORY;

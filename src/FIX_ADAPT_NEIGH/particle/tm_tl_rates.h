@@ -94,7 +94,7 @@ TM_FN void tm_tl_export(int i, const tm_tl_args *a, tm_real *exported)
   }
 }
 
-/* B of the next force point, B = G^-T Q from G there; where G is singular (too few neighbors) B is integrated with L. */
+/* B of the next force point, B = G^-T Q from G there; where G is singular (few neighbors) B is integrated with L. */
 TM_FN void tm_tl_advance_map(tm_real *history, tm_mat3 L, tm_real dt, int dim3)
 {
   int good;
@@ -169,7 +169,8 @@ TM_FN void tm_tl_rates(int i, const tm_tl_args *a, unsigned effects)
     } else {
       const int j = jj[0];
       for (int c = 0; c < TM_TL_COL_EXPORT; c++) col[c][0] = tm_main_record(&a->rec, j)[tm_part(c)];
-      for (int c = 0; c < TM_TL_EXPORT; c++) col[TM_TL_COL_EXPORT + c][0] = a->exported[(ptrdiff_t) j * TM_TL_EXPORT + c];
+      const tm_real *exported = a->exported + (ptrdiff_t) j * TM_TL_EXPORT;
+      for (int c = 0; c < TM_TL_EXPORT; c++) col[TM_TL_COL_EXPORT + c][0] = exported[c];
       if (conduction) col[TM_TL_COL_RHO + 1][0] = tm_main_record(&a->rec, j)[tm_part(TM_REC_RHO)];
       for (int c = 0; conduction && c < TM_REC_HEAT; c++)
         col[TM_TL_COL_HEAT + c][0] = tm_heat_record(&a->rec, j)[tm_part(c)];

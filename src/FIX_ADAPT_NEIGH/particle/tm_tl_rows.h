@@ -29,8 +29,8 @@ enum {
 /* Largest stored gradient over the steepest slope of the kernel. A particle with a larger one is not frozen. */
 #define TM_TL_SLOPE_RANGE 2.0
 
-/* Entry k of row i is index[first[i] + k stride]. The tl[i] total-Lagrangian pairs come first, padded with weights of 0;
-   then the ul[i] pairs of a total-Lagrangian particle whose other end is updated-Lagrangian. Weight c: see tm_weight().
+/* Entry k of row i is index[first[i] + k stride]. The tl[i] total-Lagrangian pairs come first, padded with weights of
+   0; then the ul[i] pairs of a total-Lagrangian particle whose other end is updated-Lagrangian. Weight c: tm_weight().
    tl, and the history of particles, have room for one more: the next particle's is prefetched. */
 typedef struct {
   int *index, *tl, *ul;
@@ -95,7 +95,7 @@ enum {
   TM_TL_G = 18,        /* G at the next force point */
   TM_TL_PSTRAIN = 27,  /* plastic strain when it was updated-Lagrangian last */
   TM_TL_IS_UL = 28,    /* 1: updated-Lagrangian in the coming step */
-  TM_TL_WAS_UL = 29,   /* 1: was so in the last step */
+  TM_TL_WAS_UL = 29,   /* 1: was so in the last step, AdaptNode of F14 */
   TM_TL_UL_STEPS = 30, /* number of steps in which it was so */
   TM_TL_PROXIMITY = 31,    /* above 0: a particle came near, slid or was deleted; proximity checks that it remains so */
   TM_TL_TWO_SIDED = 32,    /* 1: a_i and a_j differ in a pair of the row */

@@ -2,10 +2,10 @@
 #include "adapt_smoothing.h"
 
 #include "argument.h"
-#include "fix_adapt_neigh.h"
 #include "fix_sph_tm.h"
 #include "neighbor_cutoff.h"
 #include "pair_sph_tm.h"
+#include "search_loops.h"
 
 #include "atom.h"
 #include "domain.h"
@@ -24,7 +24,7 @@ static constexpr double MARGIN = 1.05;
 bool AdaptSmoothing::keyword(Keywords &k)
 {
   if (!k.is("asph")) return false;
-  LAMMPS *lmp = fix.host();
+  LAMMPS *lmp = parts.host();
   if (mode != NONE) lmp->error->all(FLERR, "{} is given twice", k.what());
   mode = k.second("psi", "density") ? DENSITY : PSI;
   while (k.option(options())) {
@@ -43,18 +43,19 @@ bool AdaptSmoothing::keyword(Keywords &k)
 
 void AdaptSmoothing::init()
 {
-  PairSPHTM &pair = fix.pair();
-  fix.body().need(TM_FX_SMOOTHING, "fix adapt/neigh has asph");
-  if (!fix.body().has(TM_FX_SMOOTHING))
-    fix.host()->error->all(FLERR, "Fix adapt/neigh asph needs the effect smoothing, which is forced off in fix sph/tm");
-  const tm_size_range r = fix.body().sizes();
+  PairSPHTM &pair = parts.pair();
+  parts.body().need(TM_FX_SMOOTHING, "fix adapt/neigh has asph");
+  if (!parts.body().has(TM_FX_SMOOTHING))
+    parts.host()->error->all(FLERR, "Fix adapt/neigh asph needs the effect smoothing, which is forced off in fix "
+                                    "sph/tm");
+  const tm_size_range r = parts.body().sizes();
   smallest_h = r.smallest_h;
   largest_h = r.largest_h;
   pair.cover_sizes(MARGIN * largest_h, r.smallest_dp);
   if (mode != PSI || !table.empty()) return;
   tm_asph_table t;
-  tm_asph_make(pair.settings_in_use().kernel, fix.host()->domain->dimension, &t);
-  table.live_in(fix.body().loops());
+  tm_asph_make(pair.settings_in_use().kernel, parts.host()->domain->dimension, &t);
+  table.live_in(parts.body().loops());
   table.assign(&t, 1);
 }
 
@@ -62,15 +63,15 @@ void AdaptSmoothing::setup() { follow(true); }
 
 void AdaptSmoothing::end_of_step()
 {
-  if (fix.host()->update->ntimestep % every) return;
+  if (parts.host()->update->ntimestep % every) return;
   follow(false);
-  if (largest_h > fix.pair().covered_h()) fix.renew_lists();
+  if (largest_h > parts.pair().covered_h()) parts.renew_lists();
 }
 
 void AdaptSmoothing::follow(bool first)
 {
-  FixSPHTM &body = fix.body();
-  const tm_rates_args &rates = fix.pair().rate_args();
+  FixSPHTM &body = parts.body();
+  const tm_rates_args &rates = parts.pair().rate_args();
   tm_smoothing_args a;
   a.state = body.state();
   a.rec = rates.rec;
@@ -79,10 +80,10 @@ void AdaptSmoothing::follow(bool first)
   a.first = first;
   a.least = least;
   a.most = most;
-  const tm_size_range mine = body.loops().smoothing(fix.host()->atom->nlocal, a, body.effects());
+  const tm_size_range mine = SearchLoops::of(body.loops()).smoothing(body.loops(), parts.owned(), a, body.effects());
   const double low[2] = {-mine.largest_h, mine.smallest_h};
   double all[2];
-  MPI_Allreduce(low, all, 2, MPI_DOUBLE, MPI_MIN, fix.host()->world);
+  MPI_Allreduce(low, all, 2, MPI_DOUBLE, MPI_MIN, parts.host()->world);
   largest_h = -all[0];
   smallest_h = all[1];
 }
@@ -90,10 +91,10 @@ void AdaptSmoothing::follow(bool first)
 // lists that are about to be renewed reach as far as the largest h needs
 void AdaptSmoothing::pre_exchange()
 {
-  PairSPHTM &pair = fix.pair();
+  PairSPHTM &pair = parts.pair();
   if (largest_h <= pair.covered_h()) return;
   pair.cover_sizes(MARGIN * largest_h, pair.smallest_spacing());
-  widen_neighbor_lists(fix.host());
+  widen_neighbor_lists(parts.host());
   widened++;
 }
 

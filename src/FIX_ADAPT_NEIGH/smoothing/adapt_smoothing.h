@@ -1,4 +1,4 @@
-/* SPH-TM: part of fix adapt/neigh: the smoothing length of each particle follows its neighbourhood (ASPH), S13
+/* SPH-TM: part of fix adapt/neigh: the smoothing length of each particle follows its neighborhood (ASPH), S13
    section 3. The values live in the state of fix sph/tm. */
 #ifndef SPHTM_ADAPT_SMOOTHING_H
 #define SPHTM_ADAPT_SMOOTHING_H
@@ -12,7 +12,7 @@ namespace SPHTM_NS {
 
 class AdaptSmoothing : public AdaptPart {
  public:
-  explicit AdaptSmoothing(LAMMPS_NS::FixAdaptNeigh &owner) : AdaptPart(owner) {}
+  explicit AdaptSmoothing(AdaptParts &all) : AdaptPart(all) {}
   bool keyword(Keywords &) override;
   std::vector<std::string> keywords() const override { return {"asph"}; }
   std::vector<std::string> options() const override { return {"every", "limits"}; }

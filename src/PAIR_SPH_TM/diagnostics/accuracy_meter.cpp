@@ -160,7 +160,7 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::of_centers(AuditPatch &p, unsi
   const double most = (pair.covered_h() > 0.0 ? pair.covered_h() : pair.settings_in_use().h) +
       fix.neighbor->skin / tm_kernel_support(pair.settings_in_use().kernel);
   for (int turn = 0; turn < (rule.table ? PSI_TURNS : 1); turn++) {
-    Backend::host().smoothing(n, s, effects);
+    SearchLoops::of(Backend::host()).smoothing(Backend::host(), n, s, effects);
     for (int k = 0; k < n; k++) {
       double &h = own[(size_t) k * TM_S_COLUMNS + TM_S_H];
       h = std::min(h, most);

@@ -1,10 +1,10 @@
-/* SPH-TM: particles sorted into the cells of a grid, for the search of neighbours.
+/* SPH-TM: particles sorted into the cells of a grid, for the search of neighbors.
 
    Cells are cubes, x fastest; where they stand side by side in x so do their particles in the order. Particles
-   beyond the grid count to its outermost cells: that brings nobody further from each other.
+   beyond the grid count to its outermost cells: that increases no distance.
 
-   Where all have one reach cells are at least as wide, and the neighbours of a particle stand in 9 (2D: 3) runs of
-   three cells. Where each has its own, cells may be narrower. Each cell knows how far a particle in it has to look: the
+   Where all have one reach cells are at least as wide, and the neighbors of a particle stand in 9 (2D: 3) runs of
+   three cells. Where each has its own, cells may be narrower. Each cell has a search radius for its particles: the
    largest reach of those in it, and of those in other cells that reach it. So a small particle among small ones looks
    through a few small cells. */
 #ifndef TM_CELLS_H

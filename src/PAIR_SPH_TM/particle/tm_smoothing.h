@@ -1,4 +1,4 @@
-/* SPH-TM: the smoothing length of one particle follows its neighbourhood (tm_asph.h), or its density.
+/* SPH-TM: the smoothing length of one particle follows its neighborhood (tm_asph.h), or its density.
 
    Positions are those of the records, at the half step: owned and ghost particles are then at the same
    time, whatever rank they are on. The density is that of the material, also in plane stress. */
@@ -12,13 +12,13 @@
 typedef struct {
   tm_state state;
   tm_records rec;
-  tm_rows rows;                /* all mechanical neighbours below support * h of the particle */
+  tm_rows rows;                /* all mechanical neighbors below support * h of the particle */
   const tm_asph_table *table;  /* NULL: h follows the density */
   int first;                   /* nonzero: only finds targets that are not known yet */
   tm_real least, most;         /* limits of h, in units of that the particle was made with */
 } tm_smoothing_args;
 
-/* sum over j != i of shape(|x_ij|/h) */
+/* sum over j != i of shape(|x_ij|/h), of Psi in S13 (1) */
 TM_FN tm_real tm_smoothing_sum(int i, const tm_smoothing_args *a, tm_real h, int kernel)
 {
   const int *row = a->rows.index + a->rows.first[i];

@@ -1,6 +1,6 @@
 /* SPH-TM: the row of one particle from the cells, in order of tag.
 
-   Particles i and j are neighbours within the larger of their reaches, so that both are in each
+   Particles i and j are neighbors within the larger of their reaches, so that both are in each
    other's row. A row has room for `capacity` entries; a longer one is reported, never cut silently. */
 #ifndef TM_SEARCH_H
 #define TM_SEARCH_H
@@ -15,7 +15,7 @@ enum { TM_SEARCH_MOST = 2048 };   /* entries a row can have */
 typedef struct {
   tm_cells cells;
   tm_real reach;                 /* where particles have none of their own */
-  const unsigned char *meets;    /* per type pair: segments, or NULL: all are mechanical neighbours */
+  const unsigned char *meets;    /* per type pair: segments, or NULL: all are mechanical neighbors */
   int segments;                  /* those wanted, bits of TM_MEETS_... */
   const int *type, *tag;
   int ntypes;

@@ -1,15 +1,10 @@
-/* SPH-TM: refinement, particles about a split or a merge move a little until they lie evenly.
+#include "relaxation.h"
 
-   Where particles of two sizes meet, sum_j V_j gradW is not 0, and uniform stress makes forces. A fluid under
-   pressure would even it out; so do a few sweeps of x_i -= 0.3 h_i^2 sum_j V_j gradW_ij. State moves
-   with its gradient. Momentum stays; the spin that the moves would add is taken out as a rotation. */
-#include "fix_adapt_neigh.h"
 #include "fix_sph_tm.h"
-#include "pair_sph_tm.h"
-#include "refinement.h"
 
 #include "atom.h"
 #include "domain.h"
+#include "lammps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,9 +14,9 @@ using namespace LAMMPS_NS;
 namespace SPHTM_NS {
 
 // displacements of the particles of this rank; those at a free surface, which lack neighbors, stay
-std::vector<tm_vec3> Refinement::even_out(std::vector<char> &moves)
+std::vector<tm_vec3> Relaxation::displacements(std::vector<char> &moves)
 {
-  const Atom *atom = lmp()->atom;
+  const Atom *atom = parts.host()->atom;
   const int n = atom->nlocal;
   std::vector<double> h(n);
   for (int i = 0; i < n; i++) h[i] = cloud.size(i);
@@ -29,7 +24,7 @@ std::vector<tm_vec3> Refinement::even_out(std::vector<char> &moves)
   cloud.forward();
   const double farthest = 0.2, at_surface = 0.15;
   std::vector<tm_vec3> shift(n, tm_vec(0, 0, 0));
-  for (int sweep = 0; sweep < sweeps; sweep++) {
+  for (int sweep = 0; sweep < in.sweeps; sweep++) {
     std::vector<tm_vec3> step(n);
     for (int i = 0; i < n; i++) {
       if (!moves[i]) continue;
@@ -54,10 +49,10 @@ std::vector<tm_vec3> Refinement::even_out(std::vector<char> &moves)
   return shift;
 }
 
-// about the centre of the moved particles, on all ranks: mass, centre, spin that the moves add, inertia
-struct Refinement::Moved {
+// about the center of the moved particles, on all ranks: mass, center, spin that the moves add, inertia
+struct Relaxation::Moved {
   double mass = 0.0;
-  tm_vec3 centre = {0, 0, 0}, mean = {0, 0, 0}, spin = {0, 0, 0};
+  tm_vec3 center = {0, 0, 0}, mean = {0, 0, 0}, spin = {0, 0, 0};
   tm_sym3 inertia = {0, 0, 0, 0, 0, 0};
 };
 
@@ -78,12 +73,12 @@ static std::vector<double> sum_in_any_order(const std::vector<double> &values, i
   return sums;
 }
 
-Refinement::Moved Refinement::measure(const std::vector<char> &moves, const std::vector<tm_vec3> &shift)
+Relaxation::Moved Relaxation::measure(const std::vector<char> &moves, const std::vector<tm_vec3> &shift)
 {
-  const Atom *atom = lmp()->atom;
+  const Atom *atom = parts.host()->atom;
   auto unwrapped = [&](int i) {
     double x[3];
-    lmp()->domain->unmap(atom->x[i], atom->image[i], x);
+    parts.host()->domain->unmap(atom->x[i], atom->image[i], x);
     return from(x);
   };
   std::vector<double> values;
@@ -93,40 +88,39 @@ Refinement::Moved Refinement::measure(const std::vector<char> &moves, const std:
     const double m = atom->rmass[i];
     values.insert(values.end(), {m, m * x.x, m * x.y, m * x.z, m * d.x, m * d.y, m * d.z});
   }
-  std::vector<double> all = sum_in_any_order(values, 7, lmp()->world);
+  std::vector<double> all = sum_in_any_order(values, 7, parts.host()->world);
   Moved s;
   s.mass = all[0];
   if (s.mass == 0.0) return s;
-  s.centre = tm_vec_scale(1.0 / s.mass, from(&all[1]));
+  s.center = tm_vec_scale(1.0 / s.mass, from(&all[1]));
   s.mean = tm_vec_scale(1.0 / s.mass, from(&all[4]));
   values.clear();
   for (int i = 0; i < atom->nlocal; i++) {
     if (!moves[i]) continue;
-    const tm_vec3 d = tm_vec_sub(shift[i], s.mean), r = tm_vec_add(tm_vec_sub(unwrapped(i), s.centre), d);
+    const tm_vec3 d = tm_vec_sub(shift[i], s.mean), r = tm_vec_add(tm_vec_sub(unwrapped(i), s.center), d);
     const double m = atom->rmass[i], r2 = tm_vec_dot(r, r);
     const tm_vec3 spin = tm_vec_cross(d, tm_vec_scale(m, from(atom->v[i])));
     values.insert(values.end(), {spin.x, spin.y, spin.z,
                                  m * (r2 - r.x * r.x), m * (r2 - r.y * r.y), m * (r2 - r.z * r.z),
                                  -m * r.x * r.y, -m * r.x * r.z, -m * r.y * r.z});
   }
-  all = sum_in_any_order(values, 9, lmp()->world);
+  all = sum_in_any_order(values, 9, parts.host()->world);
   s.spin = from(&all[0]);
   s.inertia = tm_sym_load(&all[3]);
   return s;
 }
 
-void Refinement::settle()
+void Relaxation::run()
 {
-  Atom *atom = lmp()->atom;
-  const int n = atom->nlocal, dim = lmp()->domain->dimension;
-  settle_at = -1;
-  fix.body().host_particles();
+  Atom *atom = parts.host()->atom;
+  const int n = atom->nlocal, dim = parts.host()->domain->dimension;
+  parts.body().host_particles();
   std::vector<char> moves(n);
   for (int i = 0; i < n; i++) {
-    moves[i] = fresh[i] > 0.0;
-    fresh[i] = 0.0;
+    moves[i] = levels.is_fresh(i);
+    levels.set_fresh(i, false);
   }
-  const std::vector<tm_vec3> shift = even_out(moves);
+  const std::vector<tm_vec3> shift = displacements(moves);
   const Moved s = measure(moves, shift);
   if (s.mass == 0.0) return;
   // spin = inertia turn
@@ -144,11 +138,11 @@ void Refinement::settle()
     const tm_vec3 d = tm_vec_sub(shift[i], s.mean);
     const double place[3] = {d.x, d.y, d.z};
     rows[i].assign(cloud.row(i), cloud.row(i) + width);
-    spread(i, place, 1, 1.0, rows[i].data());
+    remap.spread(i, place, 1, 1.0, rows[i].data());
     const double *c = cloud.row(i) + TM_CLOUD_X;
     double x[3];
-    lmp()->domain->unmap(atom->x[i], atom->image[i], x);
-    const tm_vec3 r = tm_vec_add(tm_vec_sub(from(x), s.centre), d), dv = tm_vec_scale(-1.0, tm_vec_cross(turn, r));
+    parts.host()->domain->unmap(atom->x[i], atom->image[i], x);
+    const tm_vec3 r = tm_vec_add(tm_vec_sub(from(x), s.center), d), dv = tm_vec_scale(-1.0, tm_vec_cross(turn, r));
     rows[i][TM_CLOUD_V] += dv.x;
     rows[i][TM_CLOUD_V + 1] += dv.y;
     rows[i][TM_CLOUD_V + 2] += dv.z;
@@ -156,20 +150,18 @@ void Refinement::settle()
     rows[i][TM_CLOUD_X + 1] = c[1] + d.y;
     rows[i][TM_CLOUD_X + 2] = c[2] + d.z;
     rows[i][TM_CLOUD_VOLUME] = rows[i][TM_CLOUD_MASS] / rows[i][cloud.column(TM_F_RHO)];
-    const double at[3] = {c[0] - r.x + d.x, c[1] - r.y + d.y, c[2] - r.z + d.z};    // the centre, among the images of i
+    const double at[3] = {c[0] - r.x + d.x, c[1] - r.y + d.y, c[2] - r.z + d.z};    // the center, among the images of i
     tm_content change = tm_content_nothing();
-    add_content(change, 1.0, rows[i].data(), at, atom->type[i]);
-    add_content(change, -1.0, cloud.row(i), at, atom->type[i]);
-    tm_content_sum(&error, &change);
-    fix.body().book_remap(change.kinetic, change.elastic, 0.0);
+    remap.add_content(change, 1.0, rows[i].data(), at, atom->type[i]);
+    remap.add_content(change, -1.0, cloud.row(i), at, atom->type[i]);
+    remap.book(change, 0.0);
   }
   for (int i = 0; i < n; i++) {
     if (!moves[i]) continue;
     std::copy_n(rows[i].data() + TM_CLOUD_X, 3, atom->x[i]);
-    write_row(i, rows[i].data());
-    fix.neighborhood_changed(i);
+    remap.write_row(i, rows[i].data());
   }
-  fix.body().host_particles_changed();
+  parts.body().host_particles_changed();
 }
 
 }    // namespace SPHTM_NS

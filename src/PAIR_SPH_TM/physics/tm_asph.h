@@ -1,9 +1,9 @@
-/* SPH-TM: smoothing length from the neighbours' distances (ASPH), S13 section 3 after Owen 2010.
+/* SPH-TM: smoothing length from the neighbors' distances (ASPH), S13 section 3 after Owen 2010.
 
      Psi_i = (sum over j != i of W(|x_ij|/h_i))^(1/d), kernel normalised for h = 1       S13 (1)
    On the regular lattice of spacing dp, Psi is a rising function of n_h = h/dp; the table is that
-   function, and its inverse gives the effective n_h of any neighbourhood. With the target n_h of the
-   particle's own first neighbourhood and s = target/n_h, kept within [1/4, 4]:
+   function, and its inverse gives the effective n_h of any neighborhood. With the target n_h of the
+   particle's own first neighborhood and s = target/n_h, kept within [1/4, 4]:
      a = 0.4 (1 + s^2) below 1, 0.4 (1 + s^-3) above;  h_new = h (1 - a + a s)          S13 (2), (3)
    The particle itself is left out of the sum: it would add the same at any distance of the others.
    The alternative, h from density, is dh/dt = -(h/(d rho)) drho/dt                      S13 (5),
@@ -18,11 +18,11 @@ enum { TM_ASPH_ENTRIES = 256 };
 
 typedef struct {
   tm_real psi[TM_ASPH_ENTRIES]; /* at n_h = least + k (TM_ASPH_MOST - least)/(TM_ASPH_ENTRIES - 1) */
-  tm_real least;                /* the n_h below which a lattice has no neighbours */
+  tm_real least;                /* the n_h below which a lattice has no neighbors */
   int dim;
 } tm_asph_table;
 
-/* Psi of the regular lattice (square, cubic) of spacing 1 with h = n_h. */
+/* Psi of the regular lattice (square, cubic) of spacing 1 with h = n_h, S13 (1). */
 TM_FN tm_real tm_asph_lattice_psi(int kernel, int dim, tm_real n_h)
 {
   const int reach = (int) (tm_kernel_support(kernel) * n_h), nz = dim == 3 ? reach : 0;
@@ -45,7 +45,7 @@ TM_FN void tm_asph_make(int kernel, int dim, tm_asph_table *t)
     t->psi[k] = tm_asph_lattice_psi(kernel, dim, t->least + k * (TM_ASPH_MOST - t->least) / (TM_ASPH_ENTRIES - 1));
 }
 
-/* Effective n_h of a neighbourhood with the given Psi >= 0: the table read backwards. No neighbours
+/* Effective n_h of a neighborhood with the given Psi >= 0: the table read backwards. No neighbors
    (Psi 0) reads as the least n_h. */
 TM_FN tm_real tm_asph_nodes(const tm_asph_table *t, tm_real psi)
 {
@@ -61,7 +61,7 @@ TM_FN tm_real tm_asph_nodes(const tm_asph_table *t, tm_real psi)
   return t->least + step * (lo + (psi - t->psi[lo]) / (t->psi[hi] - t->psi[lo]));
 }
 
-/* Psi from the plain sum of shape(|x_ij|/h_i) over the neighbours. */
+/* Psi from the plain sum of shape(|x_ij|/h_i) over the neighbors, S13 (1). */
 TM_FN tm_real tm_asph_psi(int kernel, int dim, tm_real shape_sum)
 {
   const tm_real w = shape_sum * tm_kernel_norm(kernel, dim, 1.0);
@@ -72,8 +72,8 @@ TM_FN tm_real tm_asph_psi(int kernel, int dim, tm_real shape_sum)
 TM_FN tm_real tm_asph_next(tm_real h, tm_real target, tm_real n_h)
 {
   const tm_real s = tm_min(tm_max(target / n_h, 0.25), 4.0);
-  const tm_real a = s < 1.0 ? 0.4 * (1.0 + s * s) : 0.4 * (1.0 + 1.0 / (s * s * s));
-  return h * (1.0 - a + a * s);
+  const tm_real a = s < 1.0 ? 0.4 * (1.0 + s * s) : 0.4 * (1.0 + 1.0 / (s * s * s));    /* S13 (2) */
+  return h * (1.0 - a + a * s);    /* S13 (3) */
 }
 
 /* h at density rho of what had h0 at rho0, S13 (4). */
