@@ -167,7 +167,7 @@ TM_FN tm_contact_body tm_contact_load(int i, const tm_contact_args *a, const tm_
 }
 
 /* Normal force of a touch; added to the body's force. */
-TM_FN tm_contact_point tm_contact_press(tm_contact_body *b, const tm_touch *t, const tm_pose *pose,
+TM_FN tm_contact_point tm_contact_tri_normal(tm_contact_body *b, const tm_touch *t, const tm_pose *pose,
                                         unsigned effects)
 {
   const tm_contact_law *w = b->law;
@@ -188,29 +188,29 @@ TM_FN tm_contact_point tm_contact_press(tm_contact_body *b, const tm_touch *t, c
 }
 
 /* Friction of a contact: against the sliding that the step would end with. */
-TM_FN void tm_contact_rub(tm_contact_body *b, tm_contact_point *c)
+TM_FN void tm_contact_tri_friction(tm_contact_body *b, tm_contact_point *c)
 {
   const tm_vec3 end = tm_vec_sub(tm_vec_axpy(b->v, b->dt / b->mass, b->force), c->tool_v);
-  const tm_vec3 slide = tm_vec_axpy(end, -tm_vec_dot(end, c->normal), c->normal);   /* F15 (14) */
+  const tm_vec3 slide = tm_contact_tangential(end, c->normal);
   const tm_real limit = tm_contact_friction_limit(b->law, c->fn, b->temperature, b->yield);
   c->friction = tm_contact_friction(slide, b->mass, b->dt, limit);
   b->force = tm_vec_add(b->force, c->friction);
 }
 
 /* Heat of one contact: into the particle from friction and, through the contact, from the tool. */
-TM_FN void tm_contact_warm(int i, const tm_contact_args *a, const tm_contact_body *b,
+TM_FN void tm_contact_tri_heat(int i, const tm_contact_args *a, const tm_contact_body *b,
                            tm_real friction_power, tm_real fn, tm_contact_result *r)
 {
   const tm_material *m = a->material + a->type[i];
   const tm_real T = b->temperature, k = tm_conductivity(m, T), cp = tm_capacity(m, T);
-  r->friction_heat += friction_power * tm_contact_share(b->law, sqrt(k * m->rho0 * cp));
+  r->friction_heat += friction_power * tm_contact_share(b->law, tm_effusivity(k, m->rho0, cp));
   if (fn > 0.0 && b->law->conductance != 0.0)
     r->conducted += tm_contact_heat(tm_contact_conductance(b->law, k) * b->law->area,
                                     a->tool_temperature, T, b->mass * cp, b->dt);
 }
 
 /* Powers, torque and energy of a contact once all forces on the particle are known. */
-TM_FN void tm_contact_account(int i, const tm_contact_args *a, const tm_contact_body *b,
+TM_FN void tm_contact_tri_tally(int i, const tm_contact_args *a, const tm_contact_body *b,
                               const tm_contact_point *c, unsigned effects, tm_contact_result *r)
 {
   const tm_vec3 mean = tm_vec_axpy(b->v, 0.5 * b->dt / b->mass, b->force);
@@ -230,7 +230,7 @@ TM_FN void tm_contact_account(int i, const tm_contact_args *a, const tm_contact_
   r->depth = tm_max(r->depth, c->delta);
   r->inner = tm_max(r->inner, c->delta - b->law->radius);
   r->contacts += c->fn > 0.0;
-  if (effects & TM_CT_HEAT) tm_contact_warm(i, a, b, friction_power, c->fn, r);
+  if (effects & TM_CT_HEAT) tm_contact_tri_heat(i, a, b, friction_power, c->fn, r);
 }
 
 /* Force, heat and count of one contact on its triangle; heat is what this contact added. */
@@ -271,13 +271,13 @@ TM_FN tm_contact_result tm_contact_tri(int i, const tm_contact_args *a, unsigned
   }
   tm_contact_body b = tm_contact_load(i, a, w, effects);
   tm_contact_point c[TM_TOUCH_MAX];
-  for (int k = 0; k < n; k++) c[k] = tm_contact_press(&b, touch + k, &a->pose, effects);
+  for (int k = 0; k < n; k++) c[k] = tm_contact_tri_normal(&b, touch + k, &a->pose, effects);
   if (effects & TM_CT_FRICTION)
-    for (int k = 0; k < n; k++) tm_contact_rub(&b, c + k);
+    for (int k = 0; k < n; k++) tm_contact_tri_friction(&b, c + k);
 
   for (int k = 0; k < n; k++) {
     const tm_real before = r.friction_power - r.friction_heat - r.conducted;
-    tm_contact_account(i, a, &b, c + k, effects, &r);
+    tm_contact_tri_tally(i, a, &b, c + k, effects, &r);
     r.heat_tool = (effects & TM_CT_HEAT) ? r.friction_power - r.friction_heat - r.conducted : 0.0;
     if (effects & TM_CT_OUTPUT)
       tm_contact_output(a, c + k, touch[k].triangle,

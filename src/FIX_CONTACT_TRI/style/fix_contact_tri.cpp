@@ -129,7 +129,7 @@ std::string FixContactTri::heat_in_words(int type) const
 {
   const tm_material &m = pair->materials()[type];
   const double T = state->start_temperature();
-  const double e = sqrt(tm_conductivity(&m, T) * m.rho0 * tm_capacity(&m, T));
+  const double e = tm_effusivity(tm_conductivity(&m, T), m.rho0, tm_capacity(&m, T));
   const bool said = request.share >= 0.0 || request.effusivity >= 0.0 || request.body_type;
   return fmt::format(", {:.3f} of the friction heat into the particles{}",
                      tm_contact_share(&laws[type], e),
@@ -163,7 +163,7 @@ tm_contact_law FixContactTri::make_law(int type)
   tm_contact_law w = {};
   w.active = m.body == TM_BODY_SOLID;
   w.radius = 0.5 * dp;
-  w.stiffness = tm_contact_stiffness(request.penalty, m.young, 0.0, dp, dim3);
+  w.stiffness = tm_contact_stiffness(request.penalty, m.young, 0.0, dp, dp, dim3);
   w.damping = request.damping;
   w.area = dim3 ? dp * dp : dp;
   w.friction = request.friction;
@@ -174,7 +174,7 @@ tm_contact_law FixContactTri::make_law(int type)
   if (request.body_type) {
     const tm_material &b = pair->materials()[request.body_type];
     const double T = state->start_temperature();
-    w.tool_effusivity = sqrt(tm_conductivity(&b, T) * b.rho0 * tm_capacity(&b, T));
+    w.tool_effusivity = tm_effusivity(tm_conductivity(&b, T), b.rho0, tm_capacity(&b, T));
     w.conductance = 0.0;    // conduction goes from particle to particle
   } else if (request.share < 0.0 && request.effusivity < 0.0) {
     w.share = 0.5;

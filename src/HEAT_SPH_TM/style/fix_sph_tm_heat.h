@@ -8,6 +8,7 @@
 #include "fix.h"
 
 #include "equal_value.h"
+#include "scene.h"
 #include "tm_exchange.h"
 
 namespace SPHTM_NS {
@@ -15,8 +16,6 @@ class Keywords;
 }
 
 namespace LAMMPS_NS {
-
-class FixSPHTM;
 
 class FixSPHTMHeat : public Fix {
  public:
@@ -33,7 +32,8 @@ class FixSPHTMHeat : public Fix {
 
  private:
   enum Mode { TEMPERATURE, FLUX, SOURCE, CONVECTION, RADIATION } mode;
-  FixSPHTM *body = nullptr;
+  std::shared_ptr<SPHTM_NS::Scene> scene;
+  SPHTM_NS::ParticleState *state = nullptr;    // of fix sph/tm
   SPHTM_NS::EqualValue strength, T_inf;    // strength: also the fixed temperature
   double emissivity = -1.0;                // negative: the material's
   double threshold = TM_SURFACE_THRESHOLD;

@@ -36,6 +36,10 @@ TM_FN tm_real tm_conductivity(const tm_material *m, tm_real T)
 /* c_p(T), energy/(mass temperature) */
 TM_FN tm_real tm_capacity(const tm_material *m, tm_real T) { return tm_table_at(&m->capacity, T); }
 
+/* sqrt(k rho c_p), power time^(1/2)/(area temperature). Two half-spaces that are brought together share the heat of
+   friction by it, and meet at the mean of their temperatures weighted by it. */
+TM_FN tm_real tm_effusivity(tm_real k, tm_real rho, tm_real cp) { return sqrt(k * rho * cp); }
+
 /* [hot] W'/r as conduction takes it, from g = W'/r at q = r/h; kernel is a literal. The hyperbolic kernel alone has a
    slope at r = 0, so its W'/r has no bound. Tension can draw particles together; at 1e-3 of their spacing, with a step
    a hundred times below that of the lattice, they would swap more heat than evens them out, and swing ever farther
@@ -104,15 +108,6 @@ TM_FN tm_real tm_heat_rise(const tm_material *m, tm_real T, tm_real heat)
   if (m->capacity.n)
     for (int it = 0; it < 3; it++) rise = heat / tm_capacity(m, T + 0.5 * rise);
   return rise;
-}
-
-/* Time step of explicit conduction, 3/4 of the limit 2/3 of the predictor in tm_state.h over the
-   fastest decay rate k/(rho c_p h^2) (tm_lattice.h). A pair conducts with the harmonic mean of its
-   sides, up to twice its own k where the other side has k_max, the largest in the scene; k > 0. */
-TM_FN tm_real tm_heat_time_step(tm_real rho, tm_real cp, tm_real h, tm_real k, tm_real k_max,
-                                tm_real rate)
-{
-  return 0.5 * rho * cp * h * h / (rate * 2.0 * k * k_max / (k + k_max));
 }
 
 #endif

@@ -47,6 +47,18 @@ TM_FN tm_real tm_hardening_power(tm_real eps, tm_real n)
   return eps > 0.0 ? pow(eps, n) : (n == 0.0 ? 1.0 : 0.0);
 }
 
+/* The flow stress of Johnson and Cook is hardening times rate factor times tm_thermal_softening.
+   A + B eps^n, eps >= 0; the power eps^n is what its slope needs. The constants are read before the power is
+   taken: the order that the compiler sees decides where it contracts to fused multiply-adds. */
+TM_FN tm_real tm_johnson_cook_hardening(const tm_material *m, tm_real eps, tm_real *power)
+{
+  const tm_real a = m->jc_a, b = m->jc_b;
+  *power = tm_hardening_power(eps, m->jc_n);
+  return a + b * *power;
+}
+/* 1 + C ln rate* */
+TM_FN tm_real tm_johnson_cook_rate(const tm_material *m, tm_real log_rate) { return 1.0 + m->jc_c * log_rate; }
+
 /* Flow stress at plastic strain eps_p, plastic strain rate and temperature. */
 TM_FN tm_real tm_flow_stress(const tm_material *m, tm_real eps_p, tm_real rate, tm_real T)
 {
@@ -54,8 +66,9 @@ TM_FN tm_real tm_flow_stress(const tm_material *m, tm_real eps_p, tm_real rate, 
   if (m->strength == TM_STRENGTH_ELASTIC) return TM_STRENGTH_INFINITE;
   if (m->strength == TM_STRENGTH_NONE) return 0.0;
   if (m->strength == TM_STRENGTH_PLASTIC) return tm_max(m->yield + m->hardening * eps, 0.0);
-  const tm_real y = m->jc_a + m->jc_b * tm_hardening_power(eps, m->jc_n);
-  const tm_real r = m->jc_c == 0.0 ? 1.0 : 1.0 + m->jc_c * tm_log_rate(m, rate);
+  tm_real power;
+  const tm_real y = tm_johnson_cook_hardening(m, eps, &power);
+  const tm_real r = m->jc_c == 0.0 ? 1.0 : tm_johnson_cook_rate(m, tm_log_rate(m, rate));
   return tm_max(y * r * tm_thermal_softening(m, T), 0.0);
 }
 
@@ -102,10 +115,10 @@ TM_FN tm_real tm_return_johnson_cook(const tm_material *m, tm_real trial, tm_rea
   tm_real lo = 0.0, hi = trial / g3, d = tm_min((trial - first) / g3, hi);
   if (rated) d = tm_min(d, d0 * exp(tm_min((trial / first - 1.0) / C, 500.0)));
   for (int it = 1; it <= TM_RETURN_ITERATIONS; it++) {
-    const tm_real e = eps + d, power = tm_hardening_power(e, n);
-    const tm_real hard = soft * (m->jc_a + m->jc_b * power);
+    tm_real power;
+    const tm_real e = eps + d, hard = soft * tm_johnson_cook_hardening(m, e, &power);
     const int fast = rated && d > d0;
-    const tm_real rate = fast ? 1.0 + C * log(d / d0) : 1.0, rate1 = fast ? C / d : 0.0;
+    const tm_real rate = fast ? tm_johnson_cook_rate(m, log(d / d0)) : 1.0, rate1 = fast ? C / d : 0.0;
     const tm_real y = hard * rate, f = trial - g3 * d - y;
     *iterations = it;
     if (fabs(f) <= TM_RETURN_TOLERANCE * y + 4e-16 * trial) break;
@@ -135,8 +148,8 @@ TM_FN tm_return_result tm_radial_return(const tm_material *m, tm_sym3 s_trial, t
   const tm_real trial = tm_sym_mises(s_trial), g3 = 3.0 * m->shear, eps = tm_max(eps_p, 0.0);
   const int jc = m->strength == TM_STRENGTH_JOHNSON_COOK;
   const tm_real soft = jc ? tm_thermal_softening(m, T) : 1.0;
-  tm_real first = 0.0;  /* flow stress before the step, at no rate */
-  if (jc) first = tm_max(soft * (m->jc_a + m->jc_b * tm_hardening_power(eps, m->jc_n)), 0.0);
+  tm_real power, first = 0.0;  /* flow stress before the step, at no rate */
+  if (jc) first = tm_max(soft * tm_johnson_cook_hardening(m, eps, &power), 0.0);
   else first = tm_flow_stress(m, eps, 0.0, T);
   out.yield = first;
   if (!(trial > first)) return out;

@@ -1,7 +1,5 @@
-/* SPH-TM: pair style sph/tm, restart. See doc/pair_sph_tm.rst. */
-#include "pair_sph_tm.h"
+#include "model_restart.h"
 
-#include "fix_sph_tm.h"
 #include "material_constants.h"
 #include "restart_block.h"
 #include "restart_scan.h"
@@ -9,7 +7,6 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
-#include "force.h"
 #include "input.h"
 #include "utils.h"
 
@@ -17,12 +14,13 @@
 #include <cstring>
 
 using namespace LAMMPS_NS;
-using namespace SPHTM_NS;
+
+namespace SPHTM_NS {
 
 namespace {
 // what a file holds, of fixed size
 struct SettingsRecord {
-  PairSPHTM::Settings set;
+  Settings set;
   FrontHash front;
 };
 struct MaterialRecord {
@@ -31,7 +29,7 @@ struct MaterialRecord {
 };
 struct LawRecord {
   int given;
-  PairSPHTM::PairLaw law;
+  PairLaw law;
 };
 struct TypesRecord {
   char fix[64];
@@ -46,68 +44,76 @@ void copy_text(char (&to)[64], const std::string &text)
 }
 }    // namespace
 
-void PairSPHTM::write_restart(FILE *fp)
+void ModelRestart::write_settings(FILE *fp, const Settings &set)
 {
-  write_restart_settings(fp);
+  SettingsRecord r = {};
+  r.set = set;
+  r.front = front_hash(fp, file_name(fp));
+  write_checked(fp, &r, sizeof(r));
+}
+
+void ModelRestart::write(FILE *fp, const Model &model, const std::string &fix_id, int **setflag)
+{
   TypesRecord head = {};
-  copy_text(head.fix, has_fix() ? fix->id : "");
-  head.types = atom_types;
+  copy_text(head.fix, fix_id);
+  head.types = model.types();
   write_checked(fp, &head, sizeof(head));
-  for (int i = 1; i <= atom_types; i++) {
+  for (int i = 1; i <= model.types(); i++) {
     MaterialRecord m = {};
-    m.material = material[i];
-    copy_text(m.title, names[i]);
+    m.material = model.materials()[i];
+    copy_text(m.title, model.material_name(i));
     write_checked(fp, &m, sizeof(m));
-    for (int j = 1; j <= atom_types; j++) {
+    for (int j = 1; j <= model.types(); j++) {
       LawRecord l = {};
       l.given = setflag[std::min(i, j)][std::max(i, j)];
-      l.law = law(i, j);
+      l.law = model.law(i, j);
       write_checked(fp, &l, sizeof(l));
     }
   }
 }
 
-void PairSPHTM::read_restart(FILE *fp)
+void ModelRestart::read(FILE *fp, Model &model, int **setflag)
 {
-  read_restart_settings(fp);
-  allocate();
-  unit = unit_scale(lmp);
   TypesRecord head;
   read_checked(lmp, WHO, fp, &head, sizeof(head));
-  restart_fix = head.fix;
+  fix = head.fix;
   if (head.types != atom->ntypes)
     error->all(FLERR, "{}: the {} has {} types, the simulation {}", WHO, restart_file_name(lmp), head.types,
                atom->ntypes);
+  written.reset(new Written);
+  written->settings = model.settings_in_use();
+  written->material.resize(head.types + 1);
+  written->laws.resize((size_t) (head.types + 1) * (head.types + 1));
   for (int i = 1; i <= head.types; i++) {
     MaterialRecord m;
     read_checked(lmp, WHO, fp, &m, sizeof(m));
-    material[i] = m.material;
-    names[i] = m.title;
+    model.set_material(i, m.material, m.title);
+    written->material[i] = m.material;
     for (int j = 1; j <= head.types; j++) {
       LawRecord l;
       read_checked(lmp, WHO, fp, &l, sizeof(l));
       setflag[std::min(i, j)][std::max(i, j)] = l.given;
-      laws[i * (atom_types + 1) + j] = l.law;
+      model.set_law(i, j, l.law);
+      written->laws[i * (head.types + 1) + j] = l.law;
     }
   }
-  written.reset(new Written{set, material, laws});
   refuse_damaged(comm->me == 0 ? scan_restart(fp, name_of_parts()) : "");
 }
 
 // of a file in parts its name with % where the one that is open has "base", or ""
-std::string PairSPHTM::name_of_parts() const
+std::string ModelRestart::name_of_parts() const
 {
   if (input->narg < 1 || !strchr(input->arg[0], '%')) return "";
   std::string name = input->arg[0];
   if (name.find('*') == std::string::npos) return name;
-  name = restart_name;    // LAMMPS has found the number behind *
+  name = file;    // LAMMPS has found the number behind *
   const size_t at = name.rfind("base");
   if (at == std::string::npos) return "";
   return name.replace(at, 4, "%");
 }
 
 // of the first rank
-void PairSPHTM::refuse_damaged(const std::string &fault)
+void ModelRestart::refuse_damaged(const std::string &fault)
 {
   std::string text = fault;
   int length = (int) text.size();
@@ -118,30 +124,26 @@ void PairSPHTM::refuse_damaged(const std::string &fault)
   error->all(FLERR, "{}: the {} is damaged: {}", WHO, restart_file_name(lmp), text);
 }
 
-void PairSPHTM::write_restart_settings(FILE *fp)
+const std::string &ModelRestart::name_of_file(FILE *fp)
 {
-  SettingsRecord r = {};
-  r.set = set;
-  r.front = front_hash(fp, file_name(fp));
-  write_checked(fp, &r, sizeof(r));
+  file = comm->me == 0 ? file_name(fp) : "";
+  int length = (int) file.size();
+  MPI_Bcast(&length, 1, MPI_INT, 0, world);
+  file.resize(length);
+  MPI_Bcast(&file[0], length, MPI_CHAR, 0, world);
+  return file;
 }
 
-void PairSPHTM::read_restart_settings(FILE *fp)
+Settings ModelRestart::read_settings(FILE *fp)
 {
-  restart_name = comm->me == 0 ? file_name(fp) : "";
-  int length = (int) restart_name.size();
-  MPI_Bcast(&length, 1, MPI_INT, 0, world);
-  restart_name.resize(length);
-  MPI_Bcast(&restart_name[0], length, MPI_CHAR, 0, world);
-
   FrontHash front;
-  if (comm->me == 0) front = front_hash(fp, restart_name);
+  if (comm->me == 0) front = front_hash(fp, file);
   SettingsRecord r;
   read_checked(lmp, WHO, fp, &r, sizeof(r));
   const bool known = r.front.hash && front.hash;
   refuse_damaged(known && (front.bytes != r.front.bytes || front.hash != r.front.hash)
                      ? "the checksum of its head (box, groups, masses) does not fit" : "");
-  set = r.set;
+  return r.set;
 }
 
 /* ---------------------------------------------------------------------- what differs from the run that wrote it */
@@ -152,9 +154,9 @@ std::string change(const std::string &name, double then, double now)
   return fmt::format("{} was {:.8g}, is {:.8g}", name, then, now);
 }
 
-std::vector<std::string> changes(const PairSPHTM::Settings &then, const PairSPHTM::Settings &now)
+std::vector<std::string> changes(const Settings &then, const Settings &now)
 {
-  using S = PairSPHTM::Settings;
+  using S = Settings;
   static const struct { const char *name; double S::*value; } numbers[] = {
       {"ratio", &S::ratio}, {"spacing", &S::spacing}, {"viscosity alpha", &S::visc_alpha},
       {"viscosity beta", &S::visc_beta}, {"artstress", &S::art_eps}, {"xsph", &S::xsph}, {"hourglass", &S::hourglass}};
@@ -164,8 +166,8 @@ std::vector<std::string> changes(const PairSPHTM::Settings &then, const PairSPHT
       {"precision mixed", &S::mixed}};
   std::vector<std::string> found;
   if (then.kernel != now.kernel)
-    found.push_back(fmt::format("kernel was {}, is {}", PairSPHTM::kernel_name(then.kernel),
-                                PairSPHTM::kernel_name(now.kernel)));
+    found.push_back(fmt::format("kernel was {}, is {}", kernel_name(then.kernel),
+                                kernel_name(now.kernel)));
   for (const auto &n : numbers)
     if (then.*n.value != now.*n.value) found.push_back(change(n.name, then.*n.value, now.*n.value));
   if (then.art_n != now.art_n) found.push_back(change("artstress exponent", then.art_n, now.art_n));
@@ -201,7 +203,7 @@ std::vector<std::string> changes(const tm_material &then, const tm_material &now
 }    // namespace
 
 // once, before the first run after read_restart
-void PairSPHTM::compare_with_restart()
+void ModelRestart::compare(const Model &model)
 {
   if (!written) return;
   const std::unique_ptr<Written> then = std::move(written);
@@ -211,11 +213,11 @@ void PairSPHTM::compare_with_restart()
     if (!found.empty())
       error->warning(FLERR, "{}{} differs{}: {}", WHO, what, tail, utils::join_words(found, "; "));
   };
-  say("", changes(then->set, set));
-  for (int i = 1; i <= atom_types; i++) {
-    say(fmt::format(": type {} ({})", i, names[i]), changes(then->material[i], material[i]));
-    for (int j = i + 1; j <= atom_types; j++) {
-      const PairLaw &a = then->laws[i * (atom_types + 1) + j], &b = law(i, j);
+  say("", changes(then->settings, model.settings_in_use()));
+  for (int i = 1; i <= model.types(); i++) {
+    say(fmt::format(": type {} ({})", i, model.material_name(i)), changes(then->material[i], model.materials()[i]));
+    for (int j = i + 1; j <= model.types(); j++) {
+      const PairLaw &a = then->laws[i * (model.types() + 1) + j], &b = model.law(i, j);
       if (a.meeting == b.meeting && a.conductance == b.conductance && a.contact.friction == b.contact.friction &&
           a.contact.penalty == b.contact.penalty && a.contact.damping == b.contact.damping)
         continue;
@@ -223,3 +225,5 @@ void PairSPHTM::compare_with_restart()
     }
   }
 }
+
+}    // namespace SPHTM_NS

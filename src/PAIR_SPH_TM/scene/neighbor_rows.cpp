@@ -1,10 +1,16 @@
-/* SPH-TM: pair style sph/tm, neighbor rows from the host's list. */
-#include "pair_sph_tm.h"
+#include "neighbor_rows.h"
 
-#include "fix_sph_tm.h"
+#include "model.h"
+#include "particle_state.h"
 
 #include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "force.h"
 #include "neigh_list.h"
+#include "neighbor.h"
+#include "pair.h"
+#include "utils.h"
 
 #include <algorithm>
 #include <memory>
@@ -12,46 +18,99 @@
 
 using namespace LAMMPS_NS;
 
-// a contact pair that also conducts stands in two segments
-std::vector<unsigned char> PairSPHTM::segments_of_types()
+namespace SPHTM_NS {
+
+NeighborRows::NeighborRows(LAMMPS *lmp, Pair *p, Backend &loops, Model &m) :
+    Pointers(lmp), backend(loops), model(m), pair(p)
 {
-  const int n1 = atom_types + 1;
-  const bool conduction = fix->has(TM_FX_CONDUCTION);
-  meets_thermal = false;
-  std::vector<unsigned char> segments((size_t) n1 * n1, 0);
-  for (int t = 1; t < n1; t++)
-    for (int u = 1; u < n1; u++) {
-      const PairLaw &l = law(t, u);
-      unsigned char &s = segments[t * n1 + u];
-      if (l.meeting == BOND && material[t].body == TM_BODY_SOLID) s |= TM_MEETS_MECHANICAL;
-      if (conduction && (l.meeting == HEAT_ONLY || (l.meeting == CONTACT && l.conductance >= 0.0)))
-        s |= TM_MEETS_THERMAL;
-      if (l.meeting == CONTACT) s |= TM_MEETS_CONTACT;
-      meets_thermal = meets_thermal || (s & TM_MEETS_THERMAL);
-    }
-  return segments;
+  for (auto *a : {&row_index, &row_mechanical, &row_thermal, &row_contact}) a->live_in(loops);
+  row_first.live_in(loops);
 }
 
-void PairSPHTM::make_room_for_rows()
+void NeighborRows::init(const ParticleState &state, RowSource *source)
+{
+  row_source = source;
+  sizes_differ = state.has(TM_FX_SMOOTHING);
+  check_list_size(model.smallest_spacing());
+}
+
+void NeighborRows::make_room()
 {
   const size_t n = (size_t) atom->nlocal + 1;
   row_first.make_room(true, n);
   for (auto *a : {&row_mechanical, &row_thermal, &row_contact}) a->make_room(true, n);
 }
 
+tm_rows NeighborRows::loop_rows()
+{
+  return {row_index.loop_read(),   row_first.loop_read(),   row_mechanical.loop_read(),
+          row_thermal.loop_read(), row_contact.loop_read(), row_stride};
+}
+
+tm_rows NeighborRows::host_rows()
+{
+  if (row_source) return row_source->host_mechanical();
+  return {row_index.host_read(),   row_first.host_read(),   row_mechanical.host_read(),
+          row_thermal.host_read(), row_contact.host_read(), row_stride};
+}
+
+const int *NeighborRows::loop_tags() { return (const int *) atom->tag; }
+
+double NeighborRows::bytes() const
+{
+  double sum = row_index.bytes() + row_first.bytes();
+  for (auto *a : {&row_mechanical, &row_thermal, &row_contact}) sum += a->bytes();
+  return sum;
+}
+
+/* ---------------------------------------------------------------------- LAMMPS's lists */
+
+// room for the neighbors of a body compressed to a third: LAMMPS's own is meant for molecules
+void NeighborRows::check_list_size(double dp)
+{
+  // smoothing lengths may double during a run
+  const double h = (sizes_differ ? 2.0 : 1.0) * model.covered_h();
+  const double cut = (tm_kernel_support(model.settings_in_use().kernel) * h + neighbor->skin) / dp;
+  const double inside = domain->dimension == 3 ? 4.0 / 3.0 * TM_PI * cut * cut * cut : TM_PI * cut * cut;
+  const int need = (int) std::min(1e7, 3.0 * inside);
+  if (neighbor->oneatom >= need) return;
+  neighbor->oneatom = need;
+  neighbor->pgsize = std::max(neighbor->pgsize, 10 * need);
+  if (comm->me == 0)
+    utils::logmesg(lmp, "sph/tm: neigh_modify one {} page {}, for the reach of the kernel\n", need, neighbor->pgsize);
+}
+
+void NeighborRows::make_room_for(double share) { check_list_size(share * model.smallest_spacing()); }
+
+void NeighborRows::cover_sizes(double h, double dp)
+{
+  model.cover_sizes(h, dp);
+  sizes_differ = true;
+  pair->comm_forward = TM_REC - 3 + TM_REC_STRESS + TM_REC_HEAT + TM_REC_SIZE;
+  const double cut = pair->cutforce = tm_kernel_support(model.settings_in_use().kernel) * h;
+  Pair *whole = force->pair;    // a hybrid style, or the same
+  for (int i = 1; i <= model.types(); i++)
+    for (int j = 1; j <= model.types(); j++) {
+      pair->cutsq[i][j] = cut * cut;
+      if (whole != pair) whole->cutsq[i][j] = std::max(whole->cutsq[i][j], pair->cutsq[i][j]);
+    }
+  if (whole != pair) whole->cutforce = std::max(whole->cutforce, cut);
+  check_list_size(dp);
+}
+
 /* ----------------------------------------------------------------------
-   rows: mechanical neighbours, heat-only ones, contact candidates; each
+   rows: mechanical neighbors, heat-only ones, contact candidates; each
    segment in order of tag, so that sums do not depend on the order in memory.
    No row is sorted: the pairs are put into columns, one per particle, and the
    columns, walked in order of tag, deal their particle out to the rows
 ------------------------------------------------------------------------- */
 
-void PairSPHTM::build_rows()
+void NeighborRows::build(NeighList *list, bool conduction)
 {
   const int nlocal = atom->nlocal, nall = nlocal + atom->nghost, *type = atom->type;
-  const int n1 = atom_types + 1;
+  const int n1 = model.types() + 1;
   const tagint *tag = atom->tag;
-  const std::vector<unsigned char> segments = segments_of_types();
+  const std::vector<unsigned char> segments = model.segments_of_types(conduction);
 
   // images of one particle in order of memory
   std::vector<int> by_tag(nall);
@@ -65,7 +124,7 @@ void PairSPHTM::build_rows()
   std::vector<Particle> particle(nall);
   for (int r = 0; r < nall; r++) particle[by_tag[r]] = {r, type[by_tag[r]]};
 
-  make_room_for_rows();
+  make_room();
   int *mechanicals = row_mechanical.host_write(), *thermals = row_thermal.host_write();
   int *contacts = row_contact.host_write();
   ptrdiff_t *first = row_first.host_write();
@@ -119,3 +178,5 @@ void PairSPHTM::build_rows()
       if (column[k] & TM_MEETS_CONTACT) index[next[2][i]++] = by_tag[r];
     }
 }
+
+}    // namespace SPHTM_NS

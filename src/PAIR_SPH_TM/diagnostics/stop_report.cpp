@@ -1,10 +1,9 @@
-/* SPH-TM: fix sph/tm, states that cannot go on. See doc/fix_sph_tm.rst. */
-#include "fix_sph_tm.h"
+#include "stop_report.h"
 
-#include "pair_sph_tm.h"
+#include "scene.h"
+#include "step_args.h"
 
 #include "atom.h"
-#include "comm.h"
 #include "domain.h"
 #include "error.h"
 #include "modify.h"
@@ -15,40 +14,35 @@
 #include <cmath>
 
 using namespace LAMMPS_NS;
-using namespace SPHTM_NS;
 
-// a particle beyond a fixed boundary is deleted at the next reneighbouring
-tm_drift_args FixSPHTM::drift_args()
+namespace SPHTM_NS {
+
+StopReport::StopReport(LAMMPS *lmp, ParticleState &s, const Scene &sc) : Pointers(lmp), state(s), scene(sc) {}
+
+void StopReport::init()
 {
-  enum { FIXED = 1 };    // of Domain
-  tm_drift_args a;
-  a.state = state();
-  a.group = groupbit;
-  a.half = dt_ahead;
-  for (int d = 0; d < 3; d++) {
-    for (int side = 0; side < 2; side++)
-      a.closed[d][side] = !domain->triclinic && domain->boundary[d][side] == FIXED;
-    a.lo[d] = domain->boxlo[d];
-    a.hi[d] = domain->boxhi[d];
+  constexpr double TIMES = 10.0, WITHOUT_MELTING = 1e5;    // K
+  double melting = 0.0;
+  for (int t = 1; t <= atom->ntypes; t++) {
+    const tm_material &m = state.model().materials()[t];
+    if (m.strength == TM_STRENGTH_JOHNSON_COOK) melting = std::max(melting, m.t_melt);
   }
-  return a;
+  hottest = hottest_given > 0.0 ? hottest_given : melting > 0.0 ? TIMES * melting : WITHOUT_MELTING;
 }
 
-// asked before LAMMPS would delete the particle, and before the forces; whether there is one that may go
-bool FixSPHTM::check_lost()
+void StopReport::limit(tm_update_args &a) const
 {
-  if (drifted == 0) return false;
-  backend.wait();
-  const bool some = *lost < drifted;
-  if (some && stop_on_lost) stop_on_lost_particle(*lost);
-  drifted = 0;
-  return some;
+  a.hottest = hottest;
+  a.densest = densest;
+  a.watch_melt = state.has(TM_FX_HEAT) && !melt_reported;
 }
 
-void FixSPHTM::stop_on_lost_particle(int i)
+bool StopReport::scene_has(const char *fix_style) const { return !modify->get_fix_by_style(fix_style).empty(); }
+
+void StopReport::stop_on_lost(int i)
 {
-  atoms_to_host();
-  const tm_drift_args a = drift_args();
+  state.atoms().to_host_in_step();
+  const tm_drift_args a = drift_args(state, *domain);
   const double *x = atom->x[i], *v = atom->v[i];
   int d = 0;
   while ((!a.closed[d][0] || x[d] >= a.lo[d]) && (!a.closed[d][1] || x[d] <= a.hi[d])) d++;
@@ -60,48 +54,34 @@ void FixSPHTM::stop_on_lost_particle(int i)
              "sph/tm and 'thermo_modify lost ignore'",
              update->ntimestep, atom->tag[i], atom->type[i], x[0], x[1], x[2], v[0], v[1], v[2],
              "xyz"[d], x[d] < a.lo[d] ? "lower" : "upper",
-             scene_has("^contact/tri") || has(TM_FX_BODIES) ? " by an unstable contact" : "");
-}
-
-double FixSPHTM::find_hottest() const
-{
-  constexpr double TIMES = 10.0, WITHOUT_MELTING = 1e5;    // K
-  if (hottest_given > 0.0) return hottest_given;
-  double melting = 0.0;
-  for (int t = 1; t <= atom->ntypes; t++) {
-    const tm_material &m = pair_sph->materials()[t];
-    if (m.strength == TM_STRENGTH_JOHNSON_COOK) melting = std::max(melting, m.t_melt);
-  }
-  return melting > 0.0 ? TIMES * melting : WITHOUT_MELTING;
+             scene_has("^contact/tri") || state.has(TM_FX_BODIES) ? " by an unstable contact" : "");
 }
 
 // once a rank; nothing in the laws knows of a liquid
-void FixSPHTM::report_melting(int i)
+void StopReport::warn_of_melting(int i)
 {
   melt_reported = true;
-  atoms_to_host();
+  state.atoms().to_host_in_step();
   const double *x = atom->x[i];
   error->warning(FLERR,
                  "Fix sph/tm: at step {} particle {} (type {}) at {:.6g} {:.6g} {:.6g} is the "
                  "first above the melting "
                  "temperature {:.6g} of {}: {:.6g} K; it has no strength from there on",
                  update->ntimestep, atom->tag[i], atom->type[i], x[0], x[1], x[2],
-                 pair_sph->materials()[atom->type[i]].t_melt,
-                 pair_sph->material_name(atom->type[i]), temperature(i));
+                 state.model().materials()[atom->type[i]].t_melt,
+                 state.model().material_name(atom->type[i]), state.temperature(i));
 }
 
-bool FixSPHTM::scene_has(const char *fix_style) const { return !modify->get_fix_by_style(fix_style).empty(); }
-
 // how particle i stands among its neighbors, in words; torn: it has lost most of them
-std::string FixSPHTM::surroundings(int i, bool &torn)
+std::string StopReport::surroundings(int i, bool &torn)
 {
-  const tm_rows rows = pair_sph->host_rows();
-  const tm_real *main = pair_sph->host_records().main, *p = main + tm_record(i, TM_REC);
-  const double reach = tm_kernel_support(pair_sph->settings_in_use().kernel) * pair_sph->covered_h();
-  const double dp = pair_sph->smallest_spacing();
+  const tm_rows rows = scene.rows().host_rows();
+  const tm_real *main = scene.results().host_records().main, *p = main + tm_record(i, TM_REC);
+  const double reach = tm_kernel_support(state.model().settings_in_use().kernel) * state.model().covered_h();
+  const double dp = state.model().smallest_spacing();
   int near = 0, failed = 0;
   double closest = 1e300;
-  const double *damage = field(TM_F_DAMAGE);
+  const double *damage = state.field(TM_F_DAMAGE);
   for (int k = 0; k < rows.mechanical[i]; k++) {
     const int j = rows.index[rows.first[i] + k * rows.stride];
     const tm_real *q = main + tm_record(j, TM_REC);
@@ -122,20 +102,20 @@ std::string FixSPHTM::surroundings(int i, bool &torn)
 }
 
 // at least half of what the temperature of particle i fell by in this step
-bool FixSPHTM::most_by_conduction(int i)
+bool StopReport::most_by_conduction(int i)
 {
-  const double *heat = has(TM_FX_CONDUCTION) ? pair_sph->host_heat() : nullptr;
+  const double *heat = state.has(TM_FX_CONDUCTION) ? scene.results().host_heat() : nullptr;
   if (!heat) return false;
-  const double *T = field(TM_F_TEMP) + 3 * (size_t) i;
-  const double rho = pair_sph->host_records().main[tm_record(i, TM_REC) + tm_part(TM_REC_RHO)];
-  const double conducted = heat[i] / (rho * tm_capacity(pair_sph->materials() + atom->type[i], T[0]));
+  const double *T = state.field(TM_F_TEMP) + 3 * (size_t) i;
+  const double rho = scene.results().host_records().main[tm_record(i, TM_REC) + tm_part(TM_REC_RHO)];
+  const double conducted = heat[i] / (rho * tm_capacity(state.model().materials() + atom->type[i], T[0]));
   return conducted < 0.5 * T[1] && T[1] < 0.0;
 }
 
 // of what the scene has
-std::string FixSPHTM::likely_cause(int i, int status)
+std::string StopReport::likely_cause(int i, int status)
 {
-  const bool tool = scene_has("^contact/tri"), bodies = has(TM_FX_BODIES);
+  const bool tool = scene_has("^contact/tri"), bodies = state.has(TM_FX_BODIES);
   const char *contact = tool && bodies ? "a tool or body" : tool ? "a tool" : "a body";
   bool torn = false;
   const std::string around = surroundings(i, torn);
@@ -143,7 +123,7 @@ std::string FixSPHTM::likely_cause(int i, int status)
   auto may = [&causes](bool is, const std::string &text) {
     if (is) causes.push_back(text);
   };
-  const bool fixed = fixed_dt > 0.0;
+  const bool fixed = state.time_step().is_fixed();
   switch (status) {
     case TM_BAD_NAN:
       may(true, "a force, velocity or position that is no number from another fix or command");
@@ -170,7 +150,7 @@ std::string FixSPHTM::likely_cause(int i, int status)
       may(scene_has("^sph/tm/heat"), "a heat source or flux (fix sph/tm/heat) larger than meant");
       may(temperature_set, "a temperature given by fix_modify");
       may(tool || bodies, "friction heat of a speed or pressure out of range");
-      may(has(TM_FX_PLASTICITY), "plastic work of a material whose constants are in another unit");
+      may(state.has(TM_FX_PLASTICITY), "plastic work of a material whose constants are in another unit");
       break;
     default:
       if (most_by_conduction(i)) {
@@ -178,33 +158,34 @@ std::string FixSPHTM::likely_cause(int i, int status)
             "conduction faster than the step between particles far closer or lighter than the "
             "spacing says: lower "
             "dt/max or courant");
-        may(!has(TM_FX_ARTSTRESS) && !has(TM_FX_HOURGLASS), "tension that draws particles together: use artstress or "
+        may(!state.has(TM_FX_ARTSTRESS) && !state.has(TM_FX_HOURGLASS), "tension that draws particles together: use artstress or "
                                                             "hourglass of pair_style");
         break;
       }
       may(scene_has("^sph/tm/heat"), "a heat sink (fix sph/tm/heat) stronger than the particle can feed in one step");
       may(tool || bodies, fmt::format("heat that {} took", contact));
   }
-  may(fixed, fmt::format("the constant dt {:.6g}: use 'dt auto'", fixed_dt));
+  may(fixed, fmt::format("the constant dt {:.6g}: use 'dt auto'", state.time_step().fixed_value()));
   return around + ". Likely cause: " + utils::join_words(causes, ", or ");
 }
 
 // a state that cannot go on: say where and why, leave the last restart file as it is
-void FixSPHTM::stop_on(int i, const tm_update_result &r)
+void StopReport::stop_on(const tm_update_result &r)
 {
-  atoms_to_host();
+  const int i = r.particle;
+  state.atoms().to_host_in_step();
   const double *x = atom->x[i], *v = atom->v[i];
   if (!std::isfinite(x[0] + x[1] + x[2]))
-    x = pair_sph->host_records().main + (size_t) i * TM_REC;    // half a step ago
-  const tm_material &m = pair_sph->materials()[atom->type[i]];
-  const double rho = field(TM_F_RHO)[i], T = temperature(i), *pstrain = field(TM_F_PSTRAIN);
+    x = scene.results().host_records().main + (size_t) i * TM_REC;    // half a step ago
+  const tm_material &m = state.model().materials()[atom->type[i]];
+  const double rho = state.field(TM_F_RHO)[i], T = state.temperature(i), *pstrain = state.field(TM_F_PSTRAIN);
   std::string what;
   switch (r.status) {
     case TM_BAD_NAN:
       what = "state is not a number";
       break;
     case TM_BAD_DENSITY:
-      what = fmt::format("density {:.6g} is not positive", rho / pair_sph->units().density);
+      what = fmt::format("density {:.6g} is not positive", rho / state.model().units().density);
       break;
     case TM_BAD_VOLUME:
       what = fmt::format(
@@ -216,7 +197,7 @@ void FixSPHTM::stop_on(int i, const tm_update_result &r)
                          sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
       break;
     case TM_BAD_STRAIN:
-      what = fmt::format("plastic strain grew by {:.4g} in one step", pstrain ? dt * pstrain[3 * (size_t) i + 1] : 0.0);
+      what = fmt::format("plastic strain grew by {:.4g} in one step", pstrain ? state.time_step().now() * pstrain[3 * (size_t) i + 1] : 0.0);
       break;
     case TM_BAD_HEAT:
       what = fmt::format("temperature {:.6g} is above the {:.6g} of temperature/max", T, hottest);
@@ -228,3 +209,5 @@ void FixSPHTM::stop_on(int i, const tm_update_result &r)
                     "Restart files written before remain valid.",
              update->ntimestep, atom->tag[i], atom->type[i], x[0], x[1], x[2], what, likely_cause(i, r.status));
 }
+
+}    // namespace SPHTM_NS

@@ -1,20 +1,20 @@
-/* SPH-TM: fix sph/tm, what a script gets wrong: other fixes and commands, groups, particles that overlap or have
-   another spacing than their masses, what changes between runs. See doc/fix_sph_tm.rst. */
-#include "fix_sph_tm.h"
+#include "start_checks.h"
 
 #include "all_ranks.h"
-#include "pair_sph_tm.h"
 #include "restart_block.h"
+#include "scene.h"
 #include "tm_filling.h"
 
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "fix.h"
 #include "force.h"
 #include "group.h"
 #include "input.h"
 #include "modify.h"
+#include "pair.h"
 #include "update.h"
 #include "utils.h"
 
@@ -23,7 +23,15 @@
 #include <cstring>
 
 using namespace LAMMPS_NS;
-using namespace SPHTM_NS;
+
+namespace SPHTM_NS {
+
+StartChecks::StartChecks(LAMMPS *lmp, const Fix &f, ParticleState &s, const Scene &sc) :
+    Pointers(lmp), fix(f), state(s), scene(sc)
+{
+}
+
+const Model &StartChecks::model() const { return scene.model(); }
 
 namespace {
 // lattice sum of the masses over its value on the lattice, and spacing over that of the masses: beyond the first the
@@ -36,7 +44,7 @@ constexpr double CLOSE_BETWEEN_RUNS = 0.7;    // where it was not so at the end 
 
 /* ---------------------------------------------------------------------- other fixes and commands */
 
-void FixSPHTM::check_company()
+void StartChecks::check_company(const Pair *pair)
 {
   if (utils::strmatch(update->integrate_style, "^respa"))
     error->all(FLERR, "Fix sph/tm does not work with run_style respa; use run_style verlet");
@@ -46,58 +54,58 @@ void FixSPHTM::check_company()
   if (input->command && strcmp(input->command, "rerun") == 0)
     error->all(FLERR, "Fix sph/tm does not work with rerun: a dump has positions, not the state (stress, density, "
                       "temperature) that the forces follow from; write the values with the dump, or restart files");
-  if (!force->pair->compute_flag || !pair_sph->compute_flag)
+  if (!force->pair->compute_flag || !pair->compute_flag)
     error->all(FLERR, "Fix sph/tm needs the forces of pair style sph/tm, which 'pair_modify compute no' leaves out; "
                       "write 'pair_modify compute yes'");
   for (const auto &f : modify->get_fix_by_style("^dt/reset"))
     error->all(FLERR, "Fix {} dt/reset works against fix sph/tm, which sets the time step itself; remove it, and limit "
                       "the step with the keyword dt/max", f->id);
   for (const auto &f : modify->get_fix_list())
-    if (f->box_change & (BOX_CHANGE_SIZE | BOX_CHANGE_SHAPE) && comm->me == 0)
+    if (f->box_change & (Fix::BOX_CHANGE_SIZE | Fix::BOX_CHANGE_SHAPE) && comm->me == 0)
       error->warning(FLERR, "Fix {} {} changes the box: where it moves the particles with it, their stress and density know "
                             "nothing of it", f->id, f->style);
-  host_particles();
+  state.atoms().to_host();
   check_integrators();
-  const bigint members = group->count(igroup);
+  const bigint members = group->count(state.group_index());
   if (members == 0 && atom->natoms > 0 && comm->me == 0)
-    error->warning(FLERR, "Fix sph/tm {}: group {} is empty: no particle moves", id, group->names[igroup]);
+    error->warning(FLERR, "Fix sph/tm {}: group {} is empty: no particle moves", state.id(), group->names[state.group_index()]);
 }
 
 // a particle with two of them would move twice as far
-void FixSPHTM::check_integrators()
+void StartChecks::check_integrators()
 {
   for (const auto &f : modify->get_fix_list()) {
-    if (f == this || !f->time_integrate) continue;
+    if (f == &fix || !f->time_integrate) continue;
     bigint mine = 0, all = 0;
-    for (int i = 0; i < atom->nlocal; i++) mine += (atom->mask[i] & groupbit) && (atom->mask[i] & f->groupbit);
+    for (int i = 0; i < atom->nlocal; i++) mine += (atom->mask[i] & state.group_bit()) && (atom->mask[i] & f->groupbit);
     MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
     if (all)
       error->all(FLERR,
                  "Fix {} {} also integrates {} particles of group {} that fix sph/tm {} "
                  "integrates; remove it, or "
                  "give the two fixes groups that share no particle",
-                 f->id, f->style, all, group->names[igroup], id);
+                 f->id, f->style, all, group->names[state.group_index()], state.id());
   }
 }
 
 /* ---------------------------------------------------------------------- between runs */
 
 // a fix that is written again would begin with an unstressed body
-void FixSPHTM::check_begun()
+void StartChecks::check_begun(bool begin_anew)
 {
-  if (started || begin_anew || !pair_sph->has_stepped()) return;
+  if (state.history().begun() || begin_anew || !scene.results().has_stepped()) return;
   error->all(FLERR,
              "Fix sph/tm {}: the state of the particles (stress, plastic strain, temperature) was "
              "lost with the fix "
              "that was removed or written again after its first step; change settings with "
              "fix_modify, or begin "
              "from an unstressed body with the keyword 'state new'",
-             id);
+             state.id());
 }
 
-std::vector<bigint> FixSPHTM::particles_of_types(bool old_only)
+std::vector<bigint> StartChecks::particles_of_types(bool old_only)
 {
-  const double *rho = fields[TM_F_RHO].host_read();
+  const double *rho = state.fields()[TM_F_RHO].host_read();
   std::vector<bigint> mine(atom->ntypes + 1, 0), all(atom->ntypes + 1, 0);
   for (int i = 0; i < atom->nlocal; i++) mine[atom->type[i]] += !old_only || rho[i] != 0.0;
   MPI_Allreduce(mine.data(), all.data(), atom->ntypes + 1, MPI_LMP_BIGINT, MPI_SUM, world);
@@ -105,7 +113,7 @@ std::vector<bigint> FixSPHTM::particles_of_types(bool old_only)
 }
 
 // of the places of all particles, in any order
-uint64_t FixSPHTM::places_hash()
+uint64_t StartChecks::places_hash()
 {
   uint64_t mine = 0, all;
   for (int i = 0; i < atom->nlocal; i++) {
@@ -121,7 +129,7 @@ uint64_t FixSPHTM::places_hash()
   return all;
 }
 
-double FixSPHTM::total_mass()
+double StartChecks::total_mass()
 {
   double mine = 0.0, all;
   for (int i = 0; i < atom->nlocal; i++) mine += atom->rmass_flag ? atom->rmass[i] : atom->mass[atom->type[i]];
@@ -129,15 +137,15 @@ double FixSPHTM::total_mass()
   return all;
 }
 
-void FixSPHTM::remember_particles()
+void StartChecks::remember_particles()
 {
-  if (!is_current()) return;
-  host_particles();
+  if (!scene.is_current(&state)) return;
+  state.atoms().to_host();
   last_run.types = particles_of_types(false);
   last_run.density.clear();
-  for (int t = 0; t <= atom->ntypes; t++) last_run.density.push_back(pair_sph->materials()[t].rho0);
-  const tm_nearest c = pair_sph->nearest();
-  const double mine[4] = {c.sum, c.count, pair_sph->neighbors(), (double) atom->nlocal};
+  for (int t = 0; t <= atom->ntypes; t++) last_run.density.push_back(model().materials()[t].rho0);
+  const tm_nearest c = scene.results().nearest();
+  const double mine[4] = {c.sum, c.count, scene.results().neighbors(), (double) atom->nlocal};
   double all[4];
   MPI_Allreduce(mine, all, 4, MPI_DOUBLE, MPI_SUM, world);
   MPI_Allreduce(&c.distance, &last_run.nearest, 1, MPI_DOUBLE, MPI_MIN, world);
@@ -149,12 +157,12 @@ void FixSPHTM::remember_particles()
 }
 
 // particles that a command moved against each other: their stress and density know nothing of it
-void FixSPHTM::check_strain(const tm_nearest &c)
+void StartChecks::check_strain(const tm_nearest &c)
 {
-  host_particles();
-  moved_between = places_hash() != last_run.places;
-  if (!moved_between) return;
-  const double mine[4] = {c.sum, c.count, pair_sph->neighbors(), (double) atom->nlocal};
+  state.atoms().to_host();
+  state.history().set_moved(places_hash() != last_run.places);
+  if (!state.history().moved_since_last_run()) return;
+  const double mine[4] = {c.sum, c.count, scene.results().neighbors(), (double) atom->nlocal};
   double all[4];
   MPI_Allreduce(mine, all, 4, MPI_DOUBLE, MPI_SUM, world);
   if ((bigint) all[3] != last_run.particles) return;
@@ -166,17 +174,17 @@ void FixSPHTM::check_strain(const tm_nearest &c)
   const std::string text = fmt::format(
       "Fix sph/tm {}: particles were moved against each other after the last run (nearest neighbors on the mean {:.4g} "
       "times as far apart, {:.4g} times as many neighbors); their stress and density know nothing of it. Bodies are moved "
-      "as a whole, and strained by velocities in a run", id, near, count);
+      "as a whole, and strained by velocities in a run", state.id(), near, count);
   if (worst > STOPS) error->all(FLERR, text);
   if (comm->me == 0) error->warning(FLERR, text);
 }
 
 // before new particles get their state: which are new, and whether others have changed what they are made of
-void FixSPHTM::look_at_changes()
+void StartChecks::look_at_changes()
 {
   fresh.clear();
-  if (!started || last_run.types.empty()) return;
-  const double *rho = fields[TM_F_RHO].host_read();
+  if (!state.history().begun() || last_run.types.empty()) return;
+  const double *rho = state.fields()[TM_F_RHO].host_read();
   std::vector<tagint> mine;
   for (int i = 0; i < atom->nlocal; i++)
     if (rho[i] == 0.0) mine.push_back(atom->tag[i]);
@@ -186,27 +194,27 @@ void FixSPHTM::look_at_changes()
   for (int t = 1; t <= atom->ntypes; t++)
     if (now[t] > last_run.types[t])
       error->all(FLERR, "Fix sph/tm {}: {} particles became type {} ({}) after a run; their state belongs to another "
-                        "material. Set types before the first run, or delete and create the particles", id,
-                 now[t] - last_run.types[t], t, pair_sph->material_name(t));
+                        "material. Set types before the first run, or delete and create the particles", state.id(),
+                 now[t] - last_run.types[t], t, model().material_name(t));
   for (int t = 1; t <= atom->ntypes; t++)
-    if (now[t] && fabs(pair_sph->materials()[t].rho0 - last_run.density[t]) > 1e-6 * last_run.density[t])
+    if (now[t] && fabs(model().materials()[t].rho0 - last_run.density[t]) > 1e-6 * last_run.density[t])
       error->all(FLERR, "Fix sph/tm {}: the density of type {} ({}) changed from {:.6g} to {:.6g} after a run; the particles "
-                        "keep theirs. Materials are given before the first run", id, t, pair_sph->material_name(t),
-                 last_run.density[t] / pair_sph->units().density,
-                 pair_sph->materials()[t].rho0 / pair_sph->units().density);
+                        "keep theirs. Materials are given before the first run", state.id(), t, model().material_name(t),
+                 last_run.density[t] / model().units().density,
+                 model().materials()[t].rho0 / model().units().density);
   const double mass = total_mass();
   const bigint mine_now = atom->nlocal;
   bigint particles;
   MPI_Allreduce(&mine_now, &particles, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   if (particles == last_run.particles && fresh.empty() && fabs(mass - last_run.mass) > 1e-6 * last_run.mass)
     error->all(FLERR, "Fix sph/tm {}: the mass of the particles changed from {:.8g} to {:.8g} after a run; it belongs to "
-                      "their density and volume. Masses are given before the first run", id, last_run.mass, mass);
+                      "their density and volume. Masses are given before the first run", state.id(), last_run.mass, mass);
 }
 
 /* ---------------------------------------------------------------------- particles */
 
 // forces and velocities that are no numbers, particles in one place
-void FixSPHTM::check_values()
+void StartChecks::check_values()
 {
   for (int i = 0; i < atom->nlocal; i++) {
     const double *x = atom->x[i], *v = atom->v[i], *f = atom->f[i];
@@ -222,9 +230,9 @@ void FixSPHTM::check_values()
   }
 }
 
-void FixSPHTM::check_overlap(const tm_nearest &c, double least)
+void StartChecks::check_overlap(const tm_nearest &c, double least)
 {
-  const double dp = has(TM_FX_SMOOTHING) ? pair_sph->smallest_spacing() : pair_sph->settings_in_use().spacing;
+  const double dp = state.has(TM_FX_SMOOTHING) ? model().smallest_spacing() : model().settings_in_use().spacing;
   if (!(c.distance < least * dp)) return;
   double **x = atom->x;
   const auto pair = std::minmax(c.i, c.j, [&](int i, int j) { return atom->tag[i] < atom->tag[j]; });
@@ -237,16 +245,16 @@ void FixSPHTM::check_overlap(const tm_nearest &c, double least)
 }
 
 // masses against the lattice sum of what is there: of all particles, or of those that came since the last run
-void FixSPHTM::check_filling(bool of_fresh)
+void StartChecks::check_filling(bool of_fresh)
 {
-  const PairSPHTM::Settings &set = pair_sph->settings_in_use();
+  const Settings &set = model().settings_in_use();
   tm_filling_args a;
-  a.rows = pair_sph->host_rows();
-  a.rec = pair_sph->host_records();
+  a.rows = scene.rows().host_rows();
+  a.rec = scene.results().host_records();
   a.kernel = set.kernel;
   a.dim = domain->dimension;
   a.h = set.h;
-  if (!has(TM_FX_SMOOTHING)) a.rec.size = nullptr;
+  if (!state.has(TM_FX_SMOOTHING)) a.rec.size = nullptr;
   const double of_lattice = tm_filling_of_lattice(set.kernel, a.dim, set.ratio, 1.0).sum;
   std::vector<tm_filling> wider;    // lattices, each wider by a hundredth
   for (double s = 1.0; s < 2.6; s += 0.01) wider.push_back(tm_filling_of_lattice(set.kernel, a.dim, set.ratio, s));
@@ -255,12 +263,12 @@ void FixSPHTM::check_filling(bool of_fresh)
     const auto at = std::find_if(wider.begin(), wider.end(), [&f](const tm_filling &w) { return w.sum < f.sum; });
     return f.spread > 0.9 * (at == wider.end() ? wider.back() : *at).spread;
   };
-  const bool sizes = has(TM_FX_SMOOTHING);
+  const bool sizes = state.has(TM_FX_SMOOTHING);
   const double thin_sum = tm_filling_of_lattice(set.kernel, a.dim, set.ratio, sizes ? THIN_OF_SIZES : THIN_WARNED).sum;
 
   Filling mine;
   for (int i = 0; i < atom->nlocal; i++) {
-    if (pair_sph->materials()[atom->type[i]].body != TM_BODY_SOLID) continue;
+    if (model().materials()[atom->type[i]].body != TM_BODY_SOLID) continue;
     if (of_fresh && !std::binary_search(fresh.begin(), fresh.end(), atom->tag[i])) continue;
     const tm_filling f = tm_filling_around(i, &a);
     const double dense = f.sum / of_lattice;
@@ -281,16 +289,16 @@ void FixSPHTM::check_filling(bool of_fresh)
 }
 
 // the spacing of the lattice in use where it is that
-std::string FixSPHTM::spacing_in_words(double spacing) const
+std::string StartChecks::spacing_in_words(double spacing) const
 {
-  const double of_lattice = pair_sph->lattice_spacing();
+  const double of_lattice = Model::lattice_spacing(lmp);
   return fabs(of_lattice - spacing) < 0.02 * spacing ? fmt::format("{:.6g}' or 'spacing lattice", of_lattice)
                                                      : fmt::format("{:.3g}", spacing);
 }
 
-void FixSPHTM::judge_filling(const Filling &mine, double of_lattice, bool sizes)
+void StartChecks::judge_filling(const Filling &mine, double of_lattice, bool sizes)
 {
-  const PairSPHTM::Settings &set = pair_sph->settings_in_use();
+  const Settings &set = model().settings_in_use();
   const double low[2] = {-mine.densest, mine.thinnest};
   double worst[2], count[3] = {mine.particles, mine.off, mine.right}, all[3];
   MPI_Allreduce(low, worst, 2, MPI_DOUBLE, MPI_MIN, world);
@@ -308,7 +316,7 @@ void FixSPHTM::judge_filling(const Filling &mine, double of_lattice, bool sizes)
   MPI_Allreduce(&rank, &first, 1, MPI_INT, MPI_MIN, world);
   if (first == comm->me) {
     const double *x = atom->x[i];
-    const tm_real *r = pair_sph->host_records().main + tm_record(i, TM_REC);
+    const tm_real *r = scene.results().host_records().main + tm_record(i, TM_REC);
     const double mass = r[tm_part(TM_REC_M)], due = r[tm_part(TM_REC_RHO)] * pow(set.spacing, domain->dimension);
     const std::string remedy = !sizes && fabs(mass / due - 1.0) > 0.05
         ? fmt::format("its mass is {:.6g}, density times spacing gives {:.6g}: leave out the mass "
@@ -337,21 +345,21 @@ void FixSPHTM::judge_filling(const Filling &mine, double of_lattice, bool sizes)
   if (stop) MPI_Barrier(world);
 }
 
-void FixSPHTM::check_start()
+void StartChecks::check_start()
 {
-  const tm_nearest c = pair_sph->nearest();
+  const tm_nearest c = scene.results().nearest();
   check_overlap(c, CLOSE);
   check_values();
   double mine[2] = {c.sum, c.count}, all[2];
   MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
   bigint solids = 0;
-  for (int t = 1; t <= atom->ntypes; t++) solids += pair_sph->materials()[t].body == TM_BODY_SOLID;
+  for (int t = 1; t <= atom->ntypes; t++) solids += model().materials()[t].body == TM_BODY_SOLID;
   if (all[1] == 0.0 && atom->natoms > 1 && solids) {
     const std::string text =
         fmt::format("Pair style sph/tm: no particle has a neighbor within reach; are the particles "
                     "{:.6g} (the keyword spacing) apart?",
-                    pair_sph->settings_in_use().spacing);
-    const double of_lattice = pair_sph->lattice_spacing(), off = of_lattice / pair_sph->settings_in_use().spacing;
+                    model().settings_in_use().spacing);
+    const double of_lattice = Model::lattice_spacing(lmp), off = of_lattice / model().settings_in_use().spacing;
     if (off > THIN) error->all(FLERR, "{} The lattice in use has {:.6g}: write 'spacing lattice'", text, of_lattice);
     if (comm->me == 0) error->warning(FLERR, text);
   }
@@ -359,14 +367,16 @@ void FixSPHTM::check_start()
 }
 
 // a run that goes on: what came or was moved since the last one
-void FixSPHTM::check_changes()
+void StartChecks::check_changes()
 {
   if (last_run.types.empty()) return;
-  const tm_nearest c = pair_sph->nearest();
-  const double dp = has(TM_FX_SMOOTHING) ? pair_sph->smallest_spacing() : pair_sph->settings_in_use().spacing;
+  const tm_nearest c = scene.results().nearest();
+  const double dp = state.has(TM_FX_SMOOTHING) ? model().smallest_spacing() : model().settings_in_use().spacing;
   check_overlap(c, CLOSE);
   check_values();
   check_strain(c);
   if (!fresh.empty()) check_filling(true);
   check_overlap(c, std::min(CLOSE_BETWEEN_RUNS, 0.85 * last_run.nearest / dp));
 }
+
+}    // namespace SPHTM_NS
