@@ -1,8 +1,6 @@
 #include "adapt_lists.h"
 
 #include "argument.h"
-#include "fix_sph_tm.h"
-#include "pair_sph_tm.h"
 
 #include "atom.h"
 #include "error.h"
@@ -37,11 +35,11 @@ void AdaptLists::init()
   if (of_lammps->nex_type || of_lammps->nex_group || of_lammps->nex_mol)
     lmp->error->all(FLERR, "Fix adapt/neigh threshold: its rows know nothing of 'neigh_modify exclude'; leave that "
                            "out, and say with 'pair_coeff i j none' which types do not meet");
-  lists.init(keeps());
-  Backend &loops = parts.body().loops();
+  lists.init(has_tl());
+  Backend &loops = parts.state().loops();
   lists.move_to(loops);
   map.move_to(loops);
-  if (keeps()) stored.init(threshold, stretch, approach);
+  if (has_tl()) stored.init(threshold, stretch, approach);
   parts.update_packed_size();
 }
 
@@ -49,7 +47,7 @@ void AdaptLists::init()
 void AdaptLists::begin_renumbering()
 {
   if (lists.has_skin() && !map.in_use() && lists.exist())
-    map.begin(parts.pair().loop_tags(), parts.owned_and_ghosts());
+    map.begin(parts.rows().loop_tags(), parts.owned_and_ghosts());
 }
 
 void AdaptLists::setup_pre_exchange()
@@ -60,24 +58,24 @@ void AdaptLists::setup_pre_exchange()
 
 void AdaptLists::end_of_step()
 {
-  if (keeps()) stored.end_of_step();
+  if (has_tl()) stored.end_of_step();
 }
 
 void AdaptLists::post_run()
 {
   begin_renumbering();
-  if (keeps()) stored.post_run();
+  if (has_tl()) stored.post_run();
 }
 
 void AdaptLists::changed(bool moved, bool renamed)
 {
-  if (keeps()) stored.changed(moved, renamed);
+  if (has_tl()) stored.changed(moved, renamed);
 }
 
 bool AdaptLists::restore(const double *value, size_t n)
 {
   if (!stored.restore(value, n)) return false;
-  if (!keeps()) return true;
+  if (!has_tl()) return true;
   lists.set_room((int) value[0]);
   if (lists.room() > 0) stored.pairs().make_room(parts.host()->atom->nmax);
   parts.update_packed_size();
@@ -86,18 +84,20 @@ bool AdaptLists::restore(const double *value, size_t n)
 
 double AdaptLists::output(int k)
 {
-  if (!keeps() && k < 2) return k == 0 ? 1.0 : 0.0;
+  if (!has_tl() && k < 2) return k == 0 ? 1.0 : 0.0;
   const double mine = k == 0 ? stored.share_of_last_step() : k == 1 ? stored.steps_of_all() : lists.entries();
   double sum;
   MPI_Allreduce(&mine, &sum, 1, MPI_DOUBLE, MPI_SUM, parts.host()->world);
   return sum / std::max((double) parts.host()->atom->natoms, 1.0);
 }
 
-void *AdaptLists::extract(const char *what)
+void AdaptLists::offer(Scene::Adaptation &a)
 {
-  if (strcmp(what, RowSource::NAME) == 0) return static_cast<RowSource *>(this);
-  if (strcmp(what, "memory of lists") == 0) return keeps() ? (void *) stored.pairs().history_read() : nullptr;
-  return nullptr;
+  a.rows = this;
+  if (has_tl())
+    a.tl_history = [this]() -> Scene::TlHistory {
+      return {stored.pairs().history_read(), TM_TL_HISTORY, TM_TL_WAS_UL, TM_TL_UL_STEPS};
+    };
 }
 
 /* ---------------------------------------------------------------------- for pair sph/tm */
@@ -106,37 +106,37 @@ void AdaptLists::renew(bool renumbered)
 {
   renumbered = renumbered || !lists.fits(parts.owned());
   if (renumbered) lists.renumbered();
-  if (keeps()) stored.renew(renumbered);
+  if (has_tl()) stored.renew(renumbered);
   else if (lists.may_remain()) {
     const int all = parts.owned_and_ghosts();
-    const bool same = !renumbered || (all == parts.owned() && map.same_indices(parts.pair().loop_tags(), all));
+    const bool same = !renumbered || (all == parts.owned() && map.same_indices(parts.rows().loop_tags(), all));
     map.end();
     lists.search_moved(!same || !lists.are_good() || !lists.has_skin());
   } else
     lists.search_all();
 }
 
-tm_rows AdaptLists::mechanical() { return keeps() && stored.only() ? stored.pairs().mechanical() : lists.rows(); }
+tm_rows AdaptLists::mechanical() { return has_tl() && stored.only() ? stored.pairs().mechanical() : lists.rows(); }
 
-int AdaptLists::searched(tm_rates_args &a)
+int AdaptLists::ul_rows(tm_rates_args &a)
 {
   a.rows = lists.rows();
-  return keeps() ? stored.ul_particles(&a.which) : parts.owned();
+  return has_tl() ? stored.ul_particles(&a.which) : parts.owned();
 }
 
-void AdaptLists::kept_moments(const tm_rates_args &rates, unsigned effects)
+void AdaptLists::tl_corrections(const tm_rates_args &rates, unsigned effects)
 {
-  if (keeps()) stored.correct(rates, effects);
+  if (has_tl()) stored.correct(rates, effects);
 }
 
-void AdaptLists::show(const tm_records &rec)
+void AdaptLists::tl_export(const tm_records &rec)
 {
-  if (keeps()) stored.communicate(rec);
+  if (has_tl()) stored.communicate(rec);
 }
 
-void AdaptLists::kept_rates(const tm_rates_args &rates, unsigned effects)
+void AdaptLists::tl_rates(const tm_rates_args &rates, unsigned effects)
 {
-  if (keeps()) stored.rates(rates, effects);
+  if (has_tl()) stored.rates(rates, effects);
 }
 
 }    // namespace SPHTM_NS

@@ -5,7 +5,6 @@
 #define SPHTM_ADAPT_LISTS_H
 
 #include "adapt_part.h"
-#include "row_source.h"
 #include "total_lagrangian.h"
 
 namespace SPHTM_NS {
@@ -24,7 +23,7 @@ class AdaptLists : public AdaptPart, public RowSource {
   void end_of_step() override;
   void post_run() override;
 
-  ParticleValues *values() override { return keeps() ? &stored.pairs() : nullptr; }
+  ParticleValues *values() override { return has_tl() ? &stored.pairs() : nullptr; }
   void changed(bool moved, bool renamed) override;
   std::vector<double> state() override { return stored.state(); }
   bool restore(const double *, size_t) override;
@@ -32,18 +31,18 @@ class AdaptLists : public AdaptPart, public RowSource {
   std::vector<std::string> outputs() const override { return {"fraction", "searches", "entries in rows"}; }
   double output(int) override;
   double bytes() const override { return lists.bytes() + map.bytes() + stored.bytes(); }
-  void *extract(const char *) override;
+  void offer(Scene::Adaptation &) override;
 
   // for pair sph/tm
-  bool keeps() const override { return threshold > 0.0; }
+  bool has_tl() const override { return threshold > 0.0; }
   void renew(bool renumbered) override;
   tm_rows mechanical() override;
   tm_rows others() override { return lists.other_rows(); }
   tm_rows host_mechanical() override { return lists.host_rows(); }
-  int searched(tm_rates_args &) override;
-  void kept_moments(const tm_rates_args &, unsigned effects) override;
-  void show(const tm_records &) override;
-  void kept_rates(const tm_rates_args &, unsigned effects) override;
+  int ul_rows(tm_rates_args &) override;
+  void tl_corrections(const tm_rates_args &, unsigned effects) override;
+  void tl_export(const tm_records &) override;
+  void tl_rates(const tm_rates_args &, unsigned effects) override;
 
  private:
   double threshold = -1.0;    // of plastic strain; 0: all particles are updated-Lagrangian; negative: not in use

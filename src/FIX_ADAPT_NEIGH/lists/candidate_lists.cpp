@@ -1,7 +1,5 @@
 #include "candidate_lists.h"
 
-#include "fix_sph_tm.h"
-#include "pair_sph_tm.h"
 
 #include "domain.h"
 #include "error.h"
@@ -21,7 +19,7 @@ static constexpr double EARLY = 0.25;
 
 void CandidateLists::init(bool with_total_lagrangian)
 {
-  const PairSPHTM::Settings &set = parts.pair().settings_in_use();
+  const Settings &set = parts.model().settings_in_use();
   const int dim = parts.host()->domain->dimension;
   total_lagrangian = with_total_lagrangian;
   fixed_room = given_room || total_lagrangian;
@@ -45,7 +43,7 @@ void CandidateLists::move_to(Backend &b)
   which.move_to(b);
 }
 
-bool CandidateLists::own_reach() const { return parts.body().has(TM_FX_SMOOTHING); }
+bool CandidateLists::own_reach() const { return parts.state().has(TM_FX_SMOOTHING); }
 
 // Rows reach a little further than the rates take, which decide which pairs are within reach. Refinement reads rows at
 // the end of the step, half a step and perhaps a change of h later
@@ -53,8 +51,8 @@ double CandidateLists::spare() const { return parts.uses("refine") ? 1.02 : 1.0 
 
 void CandidateLists::cover_reach()
 {
-  const PairSPHTM::Settings &set = parts.pair().settings_in_use();
-  const double covered = tm_kernel_support(set.kernel) * std::max(set.h, parts.pair().covered_h()) * spare();
+  const Settings &set = parts.model().settings_in_use();
+  const double covered = tm_kernel_support(set.kernel) * std::max(set.h, parts.model().covered_h()) * spare();
   good = good && covered == widest;
   widest = covered;
   skin = (skin_over_reach >= 0.0 ? skin_over_reach : total_lagrangian ? 0.15 : 0.0) * widest;
@@ -69,7 +67,7 @@ void CandidateLists::renumbered()
   cover_reach();
   if (!total_lagrangian) table.make_room(n, room_of_row);
   other.make_room(n, others ? room_of_row : 0);
-  const double *x = parts.body().state().x;
+  const double *x = parts.state().arrays().x;
   if (others) {    // those that may come within reach before the particles are renumbered
     const double within = widest + parts.host()->neighbor->skin;
     cells.make_grid(within, x, nullptr, skin > 0.0);
@@ -81,7 +79,7 @@ void CandidateLists::renumbered()
 
 void CandidateLists::search_all()
 {
-  cells.sort_into_cells(parts.body().state().x);
+  cells.sort_into_cells(parts.state().arrays().x);
   search(table, TM_MEETS_MECHANICAL, widest, parts.owned());
 }
 
@@ -92,15 +90,15 @@ bool CandidateLists::search_moved(bool all_rows)
   which.make_room(true, owned + 1);
   for (auto *a : {&marks, &dirty}) a->make_room(true, all + 1);
   tm_moved_args m = {};
-  m.x = parts.body().state().x;
+  m.x = parts.state().arrays().x;
   m.place = place.loop_write();
   m.skin = skin;
   m.part = 0.5;
   if (own_reach()) {
     reaches.make_room(true, all + 1);
-    m.size = parts.pair().rate_args().rec.size;
+    m.size = parts.results().rate_args().rec.size;
     m.skin = skin / widest;
-    m.support = tm_kernel_support(parts.pair().settings_in_use().kernel) * spare();
+    m.support = tm_kernel_support(parts.model().settings_in_use().kernel) * spare();
     m.reach = reaches.loop_write();
   }
   if (!all_rows && !loops->moved(*backend, all, m, 0u)) return false;

@@ -1,7 +1,5 @@
 #include "cell_search.h"
 
-#include "fix_sph_tm.h"
-#include "pair_sph_tm.h"
 
 #include "atom.h"
 #include "domain.h"
@@ -23,7 +21,7 @@ void CellSearch::move_to(Backend &b)
 
 bool CellSearch::take_types()
 {
-  const std::vector<unsigned char> with = parts.pair().segments_of_types();
+  const std::vector<unsigned char> with = parts.model().segments_of_types(parts.state().has(TM_FX_CONDUCTION));
   meets.assign(with.data(), with.size());
   const int n1 = parts.host()->atom->ntypes + 1;
   bool others = false;
@@ -73,8 +71,8 @@ int CellSearch::search(RowTable &t, int segments, double reach, int n, const int
   a.reach = reach;
   a.meets = all_mechanical ? nullptr : meets.loop_read();
   a.segments = segments;
-  a.type = parts.body().state().type;
-  a.tag = parts.pair().loop_tags();
+  a.type = parts.state().arrays().type;
+  a.tag = parts.rows().loop_tags();
   a.ntypes = parts.host()->atom->ntypes;
   a.images = parts.owned_and_ghosts() > parts.owned();
   a.which = which;

@@ -1,9 +1,7 @@
 #include "refine_criterion.h"
 
 #include "argument.h"
-#include "compute_sph_tm_atom.h"
-#include "fix_sph_tm.h"
-#include "pair_sph_tm.h"
+#include "tm_output.h"
 
 #include "atom.h"
 #include "compute.h"
@@ -23,6 +21,15 @@
 using namespace LAMMPS_NS;
 
 namespace SPHTM_NS {
+
+// of compute sph/tm/atom
+static bool is_attribute(const std::string &name)
+{
+#define TM_OUTPUT_NAME(id, name) name,
+  static const char *const attributes[] = {TM_OUTPUT_TABLE(TM_OUTPUT_NAME)};
+#undef TM_OUTPUT_NAME
+  return std::find(std::begin(attributes), std::end(attributes), name) != std::end(attributes);
+}
 
 RefineCriteria::~RefineCriteria()
 {
@@ -94,7 +101,7 @@ int RefineCriteria::read_source(const std::string &what, const std::string &text
   for (size_t k = 0; k < sources.size(); k++)
     if (sources[k].kind == s.kind && sources[k].name == s.name && sources[k].column == s.column) return (int) k;
   if (s.kind == Source::OWN) {    // its compute refuses a name that it does not know
-    if (!ComputeSPHTMAtom::knows(name))
+    if (!is_attribute(name))
       lmp->error->all(FLERR, "{}: unknown criterion {}; known are region, neighbors, gradient, c_ID, f_ID, v_name "
                              "and the attributes of compute sph/tm/atom", what, name);
     s.compute_id = fmt::format("{}_{}_{}", parts.id(), label, sources.size());

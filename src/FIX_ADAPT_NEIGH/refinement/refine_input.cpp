@@ -1,7 +1,6 @@
 #include "refine_input.h"
 
 #include "argument.h"
-#include "pair_sph_tm.h"
 
 #include "domain.h"
 #include "error.h"
@@ -75,7 +74,7 @@ void RefineInput::make_pattern(int kernel)
   const bool none = pattern.mass[0] > 0.5;    // all in the center
   Error *error = parts.host()->error;
   error->all(FLERR, "Fix adapt/neigh refine {} epsilon {:.6g} alpha {:.6g} with the {} kernel {}; take {}",
-                    tm_split_name(kind), epsilon, alpha, PairSPHTM::kernel_name(kernel),
+                    tm_split_name(kind), epsilon, alpha, kernel_name(kernel),
                     status == TM_SPLIT_SINGULAR
                         ? "puts the children so close together that their masses are not determined"
                         : fmt::format("would give {} of the children {} mass, in parts of the whole:{}",

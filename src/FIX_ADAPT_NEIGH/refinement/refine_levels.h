@@ -27,7 +27,7 @@ class RefineLevels : public ParticleValues {
   void set_fresh(int i, bool now) { fresh[i] = now; }
   bool any() const;                         // particle of a level above 0, on any rank
   void forget_families();
-  double *levels() { return level_of.data(); }
+  const double *levels() const { return level_of.data(); }
   double bytes() const { return sizeof(double) * (level_of.size() + family_of.size()); }
 
  private:

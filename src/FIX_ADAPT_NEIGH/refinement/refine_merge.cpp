@@ -1,7 +1,5 @@
 #include "refine_merge.h"
 
-#include "fix_sph_tm.h"
-#include "pair_sph_tm.h"
 
 #include "atom.h"
 #include "atom_vec.h"
@@ -147,7 +145,7 @@ std::vector<int> RefineMerge::plan_leaving()
 void RefineMerge::make()
 {
   const Atom *atom = parts.host()->atom;
-  const double ahead = parts.body().time_ahead();
+  const double ahead = parts.state().time_step().ahead();
   const int temperature = cloud.column(TM_F_TEMP);
   for (Merge &m : merges) {
     double *x = atom->x[m.i];
@@ -157,7 +155,7 @@ void RefineMerge::make()
       x[d] += m.row[TM_CLOUD_X + d] - m.x[d] + (x[d] != m.x[d] ? ahead * (m.row[TM_CLOUD_V + d] - v[d]) : 0.0);
     if (temperature >= 0) {
       double *T = m.row.data() + temperature;
-      T[0] += tm_heat_rise(parts.pair().materials() + atom->type[m.i], T[0], m.heat / m.row[TM_CLOUD_MASS]);
+      T[0] += tm_heat_rise(parts.model().materials() + atom->type[m.i], T[0], m.heat / m.row[TM_CLOUD_MASS]);
     }
     remap.write_row(m.i, m.row.data());
     levels.merged(m.i);

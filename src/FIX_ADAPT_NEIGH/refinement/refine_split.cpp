@@ -1,7 +1,6 @@
 #include "refine_split.h"
 
 #include "all_ranks.h"
-#include "fix_sph_tm.h"
 #include "tm_split_place.h"
 
 #include "atom.h"
@@ -9,7 +8,6 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "fix.h"
 #include "lammps.h"
 #include "modify.h"
 #include "update.h"
@@ -21,14 +19,6 @@
 using namespace LAMMPS_NS;
 
 namespace SPHTM_NS {
-
-void RefineSplit::init()
-{
-  tools.clear();
-  int dim;
-  for (Fix *f : parts.host()->modify->get_fix_by_style("^contact/tri"))
-    if (auto *tool = (ContactProbe *) f->extract(ContactProbe::NAME, dim)) tools.push_back(tool);
-}
 
 void RefineSplit::restore(double next, int reported_levels)
 {
@@ -54,7 +44,7 @@ std::vector<double> RefineSplit::places(int i)
     farthest = std::max(farthest, radius[k] + tm_vec_norm(tm_split_place(place.data(), k)));
   }
   std::vector<ContactProbe::Surface> surface;
-  for (ContactProbe *tool : tools) tool->touched(i, h * farthest, surface);
+  for (ContactProbe *tool : parts.scene().contact_probes()) tool->touched(i, h * farthest, surface);
   std::sort(surface.begin(), surface.end(), [](const auto &a, const auto &b) { return a.distance < b.distance; });
   for (size_t s = 0; s < surface.size(); s++) {
     const tm_vec3 normal = surface[s].normal;
@@ -105,9 +95,9 @@ void RefineSplit::plan(int i)
 void RefineSplit::foresee_time_step()
 {
   double mine = 1e300, limit;
-  for (const Split &s : splits) mine = std::min(mine, parts.body().dt_of_size(s.i, in.alpha * cloud.size(s.i)));
+  for (const Split &s : splits) mine = std::min(mine, parts.state().time_step().of_size(s.i, in.alpha * cloud.size(s.i)));
   MPI_Allreduce(&mine, &limit, 1, MPI_DOUBLE, MPI_MIN, parts.host()->world);
-  parts.body().lower_next_dt(limit);
+  parts.state().time_step().lower_next(limit);
 }
 
 // a child beyond a fixed boundary would be deleted: the particle stays as it is
@@ -165,7 +155,7 @@ void RefineSplit::make()
   Atom *atom = lmp->atom;
   const std::vector<tagint> tags = new_tags();
   while (atom->nmax < atom->nlocal + (int) splits.size() * (in.pattern.n - 1)) atom->avec->grow(0);
-  parts.body().host_particles();    // growing may have been done where the loops run
+  parts.state().atoms().to_host();    // growing may have been done where the loops run
   for (size_t m = 0; m < splits.size(); m++) {
     const Split &s = splits[m];
     const int parent = s.i, width = cloud.view().width;
@@ -199,7 +189,7 @@ void RefineSplit::report_levels()
     mine[1] = std::max(mine[1], -in.alpha * cloud.size(s.i));
   }
   MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_MAX, parts.host()->world);
-  const double before = parts.body().sizes().smallest_h, after = std::min(before, -all[1]);
+  const double before = parts.state().sizes().smallest_h, after = std::min(before, -all[1]);
   if ((int) all[0] <= levels_reported) return;
   levels_reported = (int) all[0];
   if (parts.host()->comm->me == 0)

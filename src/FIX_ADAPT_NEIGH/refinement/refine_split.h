@@ -16,7 +16,6 @@ class RefineSplit {
       parts(all), in(input), cloud(table), remap(r), levels(l)
   {
   }
-  void init();                                   // finds the tools
   void clear() { splits.clear(); }
   void plan(int i);
   size_t planned() const { return splits.size(); }
@@ -46,7 +45,6 @@ class RefineSplit {
   Remap &remap;
   RefineLevels &levels;
   std::vector<Split> splits;
-  std::vector<ContactProbe *> tools;
   double n_splits = 0, n_outside = 0;
   double next_tag = 0;                           // of all ranks
   int levels_reported = 0;                       // the log has said what the first split to this level costs

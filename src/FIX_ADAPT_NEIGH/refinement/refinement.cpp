@@ -1,15 +1,12 @@
 #include "refinement.h"
 
 #include "argument.h"
-#include "fix_sph_tm.h"
-#include "pair_sph_tm.h"
 
 #include "atom.h"
 #include "atom_vec.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "force.h"
 #include "modify.h"
 #include "update.h"
 
@@ -30,12 +27,14 @@ Refinement::Refinement(AdaptParts &all) :
 void Refinement::ready()
 {
   in.check();
-  auto *pair = dynamic_cast<PairSPHTM *>(lmp()->force->pair_match("^sph/tm", 0));
-  if (pair) in.make_pattern(pair->settings_in_use().kernel);
-  FixSPHTM::of(lmp(), "Fix adapt/neigh refine")->need(TM_FX_SMOOTHING, "particles are refined");
-  if (lmp()->atom->rmass_flag) return;
+  const bool has_pair = parts.scene().has_pair();
+  if (has_pair) in.make_pattern(parts.model().settings_in_use().kernel);
+  parts.scene().state("Fix adapt/neigh refine").need(TM_FX_SMOOTHING, "particles are refined");
+  Atom *atom = lmp()->atom;
+  if (atom->rmass_flag) return;
   lmp()->modify->add_fix(fmt::format("{}_mass all property/atom rmass ghost yes", parts.id()));
-  if (pair) pair->give_masses();
+  for (int i = 0; has_pair && parts.model().types() && atom->rmass_flag && i < atom->nlocal; i++)
+    if (atom->rmass[i] == 0.0) atom->rmass[i] = parts.model().particle_mass(atom->type[i]);
 }
 
 /* ---------------------------------------------------------------------- calls of LAMMPS */
@@ -48,15 +47,14 @@ bigint Refinement::next_check() const
 
 void Refinement::init()
 {
-  in.make_pattern(parts.pair().settings_in_use().kernel);
+  in.make_pattern(parts.model().settings_in_use().kernel);
   in.when.init(in.every);
   in.coarsen_when.init(in.every);
   forget_plans();
   warn_of_lost_levels();
-  split.init();
   relax_at = apply_at = -1;
   const double least = *std::min_element(in.pattern.mass, in.pattern.mass + in.pattern.n);
-  parts.pair().make_room_for(pow(least, (double) in.most_level / in.pattern.dim));
+  parts.rows().make_room_for(pow(least, (double) in.most_level / in.pattern.dim));
   const bigint now = lmp()->update->ntimestep;
   lmp()->modify->addstep_compute_all(now % in.every == 0 ? now : next_check());
 }
@@ -88,7 +86,7 @@ void Refinement::forget_plans()
 void Refinement::decide()
 {
   forget_plans();
-  parts.body().host_particles();
+  parts.state().atoms().to_host();
   Modify *modify = lmp()->modify;
   modify->clearstep_compute();
   const std::vector<char> wanted = mark();
@@ -128,7 +126,7 @@ void Refinement::decide()
 std::vector<char> Refinement::mark()
 {
   const Atom *atom = lmp()->atom;
-  const tm_material *material = parts.pair().materials();
+  const tm_material *material = parts.model().materials();
   std::vector<char> what(atom->nlocal, REFINE_NOTHING);
   const std::vector<char> splits = in.when.hold(cloud);
   std::vector<char> merges;
@@ -145,7 +143,7 @@ std::vector<char> Refinement::mark()
 void Refinement::pre_exchange()
 {
   if (!pending || apply_at != lmp()->update->ntimestep) return;
-  parts.body().host_particles();
+  parts.state().atoms().to_host();
   split.report_levels();
   Atom *atom = lmp()->atom;
   if (atom->map_style != Atom::MAP_NONE) atom->map_clear();
@@ -163,10 +161,10 @@ void Refinement::pre_exchange()
     atom->map_init();
     atom->map_set();
   }
-  parts.body().host_particles_changed();
+  parts.state().atoms().host_changed();
   forget_plans();
-  const tm_size_range r = parts.body().sizes();
-  parts.pair().cover_sizes(std::max(r.largest_h, parts.pair().covered_h()), r.smallest_dp);
+  const tm_size_range r = parts.state().sizes();
+  parts.rows().cover_sizes(std::max(r.largest_h, parts.model().covered_h()), r.smallest_dp);
 }
 
 /* ---------------------------------------------------------------------- between runs */
@@ -188,9 +186,9 @@ void Refinement::warn_of_lost_levels()
 {
   if (asked_levels) return;
   asked_levels = true;
-  const double least = parts.body().sizes().smallest_dp;
+  const double least = parts.state().sizes().smallest_dp;
   const bool any = levels.any();
-  if (!any && parts.body().begun() && least < 0.99 * parts.pair().settings_in_use().spacing && lmp()->comm->me == 0)
+  if (!any && parts.state().history().begun() && least < 0.99 * parts.model().settings_in_use().spacing && lmp()->comm->me == 0)
     lmp()->error->warning(FLERR, "Fix adapt/neigh refine: some particles are smaller than the spacing of pair_style; "
                                  "where another fix adapt/neigh has split them before, that is forgotten: they are of "
                                  "level 0 and may be split again");
@@ -266,13 +264,13 @@ void Refinement::sum_outputs()
 {
   summed_at = lmp()->update->ntimestep;
   const Atom *atom = lmp()->atom;
-  const UnitScale &unit = parts.pair().units();
+  const UnitScale &unit = parts.model().units();
   const std::vector<double> s = sums();
   std::vector<double> count(in.most_level + 1, 0.0), all(in.most_level + 1);
   for (int i = 0; i < atom->nlocal; i++) count[(int) levels.level(i)] += 1.0;
   MPI_Allreduce(count.data(), all.data(), in.most_level + 1, MPI_DOUBLE, MPI_SUM, lmp()->world);
   const tm_vec3 momentum = tm_vec(s[PX], s[PY], s[PZ]), angular = tm_vec(s[LX], s[LY], s[LZ]);
-  summed = {s[SPLITS], s[MERGES], s[OUTSIDE], parts.body().sizes().smallest_h, s[MASS], tm_vec_norm(momentum),
+  summed = {s[SPLITS], s[MERGES], s[OUTSIDE], parts.state().sizes().smallest_h, s[MASS], tm_vec_norm(momentum),
             tm_vec_norm(angular), s[KINETIC] / unit.energy, s[ELASTIC] / unit.energy};
   summed.insert(summed.end(), all.begin(), all.end());
 }

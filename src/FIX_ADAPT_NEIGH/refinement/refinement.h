@@ -34,7 +34,10 @@ class Refinement : public AdaptPart {
   bool restore(const double *, size_t) override;
   std::vector<std::string> outputs() const override;
   double output(int) override;
-  void *extract(const char *name) override { return std::string(name) == "level" ? levels.levels() : nullptr; }
+  void offer(Scene::Adaptation &a) override
+  {
+    a.levels = [this] { return levels.levels(); };
+  }
   double bytes() const override { return levels.bytes(); }
 
  private:

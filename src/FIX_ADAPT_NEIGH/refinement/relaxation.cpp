@@ -1,6 +1,5 @@
 #include "relaxation.h"
 
-#include "fix_sph_tm.h"
 
 #include "atom.h"
 #include "domain.h"
@@ -114,7 +113,7 @@ void Relaxation::run()
 {
   Atom *atom = parts.host()->atom;
   const int n = atom->nlocal, dim = parts.host()->domain->dimension;
-  parts.body().host_particles();
+  parts.state().atoms().to_host();
   std::vector<char> moves(n);
   for (int i = 0; i < n; i++) {
     moves[i] = levels.is_fresh(i);
@@ -161,7 +160,7 @@ void Relaxation::run()
     std::copy_n(rows[i].data() + TM_CLOUD_X, 3, atom->x[i]);
     remap.write_row(i, rows[i].data());
   }
-  parts.body().host_particles_changed();
+  parts.state().atoms().host_changed();
 }
 
 }    // namespace SPHTM_NS

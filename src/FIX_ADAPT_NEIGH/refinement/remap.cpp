@@ -1,7 +1,5 @@
 #include "remap.h"
 
-#include "fix_sph_tm.h"
-#include "pair_sph_tm.h"
 
 #include "atom.h"
 #include "lammps.h"
@@ -15,7 +13,7 @@ namespace SPHTM_NS {
 // elastic energy of a row, in mass length^2/time^2
 double Remap::elastic_energy(const double *row, int type) const
 {
-  const tm_material *m = parts.pair().materials() + type;
+  const tm_material *m = parts.model().materials() + type;
   const int stress = cloud.column(TM_F_STRESS), energy = cloud.column(TM_F_ENERGY);
   const tm_sym3 s = tm_sym_load(row + stress);
   const double p = tm_eos_pressure(m, row[cloud.column(TM_F_RHO)], energy < 0 ? 0.0 : row[energy]);
@@ -72,7 +70,7 @@ void Remap::write_row(int i, const double *row)
   Atom *atom = parts.host()->atom;
   std::copy_n(row + TM_CLOUD_V, 3, atom->v[i]);
   atom->rmass[i] = row[TM_CLOUD_MASS];
-  const tm_state s = parts.body().host_state();
+  const tm_state s = parts.state().host_arrays();
   for (int id = 0; id < TM_F_COUNT; id++)
     if (cloud.column(id) >= 0) std::copy_n(row + cloud.column(id), tm_field_table[id].columns, tm_field_row(&s, id, i));
 }
@@ -80,7 +78,7 @@ void Remap::write_row(int i, const double *row)
 void Remap::book(const tm_content &change, double heat)
 {
   tm_content_sum(&error, &change);
-  parts.body().book_remap(change.kinetic, change.elastic, heat);
+  parts.state().energy().add_remap(change.kinetic, change.elastic, heat);
 }
 
 }    // namespace SPHTM_NS

@@ -27,7 +27,7 @@ class AdaptPart {
   virtual bool on_host() const { return false; }    // works on LAMMPS's particles of the host in any step
   virtual void ready() {}    // once, when all keywords are read and the fix is LAMMPS's; may add other fixes
 
-  // the calls of LAMMPS, in the order of a step; AdaptParts::body() and pair() are known from init on
+  // the calls of LAMMPS, in the order of a step; AdaptParts::state() and the others are known from init on
   virtual void init() {}
   virtual void setup_pre_exchange() {}
   virtual void setup_pre_force() {}
@@ -48,7 +48,7 @@ class AdaptPart {
   virtual std::vector<std::string> outputs() const { return {}; }
   virtual double output(int) { return 0.0; }
   virtual double bytes() const { return 0.0; }
-  virtual void *extract(const char *) { return nullptr; }    // what other styles ask for by name
+  virtual void offer(Scene::Adaptation &) {}      // to other styles
 
  protected:
   AdaptParts &parts;

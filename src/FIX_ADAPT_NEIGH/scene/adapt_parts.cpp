@@ -2,8 +2,6 @@
 
 #include "adapt_part.h"
 #include "argument.h"
-#include "fix_sph_tm.h"
-#include "pair_sph_tm.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -20,7 +18,7 @@ using namespace LAMMPS_NS;
 
 namespace SPHTM_NS {
 
-AdaptParts::AdaptParts(LAMMPS *l, Fix &owner) : lmp(l), fix(owner) {}
+AdaptParts::AdaptParts(LAMMPS *l, Fix &owner) : lmp(l), fix(owner), run(Scene::of(l)) {}
 AdaptParts::~AdaptParts() = default;
 int AdaptParts::owned() const { return lmp->atom->nlocal; }
 int AdaptParts::owned_and_ghosts() const { return lmp->atom->nlocal + lmp->atom->nghost; }
@@ -51,9 +49,8 @@ void AdaptParts::read(Keywords k)
 
 void AdaptParts::find_run()
 {
-  sph = FixSPHTM::of(lmp, "Fix adapt/neigh");
-  pair_sph = dynamic_cast<PairSPHTM *>(lmp->force->pair_match("^sph/tm", 0));
-  if (!pair_sph) lmp->error->all(FLERR, "Fix adapt/neigh needs pair style sph/tm");
+  particles = &run->state("Fix adapt/neigh");
+  if (!run->has_pair()) lmp->error->all(FLERR, "Fix adapt/neigh needs pair style sph/tm");
   if (lmp->modify->get_fix_by_style("^adapt/neigh").size() > 1)
     lmp->error->all(FLERR, "More than one fix adapt/neigh: write all its keywords in one");
 }
@@ -75,6 +72,18 @@ void AdaptParts::update_packed_size()
 {
   fix.maxexchange = 0;
   for (const ParticleValues *v : moving) fix.maxexchange += v->most_packed();
+}
+
+void AdaptParts::offer() const
+{
+  Scene::Adaptation a;
+  for (AdaptPart *p : in_use) p->offer(a);
+  run->set_adaptation(a);
+}
+
+void AdaptParts::communicate(LoopArray<tm_real> &values, int columns)
+{
+  results().communicate(lmp->force->pair_match("^sph/tm", 0), values, columns);
 }
 
 void AdaptParts::forward(double *rows, int columns)

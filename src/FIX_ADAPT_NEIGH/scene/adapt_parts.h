@@ -2,16 +2,15 @@
 #ifndef SPHTM_ADAPT_PARTS_H
 #define SPHTM_ADAPT_PARTS_H
 
+#include "scene.h"
+
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace LAMMPS_NS {
-class Atom;
 class Fix;
-class FixSPHTM;
 class LAMMPS;
-class PairSPHTM;
 }    // namespace LAMMPS_NS
 
 namespace SPHTM_NS {
@@ -26,7 +25,7 @@ class AdaptParts {
   ~AdaptParts();
   void add(std::unique_ptr<AdaptPart>);
   void read(Keywords);
-  void find_run();                                 // from init on body() and pair() are known
+  void find_run();                                 // from init on state(), model(), rows(), results() are known
 
   const std::vector<std::unique_ptr<AdaptPart>> &all() const { return parts; }
   const std::vector<AdaptPart *> &used() const { return in_use; }
@@ -36,16 +35,23 @@ class AdaptParts {
 
   // for the parts
   LAMMPS_NS::LAMMPS *host() const { return lmp; }
-  LAMMPS_NS::FixSPHTM &body() const { return *sph; }
-  LAMMPS_NS::PairSPHTM &pair() const { return *pair_sph; }
-  bool known() const { return pair_sph; }
+  Scene &scene() const { return *run; }
+  ParticleState &state() const { return *particles; }
+  Model &model() const { return run->model(); }
+  NeighborRows &rows() const { return run->rows(); }
+  StepResults &results() const { return run->results(); }
+  const ParticleState *known() const { return particles; }
+  bool is_complete() const { return particles && particles == run->state() && run->has_pair(); }
+  void offer() const;                              // to the scene what the parts in use have for others
   int owned() const;                               // particles of this rank
   int owned_and_ghosts() const;
   std::string id() const;                          // of the fix
   int group_bit() const;
   void renew_lists();                              // in the next step
   void update_packed_size();                       // when the most a particle packs has changed
-  // rows of owned particles to their ghosts; the first three columns are the position
+  // values of owned particles to their ghosts, where the loops run
+  void communicate(LoopArray<tm_real> &, int columns);
+  // the same on the host, rows of any width; the first three columns are the position
   void forward(double *rows, int columns);
   double *forwarded() const { return forward_rows; }
   int forwarded_columns() const { return forward_columns; }
@@ -56,8 +62,8 @@ class AdaptParts {
   std::vector<std::unique_ptr<AdaptPart>> parts;
   std::vector<AdaptPart *> in_use;
   std::vector<ParticleValues *> moving;
-  LAMMPS_NS::FixSPHTM *sph = nullptr;
-  LAMMPS_NS::PairSPHTM *pair_sph = nullptr;
+  std::shared_ptr<Scene> run;
+  ParticleState *particles = nullptr;
   double *forward_rows = nullptr;
   int forward_columns = 0;
 };

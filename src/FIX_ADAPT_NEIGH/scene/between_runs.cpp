@@ -1,13 +1,10 @@
 #include "between_runs.h"
 
 #include "adapt_part.h"
-#include "fix_sph_tm.h"
 #include "loop_array.h"
-#include "pair_sph_tm.h"
 
 #include "atom.h"
 #include "domain.h"
-#include "force.h"
 #include "lammps.h"
 
 #include <algorithm>
@@ -21,14 +18,14 @@ static constexpr double LEAST_MOVE = 1e-6;    // of the spacing
 namespace {
 // tags and positions of owned particles, which may be newer where the loops run
 struct OnHost {
-  explicit OnHost(AdaptParts &parts) : tags(parts.body().loops()), places(parts.body().loops())
+  explicit OnHost(AdaptParts &parts) : tags(parts.state().loops()), places(parts.state().loops())
   {
     const size_t n = parts.owned();
-    Backend &loops = parts.body().loops();
+    Backend &loops = parts.state().loops();
     tags.resize(n + 1);
     places.resize(3 * n + 1);
-    loops.copy(tags.loop_write(), parts.pair().loop_tags(), n * sizeof(int));
-    loops.copy(places.loop_write(), parts.body().state().x, 3 * n * sizeof(double));
+    loops.copy(tags.loop_write(), parts.rows().loop_tags(), n * sizeof(int));
+    loops.copy(places.loop_write(), parts.state().arrays().x, 3 * n * sizeof(double));
     tag = tags.host_read();
     x = places.host_read();
   }
@@ -72,8 +69,9 @@ void BetweenRuns::begin()
 {
   if (parts.values().empty()) return;
   clear();
+  if (!parts.is_complete()) return;
   on = true;
-  least = LEAST_MOVE * parts.pair().settings_in_use().spacing;
+  least = LEAST_MOVE * parts.model().settings_in_use().spacing;
   const OnHost now(parts);
   for (int i = 0; i < parts.owned(); i++) remember(i, now.tag[i], now.x + 3 * (size_t) i);
 }
@@ -81,16 +79,15 @@ void BetweenRuns::begin()
 // until the first set-up: commands may move and rename particles before
 void BetweenRuns::begin_read(int i, int tag, const double *x)
 {
-  const auto *pair = dynamic_cast<PairSPHTM *>(parts.host()->force->pair_match("^sph/tm", 0));
-  least = pair ? LEAST_MOVE * pair->settings_in_use().spacing : 0.0;
-  on = pair != nullptr;
+  on = parts.scene().has_pair();
+  least = on ? LEAST_MOVE * parts.model().settings_in_use().spacing : 0.0;
   if (on) remember(i, tag, x);
 }
 
 void BetweenRuns::end()
 {
   if (parts.values().empty()) return;
-  if (on) {
+  if (on && parts.is_complete()) {
     const OnHost now(parts);
     for (int i = 0; i < parts.owned(); i++) compare(i, now.tag[i], now.x + 3 * (size_t) i);
   }

@@ -23,7 +23,7 @@ class AdaptSmoothing : public AdaptPart {
   void end_of_step() override;
   std::vector<std::string> outputs() const override { return {"smallest h", "largest h", "lists widened"}; }
   double output(int) override;
-  void *extract(const char *) override;
+  void offer(Scene::Adaptation &) override;
 
  private:
   enum { NONE, PSI, DENSITY } mode = NONE;
@@ -31,7 +31,7 @@ class AdaptSmoothing : public AdaptPart {
   double least = 0.5, most = 2.0;
   double smallest_h = 0.0, largest_h = 0.0, widened = 0.0;
   LoopArray<tm_asph_table> table;
-  SmoothingRule rule;    // as others ask for it
+  SmoothingRule rule;    // for others
 
   void follow(bool first);
 };

@@ -4,7 +4,6 @@
 #include "adapt_lists.h"
 #include "adapt_smoothing.h"
 #include "argument.h"
-#include "fix_sph_tm.h"
 #include "refinement.h"
 
 #include "atom.h"
@@ -13,6 +12,7 @@
 #include "domain.h"
 #include "error.h"
 #include "group.h"
+#include "modify.h"
 #include "update.h"
 
 #include <algorithm>
@@ -39,6 +39,7 @@ FixAdaptNeigh::FixAdaptNeigh(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
   if (!parts.on_host()) datamask_read = datamask_modify = EMPTY_MASK;    // with Kokkos: loops ask for theirs
   vector_flag = size_vector > 0;
   parts.update_packed_size();
+  parts.offer();
   create_attribute = restart_peratom = !parts.values().empty();
   if (parts.values().empty()) return;
   grow_arrays(atom->nmax);
@@ -54,7 +55,11 @@ void FixAdaptNeigh::post_constructor()
 
 FixAdaptNeigh::~FixAdaptNeigh()
 {
-  if (copymode || parts.values().empty()) return;
+  if (copymode) return;
+  parts.scene().set_adaptation({});
+  for (Fix *f : modify->get_fix_by_style("^adapt/neigh"))    // a second one, which the next run refuses
+    if (f != this) static_cast<FixAdaptNeigh *>(f)->parts.offer();
+  if (parts.values().empty()) return;
   atom->delete_callback(id, Atom::GROW);
   atom->delete_callback(id, Atom::RESTART);
 }
@@ -87,17 +92,17 @@ void FixAdaptNeigh::setup(int)
 void FixAdaptNeigh::pre_exchange()
 {
   between.stop();    // with 'run pre no' it is still on
-  const auto timed = parts.body().run_clock.timed(this);
+  const auto timed = parts.state().clock().timed(this);
   for (AdaptPart *p : parts.used()) p->pre_exchange();
 }
 void FixAdaptNeigh::pre_force(int)
 {
-  const auto timed = parts.body().run_clock.timed(this);
+  const auto timed = parts.state().clock().timed(this);
   for (AdaptPart *p : parts.used()) p->pre_force();
 }
 void FixAdaptNeigh::end_of_step()
 {
-  const auto timed = parts.body().run_clock.timed(this);
+  const auto timed = parts.state().clock().timed(this);
   for (AdaptPart *p : parts.used()) p->end_of_step();
 }
 void FixAdaptNeigh::post_run()
@@ -109,21 +114,13 @@ void FixAdaptNeigh::post_run()
 
 double FixAdaptNeigh::compute_vector(int n)
 {
-  FixSPHTM::current(lmp, parts.known() ? &parts.body() : nullptr, fmt::format("Fix adapt/neigh {}", id));
+  parts.scene().check_current(parts.known(), fmt::format("Fix adapt/neigh {}", id));
   for (AdaptPart *p : parts.used()) {
     const int of_part = (int) p->outputs().size();
     if (n < of_part) return p->output(n);
     n -= of_part;
   }
   return 0.0;
-}
-
-void *FixAdaptNeigh::extract(const char *what, int &dim)
-{
-  dim = 0;
-  for (AdaptPart *p : parts.used())
-    if (void *found = p->extract(what)) return found;
-  return nullptr;
 }
 
 double FixAdaptNeigh::memory_usage()

@@ -29,7 +29,6 @@ class FixAdaptNeigh : public Fix {
   void end_of_step() override;
   void post_run() override;
   double compute_vector(int) override;
-  void *extract(const char *, int &) override;
   double memory_usage() override;
 
   void grow_arrays(int) override;

@@ -1,7 +1,5 @@
 #include "tl_pairs.h"
 
-#include "fix_sph_tm.h"
-#include "pair_sph_tm.h"
 
 #include "atom.h"
 #include "error.h"
@@ -67,19 +65,19 @@ void TlPairs::reshape(Backend &b)
   history_of.move_to(b);
   make_room(parts.host()->atom->nmax);
   put_rows(packed);
-  unit = tm_tl_unit(parts.pair().settings_in_use().kernel);
+  unit = tm_tl_unit(parts.model().settings_in_use().kernel);
 }
 
 void TlPairs::check_kernel(double threshold)
 {
-  const PairSPHTM::Settings &set = parts.pair().settings_in_use();
+  const Settings &set = parts.model().settings_in_use();
   const bool stored = exist() && stored_kernel >= 0;
   if (stored && (stored_kernel != set.kernel || std::fabs(stored_h - set.h) > 1e-9 * set.h))
     parts.host()->error->all(FLERR, "Fix adapt/neigh threshold {}: gradients were stored with the {} kernel and the "
                                     "smoothing length {:.6g}, pair_style sph/tm now has {} and {:.6g}; write the same, "
                                     "or remove the fix and write it again: then all pairs are updated-Lagrangian at "
-                                    "first", threshold, PairSPHTM::kernel_name(stored_kernel), stored_h,
-                             PairSPHTM::kernel_name(set.kernel), set.h);
+                                    "first", threshold, kernel_name(stored_kernel), stored_h,
+                             kernel_name(set.kernel), set.h);
   stored_kernel = set.kernel;
   stored_h = set.h;
 }

@@ -1,9 +1,7 @@
 #include "total_lagrangian.h"
 
 #include "all_ranks.h"
-#include "fix_sph_tm.h"
 #include "pair_loops.h"
-#include "pair_sph_tm.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -31,7 +29,7 @@ void TotalLagrangian::init(double of_plastic, double stretch, double of_reach)
   strain = stretch >= 0.0 ? stretch : std::isinf(threshold) ? INFINITY : 0.2;
   approach = of_reach >= 0.0 ? of_reach : std::isinf(threshold) ? INFINITY : 0.01;
   tl_pairs.check_kernel(threshold);
-  backend = &parts.body().loops();
+  backend = &parts.state().loops();
   loops = &ListLoops::of(*backend);
   tl_pairs.reshape(*backend);
   for (auto *a : {&which, &which_interface}) a->move_to(*backend);
@@ -43,7 +41,7 @@ void TotalLagrangian::init(double of_plastic, double stretch, double of_reach)
 void TotalLagrangian::check_effects() const
 {
   Error *error = parts.host()->error;
-  const FixSPHTM &body = parts.body();
+  const ParticleState &state = parts.state();
   const struct { unsigned effect; const char *what; } without[] = {
       {TM_FX_FORM_F14, "pair_style form f14; use form f15"},
       {TM_FX_XSPH, "pair_style xsph; use xsph 0"},
@@ -52,10 +50,10 @@ void TotalLagrangian::check_effects() const
       {TM_FX_SMOOTHING, "particles with a smoothing length of their own"},
       {TM_FX_MIXED, "pair_style precision mixed; use precision double"}};
   for (const auto &w : without)
-    if (body.has(w.effect))
+    if (state.has(w.effect))
       error->all(FLERR, "Fix adapt/neigh threshold {}: total-Lagrangian pairs do not support {}; or use threshold 0",
                  threshold, w.what);
-  if (parts.pair().settings_in_use().art_balanced && body.has(TM_FX_ARTSTRESS))
+  if (parts.model().settings_in_use().art_balanced && state.has(TM_FX_ARTSTRESS))
     error->all(FLERR, "Fix adapt/neigh threshold {}: pair_style artstress balanced needs threshold 0: "
                       "total-Lagrangian pairs have no artificial stress; leave balanced away", threshold);
 }
@@ -64,7 +62,7 @@ void TotalLagrangian::check_effects() const
 bool TotalLagrangian::permanent() const { return std::isinf(threshold) && std::isinf(approach); }
 
 // rows that may hold pairs of both kinds have corrections of their own, tm_tl_correction.h
-bool TotalLagrangian::corrects() const { return parts.body().has(TM_FX_CORRECTION) && !permanent(); }
+bool TotalLagrangian::corrects() const { return parts.state().has(TM_FX_CORRECTION) && !permanent(); }
 
 /* ---------------------------------------------------------------------- rows */
 
@@ -102,7 +100,7 @@ void TotalLagrangian::find_particles()
 {
   const int all = parts.owned_and_ghosts();
   tl_pairs.make_room(parts.host()->atom->nmax);
-  const bool same = all == parts.owned() && map.same_indices(parts.pair().loop_tags(), all);
+  const bool same = all == parts.owned() && map.same_indices(parts.rows().loop_tags(), all);
   const int lost = resolve_tags(same);
   const int mine[2] = {!same || (int) is_ul.size() < all, lost > 0};
   int any[2];    // all ranks communicate and drop, or none
@@ -116,7 +114,7 @@ void TotalLagrangian::find_particles()
   pull_back.make_room(true, (size_t) all * TM_FREEZE_EXPORT + TM_FREEZE_EXPORT);
   next_ul.make_room(true, all + 1);
   loops->kinds(*backend, parts.owned(), {tl_pairs.history_read(), next_ul.loop_write()}, 0u);
-  parts.pair().forward(next_ul, 1);
+  parts.communicate(next_ul, 1);
   loops->switch_kinds(*backend, all, interface_args(), 0u);
   any_changed = true;
 }
@@ -129,14 +127,14 @@ int TotalLagrangian::resolve_tags(bool same_indices)
   if (!by_tag || same_indices) return 0;
   tm_tag_map_args a = {};
   a.store = tl_pairs.store();
-  a.tag = parts.pair().loop_tags();
-  a.x = parts.body().state().x;
+  a.tag = parts.rows().loop_tags();
+  a.x = parts.state().arrays().x;
   a.back_to_ul = std::isfinite(approach);    // deleted or far away: no neighbor any more
   map.locate(a, parts.owned_and_ghosts(), !a.back_to_ul);
-  const tm_rates_args &rates = parts.pair().rate_args();
+  const tm_rates_args &rates = parts.results().rate_args();
   a.rec = rates.rec;
   a.slope_norm = rates.slope_norm;
-  a.corrected = parts.body().has(TM_FX_CORRECTION) && !corrects();
+  a.corrected = parts.state().has(TM_FX_CORRECTION) && !corrects();
   a.dim3 = parts.host()->domain->dimension == 3;
   const int lost = loops->resolve_tags(*backend, parts.owned(), a, 0u);
   return a.back_to_ul ? 0 : lost;
@@ -154,7 +152,7 @@ void TotalLagrangian::drop_gone(int pairs)
   const int n = parts.owned();
   LoopArray<int> owned(*backend);
   owned.resize(n + 1);
-  backend->copy(owned.loop_write(), parts.pair().loop_tags(), n * sizeof(int));
+  backend->copy(owned.loop_write(), parts.rows().loop_tags(), n * sizeof(int));
   std::vector<int> here(tags.size(), 0), there(tags.size());
   const int *tag = owned.host_read();
   for (int i = 0; i < n; i++) {
@@ -181,11 +179,11 @@ void TotalLagrangian::drop_gone(int pairs)
 // steps alone, so that it does not depend on ranks, skin and restarts
 void TotalLagrangian::proximity_check()
 {
-  const PairSPHTM::Settings &set = parts.pair().settings_in_use();
+  const Settings &set = parts.model().settings_in_use();
   tm_proximity_args a = {};
   a.rows = tl_pairs.rows();
   a.candidates = candidates.rows();
-  a.rec = parts.pair().rate_args().rec;
+  a.rec = parts.results().rate_args().rec;
   a.history = tl_pairs.history();
   a.is_ul = is_ul.loop_read();
   a.h = set.h;
@@ -195,13 +193,13 @@ void TotalLagrangian::proximity_check()
   a.time = time - time_checked;
   const int newly = loops->proximity_check(*backend, parts.owned(), a, 0u);
   // of all ranks: the box that holds all velocities; two particles differ by its diagonal at most
-  const tm_bounds v = SearchLoops::of(*backend).bounds(*backend, parts.owned(), {parts.body().state().v}, 0u);
+  const tm_bounds v = SearchLoops::of(*backend).bounds(*backend, parts.owned(), {parts.state().arrays().v}, 0u);
   const double mine[7] = {-v.lo[0], -v.lo[1], -v.lo[2], v.hi[0], v.hi[1], v.hi[2], (double) newly};
   double most[7];
   MPI_Allreduce(mine, most, 7, MPI_DOUBLE, MPI_MAX, parts.host()->world);
   const double fastest = 0.5 * std::hypot(most[0] + most[3], most[1] + most[4], most[2] + most[5]);
   came_near = most[6] > 0.0;
-  const double longest = 50.0 * parts.body().step_dt();
+  const double longest = 50.0 * parts.state().time_step().now();
   next_check = time + (fastest > 0.0 ? std::min(0.05 * candidates.reach() / fastest, longest) : longest);
   time_checked = time;
 }
@@ -216,13 +214,13 @@ int TotalLagrangian::ul_particles(const int **list)
 
 tm_tl_args TotalLagrangian::rate_args(const tm_records &rec)
 {
-  const tm_rates_args &rates = parts.pair().rate_args();
+  const tm_rates_args &rates = parts.results().rate_args();
   tm_tl_args a = {};
   a.rows = tl_pairs.rows();
   a.rec = rec;
   a.exported = exported.loop_write();
   a.history = tl_pairs.history();
-  a.dt = stepping ? parts.body().step_dt() : 0.0;
+  a.dt = stepping ? parts.state().time_step().now() : 0.0;
   a.h = rates.h;
   a.slope_norm = rates.slope_norm;
   a.correction = corrects() ? correction.loop_read() : nullptr;
@@ -235,7 +233,7 @@ void TotalLagrangian::communicate(const tm_records &rec)
   check_effects();
   exported.make_room(true, (size_t) parts.owned_and_ghosts() * TM_TL_EXPORT + TM_TL_EXPORT);
   loops->tl_export(*backend, parts.owned(), {rate_args(rec), exported.loop_write()}, 0u);
-  parts.pair().forward(exported, TM_TL_EXPORT);
+  parts.communicate(exported, TM_TL_EXPORT);
 }
 
 void TotalLagrangian::correct(const tm_rates_args &rates, unsigned effects)
@@ -270,12 +268,12 @@ void TotalLagrangian::rates(const tm_rates_args &rates, unsigned effects)
 tm_freeze_args TotalLagrangian::freeze_args()
 {
   const bigint step = parts.host()->update->ntimestep;
-  const tm_rates_args &rates = parts.pair().rate_args();
+  const tm_rates_args &rates = parts.results().rate_args();
   tm_freeze_args a = {};
   a.rows = tl_pairs.rows();
   a.candidates = candidates.rows();
   a.rec = rates.rec;
-  a.state = parts.body().state();
+  a.state = parts.state().arrays();
   a.gradient = rates.gradient;
   a.history = tl_pairs.history();
   a.pull_back = pull_back.loop_write();
@@ -283,11 +281,11 @@ tm_freeze_args TotalLagrangian::freeze_args()
   a.was_ul = a.is_ul = is_ul.loop_read();
   a.freezes = first_step || step % FREEZE_EVERY == 0;
   a.measures = step % MEASURE_EVERY == 0;
-  a.corrected = parts.body().has(TM_FX_CORRECTION) && !corrects();
+  a.corrected = parts.state().has(TM_FX_CORRECTION) && !corrects();
   a.permanent = permanent();
   a.threshold = threshold;
   a.strain = strain;
-  a.dt = parts.body().step_dt();
+  a.dt = parts.state().time_step().now();
   a.h = rates.h;
   a.reach2 = rates.reach2;
   a.slope_norm = rates.slope_norm;
@@ -299,7 +297,7 @@ tm_freeze_args TotalLagrangian::freeze_args()
 // on any rank
 bool TotalLagrangian::is_urgent(const tm_freeze_args &a)
 {
-  if (!parts.body().has(TM_FX_PLASTICITY) || std::isinf(threshold)) return false;
+  if (!parts.state().has(TM_FX_PLASTICITY) || std::isinf(threshold)) return false;
   const int mine = loops->urgent(*backend, parts.owned(), a, 0u);
   int sum;
   MPI_Allreduce(&mine, &sum, 1, MPI_INT, MPI_MAX, parts.host()->world);
@@ -310,7 +308,7 @@ bool TotalLagrangian::is_urgent(const tm_freeze_args &a)
 void TotalLagrangian::end_of_step()
 {
   tm_freeze_args a = freeze_args();
-  const unsigned effects = parts.body().effects();
+  const unsigned effects = parts.state().effects();
   const int owned = parts.owned();
   sum_ul += active;
   last_ul = active;
@@ -330,9 +328,9 @@ void TotalLagrangian::end_of_step()
   first_step = came_near = false;
   decided = true;
   loops->decide(*backend, owned, a, effects);
-  parts.pair().forward(next_ul, 1);
+  parts.communicate(next_ul, 1);
   if (a.freezes) {
-    parts.pair().forward(pull_back, TM_FREEZE_EXPORT);
+    parts.communicate(pull_back, TM_FREEZE_EXPORT);
     a.pull_back = pull_back.loop_write();
   }
   const tm_interface_args at = interface_args();

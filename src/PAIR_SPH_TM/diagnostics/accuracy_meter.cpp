@@ -216,7 +216,6 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::surroundings(AuditSearch &sear
 
 AccuracyMeter::Rates AccuracyMeter::rates(AuditPatch &p, const tm_records &rec, unsigned effects, const double *K) const
 {
-  const Model &model = state.model();
   const Settings defaults;
   const int n = p.centers;
   const size_t room = n + 1, all = p.member.size() + 1;
@@ -398,7 +397,7 @@ std::string AccuracyMeter::report(double rates, double lists, bigint steps)
   Times all;
   MPI_Allreduce(&times, &all, sizeof(Times) / sizeof(double), MPI_DOUBLE, MPI_SUM, world);
   const double base = all.cause[measured[PRECISION] ? PRECISION : ROWS];
-  const bool keeps = scene.rows().keeps();
+  const bool keeps = scene.rows().has_tl();
   std::string text = fmt::format(
       "\n  audits: {} of {} particles; root mean square of the difference to a fresh search in double with all "
       "effects\n  {:<26} {:>10} {:>10} {:>10} {:>10} {:>10} {:>10}\n",
