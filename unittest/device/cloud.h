@@ -5,7 +5,7 @@
 
 #include "points.h"
 #include "tm_body_contact.h"
-#include "tm_carry.h"
+#include "tm_tool_move.h"
 #include "tm_drift.h"
 #include "tm_exchange.h"
 #include "tm_hold.h"
@@ -324,13 +324,13 @@ STAGE(near)
 }
 STAGE(carry)
 {
-  tm_carry_args a;
+  tm_tool_move_args a;
   a.state = cloud_state(w);
   a.group = 1;
   a.body_type = 2;
   a.dim3 = w->dim == 3;
   a.from = w->from; a.to = w->to;
-  tm_carry(i, &a);
+  tm_tool_move(i, &a);
   (void) out;
 }
 STAGE(initial)

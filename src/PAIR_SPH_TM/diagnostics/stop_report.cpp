@@ -25,7 +25,7 @@ void StopReport::init()
   double melting = 0.0;
   for (int t = 1; t <= atom->ntypes; t++) {
     const tm_material &m = state.model().materials()[t];
-    if (m.strength == TM_STRENGTH_JOHNSON_COOK) melting = std::max(melting, m.t_melt);
+    if (tm_strength_flow(m.strength) == TM_FLOW_THERMAL) melting = std::max(melting, m.t_melt);
   }
   hottest = hottest_given > 0.0 ? hottest_given : melting > 0.0 ? TIMES * melting : WITHOUT_MELTING;
 }

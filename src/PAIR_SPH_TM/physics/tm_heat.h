@@ -1,4 +1,4 @@
-/* SPH-TM: heat conduction, surface exchange and plastic heating.
+/* SPH-TM: heat conduction and heat flux through surfaces.
 
    Conduction, F15 (6) after Jubelgas 2007: particle i receives, as power per volume,
      k laplace T = sum_j m_j/rho_j 4 k_i k_j/(k_i + k_j) (T_i - T_j) (x_ij . gradW)/r^2
@@ -80,12 +80,6 @@ TM_FN tm_real tm_conduction_pair_interface(tm_real ki, tm_real kj, tm_real Ti, t
 TM_FN tm_real tm_interface_conductance(tm_real hc, int dim)
 {
   return hc * (dim == 3 ? 2.0 / 3.0 : dim == 2 ? 0.25 * TM_PI : 1.0);
-}
-
-/* Heat from plastic work, power per volume: chi Y d_eps/dt. */
-TM_FN tm_real tm_plastic_heating(const tm_material *m, tm_real yield, tm_real rate)
-{
-  return m->taylor_quinney * yield * rate;
 }
 
 /* Heat flux into the body by convection, power per area; h_c in power/(area temperature). */

@@ -92,14 +92,12 @@ void Reasons::materials()
     if (m.body != TM_BODY_SOLID) continue;
     mechanics = true;
     solid = solid || m.strength != TM_STRENGTH_NONE;
-    const bool jc = m.strength == TM_STRENGTH_JOHNSON_COOK;
-    if (jc || m.strength == TM_STRENGTH_PLASTIC)
-      on(TM_FX_PLASTICITY, of_type(t) + " yields");
-    if (m.heat && m.taylor_quinney > 0.0 && jc)
-      on(TM_FX_HEAT, of_type(t) + " heats by plastic work and softens with temperature");
-    else if (m.heat && m.taylor_quinney > 0.0 && m.strength == TM_STRENGTH_PLASTIC)
-      on(TM_FX_HEAT, of_type(t) + " heats by plastic work");
-    if (jc && m.jc_m > 0.0) softens = true;
+    const int flow = tm_strength_flow(m.strength);
+    if (flow != TM_FLOW_NONE) on(TM_FX_PLASTICITY, of_type(t) + " yields");
+    if (m.heat && m.taylor_quinney > 0.0 && flow != TM_FLOW_NONE)
+      on(TM_FX_HEAT, of_type(t) + (flow == TM_FLOW_THERMAL ? " heats by plastic work and softens with temperature"
+                                                           : " heats by plastic work"));
+    softens = softens || flow == TM_FLOW_THERMAL;
     if (m.damage != TM_DAMAGE_NONE) on(TM_FX_DAMAGE, of_type(t) + " has a damage law");
     if (m.eos == TM_EOS_SHOCK) on(TM_FX_ENERGY, of_type(t) + " has a shock equation of state");
   }
@@ -188,7 +186,7 @@ void EffectPlan::warn(const std::map<unsigned, std::string> &why, bool softens)
     if ((forced_off & needed & n.bit) && why.count(n.bit))
       warnings.push_back(std::string("Fix sph/tm: ") + n.name + " is forced off, but " + why.at(n.bit));
   if (softens && !why.count(TM_FX_HEAT))
-    warnings.push_back("Fix sph/tm: Johnson-Cook softening needs heat constants (pair_coeff heat); the "
+    warnings.push_back("Fix sph/tm: softening by temperature needs heat constants (pair_coeff heat); the "
                        "temperature stays uniform");
 }
 

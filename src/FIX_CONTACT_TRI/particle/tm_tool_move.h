@@ -1,7 +1,7 @@
-/* SPH-TM: particles inside a tool are carried with it, exactly; their velocity stays zero, so that
+/* SPH-TM: particles inside a rigid tool move with it, exactly; their velocity stays zero, so that
    nothing else moves them. */
-#ifndef TM_CARRY_H
-#define TM_CARRY_H
+#ifndef TM_TOOL_MOVE_H
+#define TM_TOOL_MOVE_H
 
 #include "tm_motion.h"
 #include "tm_state.h"
@@ -11,9 +11,9 @@ typedef struct {
   int group, body_type;   /* particles of this group and type */
   int dim3;
   tm_pose from, to;       /* of the tool */
-} tm_carry_args;
+} tm_tool_move_args;
 
-TM_FN void tm_carry(int i, const tm_carry_args *a)
+TM_FN void tm_tool_move(int i, const tm_tool_move_args *a)
 {
   const tm_state *s = &a->state;
   if (s->type[i] != a->body_type || !(s->mask[i] & a->group)) return;

@@ -1,12 +1,12 @@
 /* Particles of a tool keep their place in it, whatever way it goes; others stay. */
-#include "tm_carry.h"
+#include "tm_tool_move.h"
 #include "ut_state.h"
 
 static ut_particles p;
 
 int main(void)
 {
-  tm_carry_args a;
+  tm_tool_move_args a;
   ut_particles_make(&p);
   a.state = p.state;
   a.group = 1;
@@ -22,7 +22,7 @@ int main(void)
       p.x[3 * i + d] = 1.0 + d;
       p.v[3 * i + d] = 5.0;
     }
-  for (int i = 0; i < 3; i++) tm_carry(i, &a);
+  for (int i = 0; i < 3; i++) tm_tool_move(i, &a);
   UT_TRUE(p.x[0] == 1.0 && p.x[1] == 2.0 && p.x[2] == 3.0 && p.v[0] == 5.0);   /* of another type */
   UT_TRUE(p.x[6] == 1.0 && p.x[7] == 2.0 && p.x[8] == 3.0 && p.v[6] == 5.0);   /* of another group */
   UT_NEAR(p.x[3], 10.0 - 2.0, 1e-15);                                           /* (x y z) -> (-y x z) + shift */
@@ -46,7 +46,7 @@ int main(void)
   a.from = rest;
   for (int step = 1; step <= 1000; step++) {
     a.to = tm_motion_pose(&move, &rest, 1e-3 * step);
-    tm_carry(0, &a);
+    tm_tool_move(0, &a);
     a.from = a.to;
   }
   const tm_vec3 at = tm_pose_to_world(&a.to, start);
@@ -58,7 +58,7 @@ int main(void)
   p.x[2] = 9.0;                                      /* in two dimensions z stays */
   a.dim3 = 0;
   a.to.shift.z += 1.0;
-  tm_carry(0, &a);
+  tm_tool_move(0, &a);
   UT_TRUE(p.x[2] == 9.0);
   return ut_summary();
 }
