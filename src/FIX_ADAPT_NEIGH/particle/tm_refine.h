@@ -15,7 +15,7 @@
 #include "tm_kernel.h"
 #include "tm_tensor.h"
 
-/* What a particle shows of itself to those that interpolate: columns of one row of a table. */
+/* What a particle exports for interpolation: columns of one row of a table. */
 enum {
   TM_CLOUD_X = 0,      /* position */
   TM_CLOUD_V = 3,      /* velocity */

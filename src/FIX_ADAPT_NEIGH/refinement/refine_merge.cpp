@@ -51,7 +51,7 @@ std::vector<int> RefineMerge::members(int i, const std::vector<int> &by_family)
       away[m] = d;
     }
   }
-  // sums do not depend on who is a ghost
+  // sums do not depend on which of them are ghosts
   std::sort(found.begin(), found.end(), [&](int a, int b) { return atom->tag[a] < atom->tag[b]; });
   return found;
 }

@@ -5,8 +5,7 @@
 #ifndef SPHTM_REFINE_MERGE_H
 #define SPHTM_REFINE_MERGE_H
 
-#include "refine_levels.h"
-#include "remap.h"
+#include "refine_step.h"
 
 #include "lmptype.h"
 
@@ -14,12 +13,9 @@ namespace SPHTM_NS {
 
 enum { REFINE_NOTHING, REFINE_SPLIT, REFINE_BACK, REFINE_STAYS };    // marks of particles in the cloud
 
-class RefineMerge {
+class RefineMerge : public RefineStep {
  public:
-  RefineMerge(AdaptParts &all, const RefineInput &input, Cloud &table, Remap &r, RefineLevels &l) :
-      parts(all), in(input), cloud(table), remap(r), levels(l)
-  {
-  }
+  using RefineStep::RefineStep;
   void clear();
   void plan();
   size_t planned() const { return merges.size(); }
@@ -37,11 +33,6 @@ class RefineMerge {
     double heat;                                 // kinetic energy that leaves the motion
     tm_content change;
   };
-  AdaptParts &parts;
-  const RefineInput &in;
-  Cloud &cloud;
-  Remap &remap;
-  RefineLevels &levels;
   std::vector<Merge> merges;
   std::vector<std::pair<int, LAMMPS_NS::tagint>> leaving;    // into a merged particle
   double n_merges = 0;

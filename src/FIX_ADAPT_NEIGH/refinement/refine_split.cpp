@@ -1,6 +1,7 @@
 #include "refine_split.h"
 
 #include "all_ranks.h"
+#include "contact_probe.h"
 #include "tm_split_place.h"
 
 #include "atom.h"

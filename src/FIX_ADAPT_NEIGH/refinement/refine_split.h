@@ -2,20 +2,15 @@
 #ifndef SPHTM_REFINE_SPLIT_H
 #define SPHTM_REFINE_SPLIT_H
 
-#include "contact_probe.h"
-#include "refine_levels.h"
-#include "remap.h"
+#include "refine_step.h"
 
 #include "lmptype.h"
 
 namespace SPHTM_NS {
 
-class RefineSplit {
+class RefineSplit : public RefineStep {
  public:
-  RefineSplit(AdaptParts &all, const RefineInput &input, Cloud &table, Remap &r, RefineLevels &l) :
-      parts(all), in(input), cloud(table), remap(r), levels(l)
-  {
-  }
+  using RefineStep::RefineStep;
   void clear() { splits.clear(); }
   void plan(int i);
   size_t planned() const { return splits.size(); }
@@ -39,11 +34,6 @@ class RefineSplit {
     std::vector<double> children;                // rows of the cloud
     tm_content change;
   };
-  AdaptParts &parts;
-  const RefineInput &in;
-  Cloud &cloud;
-  Remap &remap;
-  RefineLevels &levels;
   std::vector<Split> splits;
   double n_splits = 0, n_outside = 0;
   double next_tag = 0;                           // of all ranks

@@ -6,26 +6,16 @@
 #ifndef SPHTM_RELAXATION_H
 #define SPHTM_RELAXATION_H
 
-#include "refine_levels.h"
-#include "remap.h"
+#include "refine_step.h"
 
 namespace SPHTM_NS {
 
-class Relaxation {
+class Relaxation : public RefineStep {
  public:
-  Relaxation(AdaptParts &all, const RefineInput &input, Cloud &table, Remap &r, RefineLevels &l) :
-      parts(all), in(input), cloud(table), remap(r), levels(l)
-  {
-  }
+  using RefineStep::RefineStep;
   void run();    // of fresh particles, which are then no longer so
 
  private:
-  AdaptParts &parts;
-  const RefineInput &in;
-  Cloud &cloud;
-  Remap &remap;
-  RefineLevels &levels;
-
   struct Moved;
   std::vector<tm_vec3> displacements(std::vector<char> &moves);
   Moved measure(const std::vector<char> &moves, const std::vector<tm_vec3> &shift);

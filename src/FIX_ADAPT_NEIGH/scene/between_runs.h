@@ -15,7 +15,7 @@ class BetweenRuns {
   void begin_read(int i, int tag, const double *x);    // particle i is in a restart file
   void end();                                      // collective: compares and calls AdaptPart::changed()
   void stop() { on = false; }                      // particles get other indices unseen
-  bool watches() const { return on; }
+  bool is_on() const { return on; }
   // calls of LAMMPS
   void copy(int from, int to);
   void set_new(int i);

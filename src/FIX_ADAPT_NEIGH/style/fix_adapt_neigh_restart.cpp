@@ -83,7 +83,7 @@ int FixAdaptNeigh::maxsize_restart() { return RESTART_HEAD + maxexchange; }
 // and these. A block has room for MOST_STATE
 void FixAdaptNeigh::write_restart(FILE *fp)
 {
-  if (between.watches()) {    // the file knows nothing of commands that came after the last run
+  if (between.is_on()) {    // the file knows nothing of commands that came after the last run
     between.end();
     between.begin();
   }

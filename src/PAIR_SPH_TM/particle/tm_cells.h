@@ -1,23 +1,23 @@
 /* SPH-TM: particles sorted into the cells of a grid, for the search of neighbors.
 
-   Cells are cubes, x fastest; where they stand side by side in x so do their particles in the order. Particles
-   beyond the grid count to its outermost cells: that increases no distance.
+   Cells are cubes, x fastest; particles of cells that are neighbors in x follow one another in the order. Particles
+   beyond the grid are put into its outermost cells, which are searched all the same.
 
-   Where all have one reach cells are at least as wide, and the neighbors of a particle stand in 9 (2D: 3) runs of
+   Where all have one reach cells are at least as wide, and the neighbors of a particle are in 9 (2D: 3) runs of
    three cells. Where each has its own, cells may be narrower. Each cell has a search radius for its particles: the
-   largest reach of those in it, and of those in other cells that reach it. So a small particle among small ones looks
-   through a few small cells. */
+   largest reach of those in it, and of those in other cells that reach it. So a small particle among small ones
+   searches a few small cells. */
 #ifndef TM_CELLS_H
 #define TM_CELLS_H
 
 #include "tm_lanes.h"
 
-/* Looks are a little longer than reaches: a pair that rounding brings within reach is not lost. */
+/* Search radii over reaches: no pair is lost to rounding. */
 #define TM_CELLS_SPARE (1.0 + 1e-9)
 
 typedef struct {
   tm_real lo[3], width[3], inv_width[3];
-  tm_real widest;           /* no look is longer */
+  tm_real widest;           /* the largest search radius */
   int cells[3];
   int n;                    /* particles, owned and ghost */
   const double *x;          /* 3 of each */
@@ -28,7 +28,7 @@ typedef struct {
   int *index;               /* particles in order of cells, TM_COLUMN more entries than n */
   int *marked;              /* how many before each entry of the order are marked; or NULL */
   tm_real *column[4];       /* x y z of these, and their reach where each has its own; as long */
-  tm_real *look[2];         /* with a reach of each: how far a particle in a cell has to look, and room for that */
+  tm_real *look[2];         /* with a reach of each: search radius of the particles in a cell, and scratch */
 } tm_cells;
 
 TM_FN int tm_cells_of_axis(const tm_cells *c, int axis, double x)
@@ -98,7 +98,7 @@ TM_FN void tm_cells_make(tm_cells *c, tm_bounds b, tm_real reach, tm_real least,
   }
 }
 
-/* ---- how far to look */
+/* ---- search radii of cells */
 
 /* The largest reach in a cell. */
 TM_FN tm_real tm_cells_reach(const tm_cells *c, int cell)
