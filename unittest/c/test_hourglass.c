@@ -47,7 +47,7 @@ static void make(int dimension, int which_kernel, int side, double ratio, double
   args.rec.size = sizes ? size : NULL;
   args.effects = sizes ? TM_FX_SMOOTHING : 0u;
   args.h = ratio;
-  args.reach2 = support * ratio * support * ratio;
+  args.support_radius2 = support * ratio * support * ratio;
   args.support2 = support * support;
   args.norm = tm_kernel_norm(kernel, dim, ratio);
   args.norm_of_one = tm_kernel_norm(kernel, dim, 1.0);
@@ -62,7 +62,7 @@ static void make(int dimension, int which_kernel, int side, double ratio, double
     for (int j = 0; j < n; j++) {
       double r2 = 0;
       for (int d = 0; d < 3; d++) r2 += (rec(i)[d] - rec(j)[d]) * (rec(i)[d] - rec(j)[d]);
-      if (j != i && r2 < 1.5 * args.reach2 && length[i] < ROOM) row[i * ROOM + length[i]++] = j;
+      if (j != i && r2 < 1.5 * args.support_radius2 && length[i] < ROOM) row[i * ROOM + length[i]++] = j;
     }
   }
   args.rows.index = row;

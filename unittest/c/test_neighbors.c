@@ -137,7 +137,7 @@ static void near(void)
   for (int i = 0; i < ALL; i++)
     for (int d = 0; d < 3; d++) main[TM_REC * i + d] = x[3 * i + d];
   a.main = main;
-  a.reach2 = 2.25;
+  a.support_radius2 = 2.25;
   a.count = each;
   tm_nearest all = tm_nearest_nothing();
   double closest = 1e300, sum = 0.0;

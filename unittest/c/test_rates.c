@@ -103,7 +103,7 @@ static void set_args(int kernel, double h, unsigned fx)
   args.rec.correction = c.correction;
   args.effects = fx;
   args.h = h;
-  args.reach2 = tm_kernel_support(kernel) * h * tm_kernel_support(kernel) * h;
+  args.support_radius2 = tm_kernel_support(kernel) * h * tm_kernel_support(kernel) * h;
   args.norm = tm_kernel_norm(kernel, c.dim, h);
   args.slope_norm = 0.97 * args.norm / h;
   args.visc_alpha = 0.7;
@@ -370,7 +370,7 @@ static void drop_beyond_reach(void)
 {
   int n = 0;
   for (int e = 0; e < c.length[0]; e++)
-    if (distance2(0, c.row[0][e]) < args.reach2) c.row[0][n++] = c.row[0][e];
+    if (distance2(0, c.row[0][e]) < args.support_radius2) c.row[0][n++] = c.row[0][e];
   c.length[0] = n;
 }
 

@@ -24,7 +24,7 @@ static void to_single(unsigned fx, double length)
   args.single.correction = single_correction;
   args.single.length = length;
   args.single.volume = pow(length, c.dim);
-  args.single.position = tm_single_position_unit(sqrt(args.reach2) + 0.3 * length, length);
+  args.single.position = tm_single_position_unit(sqrt(args.support_radius2) + 0.3 * length, length);
   a.rec = args.rec;
   a.single = args.single;
   for (int i = 0; i < c.n; i++) tm_single(i, &a, fx);

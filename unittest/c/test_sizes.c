@@ -85,7 +85,7 @@ static void run(int kernel, int sizes, int corrected)
   a.rows.stride = 1;
   a.effects = (sizes ? TM_FX_SMOOTHING : 0u) | (corrected ? TM_FX_CORRECTION : 0u);
   a.h = one;
-  a.reach2 = reach * reach * one * one;
+  a.support_radius2 = reach * reach * one * one;
   a.support2 = reach * reach;
   a.norm = tm_kernel_norm(kernel, dim, one);
   a.norm_of_one = tm_kernel_norm(kernel, dim, 1.0);

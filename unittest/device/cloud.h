@@ -5,7 +5,7 @@
 
 #include "points.h"
 #include "tm_body_contact.h"
-#include "tm_carry.h"
+#include "tm_tool_move.h"
 #include "tm_drift.h"
 #include "tm_surface_flux.h"
 #include "tm_dirichlet.h"
@@ -110,7 +110,7 @@ TM_FN tm_rates_args cloud_rates(cloud *w)
   a.rec = cloud_records(w);
   a.effects = w->effects;
   a.h = w->h;
-  a.reach2 = reach * reach;
+  a.support_radius2 = reach * reach;
   a.norm = tm_kernel_norm(w->kernel, w->dim, w->h);
   a.slope_norm = a.norm / w->h;
   a.visc_alpha = 0.7; a.visc_beta = 1.3;
@@ -316,7 +316,7 @@ STAGE(near)
   a.rows = r.rows;
   a.main = r.rec.main;
   a.size = r.rec.size;
-  a.reach2 = a.size ? r.support2 : r.reach2;
+  a.support_radius2 = a.size ? r.support2 : r.support_radius2;
   a.count = w->near;
   out[0] = tm_near_count(i, &a);
   const tm_nearest c = tm_nearest_neighbor(i, &a);
@@ -324,13 +324,13 @@ STAGE(near)
 }
 STAGE(carry)
 {
-  tm_carry_args a;
+  tm_tool_move_args a;
   a.state = cloud_state(w);
   a.group = 1;
   a.body_type = 2;
   a.dim3 = w->dim == 3;
   a.from = w->from; a.to = w->to;
-  tm_carry(i, &a);
+  tm_tool_move(i, &a);
   (void) out;
 }
 STAGE(initial)

@@ -42,7 +42,7 @@ namespace {
 }    // namespace
 
 // a motion that a restart file holds goes on when the same one is given again
-void ToolMotion::keep_if_restarted(const tm_motion &given, double clock)
+void ToolMotion::keep_if_restarted(const tm_motion &given)
 {
   auto same = [](tm_vec3 a, tm_vec3 b) {
     return a.x == b.x && a.y == b.y && a.z == b.z;
@@ -52,8 +52,8 @@ void ToolMotion::keep_if_restarted(const tm_motion &given, double clock)
       given.period == motion.period && given.ramp == motion.ramp;
   restarted = false;
   if (again) return;
-  base = pose(clock, 0.0, 0.0);
-  start = clock;
+  base = pose_now();
+  start = time;
   moved = moved_next = rate = tm_vec(0, 0, 0);
 }
 
@@ -89,7 +89,7 @@ void ToolMotion::check(const char *name, const tm_motion &m, bool along_z) const
     error->all(FLERR, "Fix contact/tri move {}: no motion along z in 2d, use 0 or NULL", name);
 }
 
-int ToolMotion::parse(int narg, char **arg, double clock)
+int ToolMotion::parse(int narg, char **arg)
 {
   Error *error = lmp->error;
   Keywords k(lmp, "Fix contact/tri move", narg, arg);
@@ -117,7 +117,7 @@ int ToolMotion::parse(int narg, char **arg, double clock)
     if (m.kind == TM_MOTION_NONE) error->all(FLERR, "Fix contact/tri move {} has no ramp", s->name);
     m.ramp = k.not_negative("(time)");
   }
-  keep_if_restarted(m, clock);
+  keep_if_restarted(m);
   restarted_variable = false;
   motion = m;
   names = vars;
@@ -154,9 +154,15 @@ tm_vec3 ToolMotion::displacement(tm_vec3 otherwise) const
                 variable[2] >= 0 ? value(2) : otherwise.z);
 }
 
-void ToolMotion::evaluate_now()
+void ToolMotion::evaluate(double dt)
 {
   if (names.empty()) return;
+  if (dt > 0.0) evaluate_next(dt);
+  else evaluate_now();
+}
+
+void ToolMotion::evaluate_now()
+{
   moved = moved_next = displacement(moved);
   rate = tm_vec(variable[3] >= 0 ? value(3) : 0.0, variable[4] >= 0 ? value(4) : 0.0,
                 variable[5] >= 0 ? value(5) : 0.0);
@@ -164,7 +170,6 @@ void ToolMotion::evaluate_now()
 
 void ToolMotion::evaluate_next(double dt)
 {
-  if (names.empty()) return;
   double v[3];
   for (int k = 0; k < 3; k++) v[k] = variable[3 + k] >= 0 ? value(3 + k) : 0.0;
   moved_next = displacement(tm_vec_axpy(moved, dt, tm_vec(v[0], v[1], v[2])));
@@ -174,10 +179,16 @@ void ToolMotion::evaluate_next(double dt)
   rate = tm_vec(v[0], v[1], v[2]);
 }
 
-tm_pose ToolMotion::pose(double clock, double ahead, double dt) const
+void ToolMotion::end_of_step(double dt)
+{
+  time += dt;
+  moved = moved_next;
+}
+
+tm_pose ToolMotion::pose(double ahead, double dt) const
 {
   if (names.empty()) {
-    tm_pose p = tm_motion_pose(&motion, &base, clock - start + ahead);
+    tm_pose p = tm_motion_pose(&motion, &base, time - start + ahead);
     p.shift = tm_vec_add(p.shift, moved);    // by variables before a restart, else 0
     return p;
   }
@@ -233,8 +244,9 @@ static bool possible(const tm_motion &m, const tm_pose &base)
   return true;
 }
 
-bool ToolMotion::unpack(const double *v)
+bool ToolMotion::unpack(double clock, const double *v)
 {
+  time = clock;
   if (!(v[0] >= TM_MOTION_NONE && v[0] <= TM_MOTION_TRANSROT && v[0] == floor(v[0]))) return false;
   memset(&motion, 0, sizeof(motion));
   motion.kind = (int) v[0];
@@ -245,16 +257,7 @@ bool ToolMotion::unpack(const double *v)
   for (int k = 0; k < 5; k++) *vectors[k] = tm_vec(v[4 + 3 * k], v[5 + 3 * k], v[6 + 3 * k]);
   moved_next = moved;
   const double *r = v + 19;
-  tm_mat3 &m = base.turn;
-  m.xx = r[0];
-  m.xy = r[1];
-  m.xz = r[2];
-  m.yx = r[3];
-  m.yy = r[4];
-  m.yz = r[5];
-  m.zx = r[6];
-  m.zy = r[7];
-  m.zz = r[8];
+  base.turn = {r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]};
   restarted = true;
   restarted_variable = v[28] != 0.0;
   return possible(motion, base);

@@ -6,12 +6,12 @@
    so s follows from S: 1 where all is right, less where two lattices lie over each other, more where the spacing of the
    pair style is too small. At a free surface S is low too: only where the neighbors lie around evenly,
      |sum V W x_ij| << h S,  sum V W x_ij x_ij nearly isotropic,  sum V W r^2/(h^2 S) that of a lattice
-   does a low S tell of the spacing; the last is lower in the middle of a body that ends within the reach. */
+   does a low S tell of the spacing; the last is lower in the middle of a body that ends within the support radius. */
 #ifndef TM_FILLING_H
 #define TM_FILLING_H
 
 #include "tm_lattice.h"
-#include "tm_rates.h"
+#include "tm_chunk.h"
 
 typedef struct {
   tm_rows rows;
@@ -31,10 +31,10 @@ TM_FN tm_filling tm_filling_of_lattice(int kernel, int dim, tm_real h, tm_real s
 {
   tm_filling out;
   const tm_real of = h / s, norm = tm_kernel_norm(kernel, dim, of);
-  const int reach = (int) (tm_kernel_support(kernel) * of), nz = dim == 3 ? reach : 0;
+  const int cells = tm_lattice_cells(kernel, of), nz = dim == 3 ? cells : 0;
   tm_real sum = 0.0, second = 0.0;
-  for (int x = -reach; x <= reach; x++)
-    for (int y = -reach; y <= reach; y++)
+  for (int x = -cells; x <= cells; x++)
+    for (int y = -cells; y <= cells; y++)
       for (int z = -nz; z <= nz; z++) {
         const tm_real r2 = x * x + y * y + z * z, w = norm * tm_kernel_shape(kernel, sqrt(r2) / of);
         sum += w;
@@ -58,7 +58,7 @@ TM_FN tm_real tm_filling_spacing(int kernel, int dim, tm_real h, tm_real sum)
   return 0.5 * (lo + hi);
 }
 
-/* Limits of "evenly": on the lattice both are 0 beyond the reach of a surface. */
+/* Limits of "evenly": on the lattice both are 0 beyond the support radius from a surface. */
 #define TM_FILLING_LOPSIDED 0.02
 #define TM_FILLING_UNEVEN 0.1
 

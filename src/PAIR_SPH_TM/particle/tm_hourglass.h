@@ -1,14 +1,14 @@
-/* SPH-TM: resistance to patterns that no velocity gradient sees (hourglass modes), a pass of its own.
+/* SPH-TM: hourglass control: stiffness against zero-energy modes, a pass of its own.
 
-   Positions that alternate from particle to particle make no strain in sums over gradients, so nothing
-   of the material resists them; under tension the momentum sum makes them grow (tensile instability).
-   Each particle therefore has a displacement w against its neighbourhood: what its velocity differs by
-   from the linear field that fits those of its neighbours best (weights m_j/rho_j W),
+   Positions that alternate from particle to particle make no strain in sums over gradients, so no stress
+   acts against them; under tension the momentum sum makes them grow (tensile instability).
+   Each particle therefore has a displacement w against its neighborhood: what its velocity differs by
+   from the linear field that fits those of its neighbors best (weights m_j/rho_j W),
 
      dw_i/dt = v_i - a_i + Omega_i w_i - |D_i|/eps w_i,   min over a, B of sum_j m_j/rho_j W |v_j - a - B (x_j - x_i)|^2
 
    with the spin Omega and the rate of deformation D. A linear field, and so every homogeneous strain and
-   rotation, makes none, at free surfaces too. Neighbours resist the difference along the line between them:
+   rotation, makes none, at free surfaces too. Neighbors resist the difference along the line between them:
 
      a_i = sum_j m_j k_ij/(rho_i rho_j) (w_i - w_j).x/r^2 gradW,   k_ij = 2 k_i k_j/(k_i + k_j),  k = xi rho c^2
 
@@ -21,8 +21,9 @@
 #ifndef TM_HOURGLASS_H
 #define TM_HOURGLASS_H
 
+#include "tm_chunk.h"
 #include "tm_eigen.h"
-#include "tm_rates.h"
+#include "tm_pair.h"
 
 #if TM_SINGLE
 #error "double only: displacements are small differences of velocities"
@@ -30,7 +31,7 @@
 
 /* Strain over which displacements are forgotten. */
 #define TM_HOURGLASS_STRAIN 0.05
-/* Least determinant of the second moment of the neighbours, over that of an even neighbourhood: with less
+/* Least determinant of the second moment of the neighbors, over that of an even neighborhood: with less
    no linear field can be told. */
 #define TM_HOURGLASS_LEAST 0.02
 
@@ -56,7 +57,7 @@ TM_FN void tm_hourglass_step(tm_real *field, const tm_real *rate, tm_mat3 L, tm_
   }
 }
 
-/* v_i - a of the fit, from the sums over the neighbours: weights, x, v, x (x) x, v (x) x; relative to particle i. */
+/* v_i - a of the fit, from the sums over the neighbors: weights, x, v, x (x) x, v (x) x; relative to particle i. */
 TM_FN tm_vec3 tm_hourglass_rate(tm_real weights, tm_vec3 x, tm_vec3 v, tm_sym3 xx, tm_mat3 vx, int dim3)
 {
   const tm_vec3 none = tm_vec(0, 0, 0);
@@ -83,119 +84,112 @@ TM_FN tm_vec3 tm_hourglass_rate(tm_real weights, tm_vec3 x, tm_vec3 v, tm_sym3 x
                 s * (vx.zx * b.x + vx.zy * b.y + vx.zz * b.z) - v.z * bx - v.z);
 }
 
-/* Rate of w and force of particle i from its mechanical neighbours, the force added to what is there, its
+/* Columns of a chunk: x y z m v rho, w k, size, weight, factor of the force. */
+enum {
+  TM_GCOL_W = TM_REC_P,
+  TM_GCOL_SIZE = TM_GCOL_W + TM_REC_HOURGLASS,
+  TM_GCOL_WEIGHT = TM_GCOL_SIZE + TM_REC_SIZE,    /* m_j/rho_j W */
+  TM_GCOL_FORCE,                                  /* m_j k_ij/(rho_i rho_j) W'/r^3 */
+  TM_GCOLUMNS
+};
+
+/* Coefficients of the pair with neighbor l of a chunk; own: w and k of the particle. */
+TM_FN void tm_hourglass_coefficients(const tm_chunk *c, const tm_rates_args *a, int kernel, int dim3,
+                                     const tm_real *own, tm_real rhoi, tm_values *col, int l)
+{
+  const tm_real dx = tm_chunk_apart(c->x, col[0], l), dy = tm_chunk_apart(c->y, col[1], l);
+  const tm_real dz = dim3 ? tm_chunk_apart(c->z, col[2], l) : 0.0;
+  const tm_real r2 = dx * dx + dy * dy + dz * dz, r = sqrt(r2);
+  const tm_pair_size p = tm_chunk_pair_size(c, col + TM_GCOL_SIZE, l, &a->norm_of_one, dim3);
+  const tm_real q = r * p.inv_h, volume = col[TM_REC_M][tm_at(l)] / col[TM_REC_RHO][tm_at(l)];
+  const tm_real ki = own[TM_HOURGLASS_K], kj = col[TM_GCOL_W + TM_HOURGLASS_K][tm_at(l)];
+  col[TM_GCOL_WEIGHT][tm_at(l)] = volume * p.norm * tm_kernel_shape(kernel, q);
+  col[TM_GCOL_FORCE][tm_at(l)] = volume * p.slope_norm * tm_kernel_slope(kernel, q) * 2.0 * ki * kj /
+                                    ((ki + kj + 1e-300) * r2 * r * rhoi);
+}
+
+/* Sums over the neighbors for tm_hourglass_rate() and the force. */
+typedef struct {
+  tm_sum weights, artificial;
+  tm_sum_vec x, v, acceleration;
+  tm_sum_mat xx, vx;
+} tm_hourglass_sums;
+
+TM_FN tm_hourglass_sums tm_hourglass_sums_zero(void)
+{
+  tm_hourglass_sums s;
+  s.weights = s.artificial = tm_lanes_zero();
+  s.x = s.v = s.acceleration = tm_sum_vec_zero();
+  s.xx = s.vx = tm_sum_mat_zero();
+  return s;
+}
+
+/* The pairs with TM_LANES neighbors of a chunk, from neighbor l on, into the sums. */
+TM_FN void tm_hourglass_add(const tm_chunk *c, int dim3, const tm_real *own, const tm_real *velocity,
+                            tm_values *col, int l, tm_hourglass_sums *s)
+{
+  const tm_lanes zero = {0}, w = tm_values_load(col[TM_GCOL_WEIGHT], l);
+  const tm_lanes_vec d = {tm_chunk_lanes_apart(c->x, col[0], l), tm_chunk_lanes_apart(c->y, col[1], l),
+                          dim3 ? tm_chunk_lanes_apart(c->z, col[2], l) : zero};    /* x_i - x_j */
+  const tm_lanes_vec v = tm_pair_difference(velocity, col + TM_REC_V, l, dim3);      /* v_i - v_j */
+  const tm_lanes_vec wx = tm_lanes_scale(-w, d);                                    /* m_j/rho_j W (x_j - x_i) */
+  s->weights += w;
+  tm_sum_vec_add(&s->x, wx);
+  tm_pair_xsph(&s->v, w, v);
+  tm_pair_gradient(&s->xx, d, wx, dim3);
+  tm_pair_gradient(&s->vx, v, wx, dim3);
+
+  const tm_lanes_vec across = tm_pair_difference(own, col + TM_GCOL_W, l, dim3);     /* w_i - w_j */
+  const tm_lanes along = tm_lanes_dot(across, d, dim3) * tm_values_load(col[TM_GCOL_FORCE], l);
+  tm_pair_artificial(&s->acceleration, &s->artificial, tm_lanes_scale(along, d), v);
+}
+
+TM_FN tm_vec3 tm_sum_vec_total(const tm_sum_vec *s)
+{
+  return tm_vec(tm_lanes_sum(s->x), tm_lanes_sum(s->y), tm_lanes_sum(s->z));
+}
+
+/* Rate of w and force of particle i from its mechanical neighbors, the force added to what is there, its
    power to the heating by artificial terms. */
 TM_FN void tm_hourglass(int i, const tm_rates_args *a, unsigned effects)
 {
   const int kernel = tm_fx_kernel(effects), dim3 = (effects & TM_FX_3D) != 0;
   const int sizes = (a->effects & TM_FX_SMOOTHING) != 0;
-  const int *row = a->rows.index + a->rows.first[i];
-  const int n_mech = a->rows.mechanical[i];
-  const tm_real *TM_RESTRICT rec = a->rec.main;
-  const tm_real *TM_RESTRICT rec_g = a->rec.hourglass;
-  const tm_real *TM_RESTRICT rec_z = sizes ? a->rec.size : NULL;
+  const tm_real *own = a->rec.hourglass + (ptrdiff_t) i * TM_REC_HOURGLASS;
   tm_real ri[TM_REC];
-  tm_fetch(rec + tm_pair_record(i, TM_REC), TM_REC, ri);
-  const tm_real *gi = rec_g + (ptrdiff_t) i * TM_REC_HOURGLASS;
-  const tm_real wxi = gi[0], wyi = gi[1], wzi = gi[2], ki = gi[TM_HOURGLASS_K];
-  const tm_pair_size of_all = {a->h, 1.0 / a->h, a->norm, a->slope_norm, 1.0};
-  const tm_pair_size own = tm_own_size(sizes ? rec_z + (ptrdiff_t) i * TM_REC_SIZE : NULL, of_all);
-  const tm_real reach2 = sizes ? a->support2 : a->reach2;
-  const tm_real xi = ri[0], yi = ri[1], zi = ri[2], far = 4.0 * own.h;
-  const tm_lanes zero = {0};
-  const tm_sum none = tm_lanes_zero();
-  tm_sum s = none, sx = none, sy = none, sz = none, ux = none, uy = none, uz = none;
-  tm_sum xx = none, yy = none, zz = none, xy = none, xz = none, yz = none;
-  tm_sum pxx = none, pxy = none, pxz = none, pyx = none, pyy = none, pyz = none, pzx = none, pzy = none, pzz = none;
-  tm_sum ax = none, ay = none, az = none, art = none;
+  tm_fetch(a->rec.main + tm_record(i, TM_REC), TM_REC, ri);
+  tm_hourglass_sums s = tm_hourglass_sums_zero();
 
-  /* the row in chunks as in tm_rates(); columns: x y z m v rho, w k, size, weight, factor of the force */
-  enum { G = 8, Z = G + TM_REC_HOURGLASS, WEIGHT = Z + TM_REC_SIZE, FORCE, COLUMNS };
-  int jj[TM_COLUMN + TM_LANES];
-  jj[0] = i;
-  if (TM_COLUMN == 1) jj[1] = n_mech > 0 ? row[0] : i;
-  tm_real TM_ALIGNED col[COLUMNS][TM_COLUMN];
-  for (int k = 0, n = 0; TM_COLUMN > 1 || k < n_mech; k += TM_COLUMN == 1) {
-    n = tm_within_reach(rec, rec_z, own.inv_h, row, a->rows.stride, &k, n_mech, xi, yi, zi, 1.0, reach2,
-                        dim3, jj, n, col[0]);
-    if (TM_COLUMN == 1 && n == 0) continue;
-    if (n == 0) break;
-    const int last = TM_COLUMN > 1 && k >= n_mech;
-    const int lanes = TM_COLUMN == 1 ? 1 : (last ? n + TM_LANES - 1 : n) / TM_LANES * TM_LANES;
-    if (TM_COLUMN > 1) {
-      for (int l = n; l < lanes; l++) jj[tm_at(l)] = i;
-      tm_transpose_rows(rec, TM_REC, jj, lanes, G, col[0]);
-      tm_transpose_rows(rec_g, TM_REC_HOURGLASS, jj, lanes, TM_REC_HOURGLASS, col[G]);
-      if (sizes) tm_transpose_rows(rec_z, TM_REC_SIZE, jj, lanes, TM_REC_SIZE, col[Z]);
-      for (int l = n; l < lanes; l++) col[TM_REC_X][tm_at(l)] = xi + far;
-    } else {
-      const ptrdiff_t j = jj[0];
-      tm_fetch(rec + tm_pair_record(j, TM_REC) + tm_pair_part(TM_REC_V), G - TM_REC_V, col[TM_REC_V]);
-      for (int c = 0; c < TM_REC_HOURGLASS; c++) col[G + c][0] = rec_g[j * TM_REC_HOURGLASS + c];
-      for (int c = 0; sizes && c < TM_REC_SIZE; c++) col[Z + c][0] = rec_z[j * TM_REC_SIZE + c];
-    }
-#if !defined(__CUDACC__)
-#pragma omp simd
-#endif
-    for (int l = 0; l < lanes; l++) {
-      const int m = tm_at(l);
-      const tm_real dx = xi - col[0][m], dy = yi - col[1][m], dz = dim3 ? zi - col[2][m] : 0.0;
-      const tm_real r2 = dx * dx + dy * dy + dz * dz, r = sqrt(r2);
-      const tm_pair_size p = sizes ? tm_pair_of_sizes(&own, col[Z + TM_SIZE_INV_H][m], col[Z + TM_SIZE_FACTOR][m],
-                                                      1.0, a->norm_of_one, dim3)
-                                   : of_all;
-      const tm_real q = r * p.inv_h, volume = col[TM_REC_M][m] / col[TM_REC_RHO][m], kj = col[G + TM_HOURGLASS_K][m];
-      col[WEIGHT][m] = volume * p.norm * tm_kernel_shape(kernel, q);
-      col[FORCE][m] = volume * p.slope_norm * tm_kernel_slope(kernel, q) * 2.0 * ki * kj /
-                      ((ki + kj + 1e-300) * r2 * r * ri[TM_REC_RHO]);
-    }
-    for (int l = 0; l < lanes; l += TM_LANES) {
-#define TM_LOAD(c) tm_lanes_load(col[c] + tm_at(l))
-      const tm_lanes dx = xi - TM_LOAD(0), dy = yi - TM_LOAD(1), vx = ri[4] - TM_LOAD(4), vy = ri[5] - TM_LOAD(5);
-      const tm_lanes dz = dim3 ? zi - TM_LOAD(2) : zero, vz = dim3 ? ri[6] - TM_LOAD(6) : zero;
-      const tm_lanes w = TM_LOAD(WEIGHT), wx = w * dx, wy = w * dy, wz = w * dz;
-      s += w;
-      sx -= wx; sy -= wy;
-      ux -= w * vx; uy -= w * vy;
-      xx += wx * dx; yy += wy * dy; xy += wx * dy;
-      pxx += wx * vx; pxy += wy * vx; pyx += wx * vy; pyy += wy * vy;
-      if (dim3) {
-        sz -= wz;
-        uz -= w * vz;
-        zz += wz * dz; xz += wx * dz; yz += wy * dz;
-        pxz += wz * vx; pyz += wz * vy;
-        pzx += wx * vz; pzy += wy * vz; pzz += wz * vz;
-      }
-      tm_lanes f = (wxi - TM_LOAD(G)) * dx + (wyi - TM_LOAD(G + 1)) * dy;
-      if (dim3) f += (wzi - TM_LOAD(G + 2)) * dz;
-      f *= TM_LOAD(FORCE);
-      const tm_lanes fx = f * dx, fy = f * dy, fz = f * dz;
-      ax += fx; ay += fy;
-      if (dim3) az += fz;
-      art -= fx * vx + fy * vy + fz * vz;
-#undef TM_LOAD
-    }
-    if (last) break;
-    for (int l = lanes; l < n; l++) jj[tm_at(l - lanes)] = jj[tm_at(l)];
-    n -= lanes;
+  tm_chunk c;
+  int jj[TM_CHUNK_ROOM];
+  tm_real TM_ALIGNED col[TM_GCOLUMNS][TM_COLUMN];
+  for (tm_chunk_begin(&c, i, a, ri, sizes, jj); tm_chunk_gather(&c, jj, col[0], dim3); tm_chunk_carry(&c, jj)) {
+    if (c.n == 0) continue;
+    const int lanes = c.lanes;
+    tm_chunk_fetch_main(&c, jj, TM_REC_P, dim3, col);
+    tm_fetch_rows(a->rec.hourglass, TM_REC_HOURGLASS, jj, lanes, col[TM_GCOL_W]);
+    if (sizes) tm_fetch_rows(a->rec.size, TM_REC_SIZE, jj, lanes, col[TM_GCOL_SIZE]);
+    TM_SIMD
+    for (int l = 0; l < lanes; l++) tm_hourglass_coefficients(&c, a, kernel, dim3, own, ri[TM_REC_RHO], col, l);
+    for (int l = 0; l < lanes; l += TM_LANES) tm_hourglass_add(&c, dim3, own, ri + TM_REC_V, col, l, &s);
   }
 
-  const tm_real vx[9] = {tm_lanes_sum(pxx), tm_lanes_sum(pxy), tm_lanes_sum(pxz), tm_lanes_sum(pyx), tm_lanes_sum(pyy),
-                         tm_lanes_sum(pyz), tm_lanes_sum(pzx), tm_lanes_sum(pzy), tm_lanes_sum(pzz)};
-  const tm_vec3 rate = tm_hourglass_rate(
-      tm_lanes_sum(s), tm_vec(tm_lanes_sum(sx), tm_lanes_sum(sy), tm_lanes_sum(sz)),
-      tm_vec(tm_lanes_sum(ux), tm_lanes_sum(uy), tm_lanes_sum(uz)),
-      tm_sym(tm_lanes_sum(xx), tm_lanes_sum(yy), tm_lanes_sum(zz), tm_lanes_sum(xy), tm_lanes_sum(xz),
-             tm_lanes_sum(yz)),
-      tm_mat_load(vx), dim3);
-  tm_real *out = a->hourglass_rate + 3 * (ptrdiff_t) i;
-  out[0] = rate.x; out[1] = rate.y; out[2] = rate.z;
+  const tm_real vx[9] = {tm_lanes_sum(s.vx.xx), tm_lanes_sum(s.vx.xy), tm_lanes_sum(s.vx.xz),
+                         tm_lanes_sum(s.vx.yx), tm_lanes_sum(s.vx.yy), tm_lanes_sum(s.vx.yz),
+                         tm_lanes_sum(s.vx.zx), tm_lanes_sum(s.vx.zy), tm_lanes_sum(s.vx.zz)};
+  const tm_sym3 xx = tm_sym(tm_lanes_sum(s.xx.xx), tm_lanes_sum(s.xx.yy), tm_lanes_sum(s.xx.zz), tm_lanes_sum(s.xx.yx),
+                            tm_lanes_sum(s.xx.zx), tm_lanes_sum(s.xx.zy));
+  const tm_vec3 rate = tm_hourglass_rate(tm_lanes_sum(s.weights), tm_sum_vec_total(&s.x), tm_sum_vec_total(&s.v), xx,
+                                         tm_mat_load(vx), dim3);
+  const tm_vec3 acceleration = tm_sum_vec_total(&s.acceleration);
   const tm_real mf = ri[TM_REC_M] * a->force_unit;
+  tm_real *out = a->hourglass_rate + 3 * (ptrdiff_t) i;
   double *f = a->force + 3 * (ptrdiff_t) i;
-  f[0] += mf * tm_lanes_sum(ax);
-  f[1] += mf * tm_lanes_sum(ay);
-  f[2] += mf * tm_lanes_sum(az);
-  if (a->artificial) a->artificial[i] += 0.5 * ri[TM_REC_M] * tm_lanes_sum(art);
+  out[0] = rate.x; out[1] = rate.y; out[2] = rate.z;
+  f[0] += mf * acceleration.x;
+  f[1] += mf * acceleration.y;
+  f[2] += mf * acceleration.z;
+  if (a->artificial) a->artificial[i] += 0.5 * ri[TM_REC_M] * tm_lanes_sum(s.artificial);
 }
 
 #endif

@@ -1,4 +1,4 @@
-/* SPH-TM: neighbor rows made from the host's list, and what they tell.
+/* SPH-TM: neighbor rows made from the host's list, and what is measured with them.
 
    A row has three segments: mechanical neighbors, those that exchange heat, contact candidates; a
    pair that conducts and touches stands in two. Each segment is in order of tag, then of memory, so
@@ -9,7 +9,7 @@
 #ifndef TM_NEIGHBORS_H
 #define TM_NEIGHBORS_H
 
-#include "tm_rates.h"
+#include "tm_chunk.h"
 
 #define TM_ROW_SLICE_GPU 32
 #define TM_ROW_SLICE TM_BLOCK
@@ -118,14 +118,14 @@ TM_FN void tm_row_put(int i, int k, int n, const tm_row_entry *entry, const tm_r
   }
 }
 
-/* ---- what rows tell, at the positions of the records: those of owned and ghost particles are of one time */
+/* ---- measures of the rows at the positions of the records, those of owned and ghost particles at one time */
 
 typedef struct {
   tm_rows rows;
   const tm_real *main;    /* records */
-  tm_real reach2;         /* (support h)^2, with size support^2 */
+  tm_real support_radius2;         /* (support h)^2, with size support^2 */
   const tm_real *size;    /* records of size, or NULL */
-  tm_real *count;         /* mechanical neighbors within reach of each particle, or NULL */
+  tm_real *count;         /* mechanical neighbors within the support radius of each particle, or NULL */
 } tm_near_args;
 
 /* Square of the distance in the row; j its particle. */
@@ -137,7 +137,7 @@ TM_FN tm_real tm_near_dist2(int i, int k, const tm_near_args *a, int *j)
   return dx * dx + dy * dy + dz * dz;
 }
 
-/* Mechanical neighbors within reach. */
+/* Mechanical neighbors within the support radius. */
 TM_FN tm_real tm_near_count(int i, const tm_near_args *a)
 {
   int count = 0, j;
@@ -145,7 +145,7 @@ TM_FN tm_real tm_near_count(int i, const tm_near_args *a)
     tm_real r2 = tm_near_dist2(i, k, a, &j);
     if (a->size)
       r2 *= a->size[(ptrdiff_t) i * TM_REC_SIZE + TM_SIZE_INV_H] * a->size[(ptrdiff_t) j * TM_REC_SIZE + TM_SIZE_INV_H];
-    count += r2 < a->reach2;
+    count += r2 < a->support_radius2;
   }
   if (a->count) a->count[i] = count;
   return count;

@@ -1,4 +1,4 @@
-/* SPH-TM: what a particle shows to its neighbours, packed for the gather.
+/* SPH-TM: records of particles: what their neighbors read of them, packed for the gather.
 
    The main record is 16 reals. The others exist only with their effect. tm_layout.h says where the
    columns of a record lie; P K is a plain row everywhere.
@@ -29,7 +29,7 @@ enum { TM_REC_CORRECTION = 9 };                        /* P K, row major */
    stress over W(0)'s norm, edge of the particle; see tm_size.h */
 enum { TM_SIZE_INV_H = 0, TM_SIZE_FACTOR = 1, TM_SIZE_TENSILE = 2, TM_SIZE_DP = 3, TM_REC_SIZE = 4 };
 
-/* displacement against the neighbourhood x y z, stiffness of its resistance (pressure); see tm_hourglass.h */
+/* displacement against the neighborhood x y z, stiffness against it (pressure); see tm_hourglass.h */
 enum { TM_HOURGLASS_K = 3, TM_REC_HOURGLASS = 4 };
 
 typedef struct {

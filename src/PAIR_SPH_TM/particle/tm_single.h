@@ -1,13 +1,13 @@
-/* SPH-TM: what a particle shows to its neighbours, for pair arithmetic in single. The state, the sums
-   over neighbours and everything outside the rate pass stay in double.
+/* SPH-TM: records of particles for pair arithmetic in single. The state, the sums over neighbors and everything outside
+   the rate pass stay in double.
 
    Lengths are in units of one length (the particle spacing), masses in density times a power of it,
    all else in the units of the run: so no power of a length leaves the range of single.
 
    Positions are whole numbers of a unit, modulo 2^32. The difference of two is exact as long as it is
-   below 2^31 units, wherever the body is. The period of 2^32 units is at least four times the reach
-   of neighbour rows: neighbours are told from their copies a period away unless they move three times
-   the reach without new rows. The unit is below 2^-29 reaches of a row, 1/50 of what single resolves
+   below 2^31 units, wherever the body is. The period of 2^32 units is at least four times the cutoff
+   of neighbor rows: neighbors are told from their copies a period away unless they move three times
+   the cutoff without new rows. The unit is below 2^-29 cutoffs of a row, 1/50 of what single resolves
    of the distance itself.
 
    Stress, velocity and temperature are rounded once, here, to 2^-24 of their value: the two
@@ -24,11 +24,11 @@ typedef struct {
   tm_records_single single;
 } tm_single_args;
 
-/* Unit of positions for rows that hold neighbours up to reach away, in units of length. */
-TM_FN tm_real tm_single_position_unit(tm_real reach, tm_real length)
+/* Unit of positions for rows that hold neighbors up to cutoff away, in units of length. */
+TM_FN tm_real tm_single_position_unit(tm_real cutoff, tm_real length)
 {
   int bits;
-  frexp(4.0 * reach / length, &bits);
+  frexp(4.0 * cutoff / length, &bits);
   return ldexp(1.0, bits - 32);
 }
 
@@ -62,13 +62,6 @@ TM_FN void tm_single(int i, const tm_single_args *a, unsigned effects)
     for (int c = 0; c < TM_REC_HEAT; c++)
       more[tm_packed_part(TM_MORE_HEAT + c, 4)] = (effects & TM_FX_CONDUCTION) ? (float) t[tm_part(c)] : 0;
   }
-  if (effects & TM_FX_SMOOTHING) {
-    float *size = s->size + (ptrdiff_t) i * TM_REC_SIZE;
-    const tm_real *z = a->rec.size + (ptrdiff_t) i * TM_REC_SIZE;
-    for (int c = 0; c < TM_REC_SIZE; c++) size[c] = (float) z[c];
-    size[TM_SIZE_INV_H] = (float) (z[TM_SIZE_INV_H] * s->length);
-    size[TM_SIZE_DP] = (float) (z[TM_SIZE_DP] / s->length);
-  }
   if (effects & TM_FX_CORRECTION)
     for (int c = 0; c < TM_REC_CORRECTION; c++)
       s->correction[(ptrdiff_t) i * TM_REC_CORRECTION + c] =
@@ -77,7 +70,7 @@ TM_FN void tm_single(int i, const tm_single_args *a, unsigned effects)
     const tm_real *z = a->rec.size + (ptrdiff_t) i * TM_REC_SIZE;
     float *size = s->size + (ptrdiff_t) i * TM_REC_SIZE;
     size[TM_SIZE_INV_H] = (float) (z[TM_SIZE_INV_H] * s->length);
-    size[TM_SIZE_FACTOR] = (float) z[TM_SIZE_FACTOR];
+    size[TM_SIZE_FACTOR] = (float) z[TM_SIZE_FACTOR];            /* without a unit */
     size[TM_SIZE_TENSILE] = (float) z[TM_SIZE_TENSILE];
     size[TM_SIZE_DP] = (float) (z[TM_SIZE_DP] / s->length);
   }

@@ -2,8 +2,8 @@
 
    A pair has one kernel, with h_ij = sqrt(h_i h_j), and the mean of the two correction factors: all of
    it symmetric, so that pair forces stay equal and opposite and energy stays as exact as with one h.
-   Measured at a border of particles 1 : 2 in size on square lattices, hyperbolic kernel, h = 1.2 edges,
-   root of the mean squares near the border:
+   Measured at an interface of particles 1 : 2 in size on square lattices, hyperbolic kernel, h = 1.2 edges,
+   root of the mean squares near the interface:
                                   gradient of a linear field     h acceleration under uniform stress
      sqrt(h_i h_j)                          0.036                            0.046 sigma/rho
      (h_i + h_j)/2                          0.040                            0.060
@@ -12,7 +12,7 @@
 
    Sums over gradW are divided by what they make of a linear field on the lattice (tm_lattice.h); here
    by that of the particle's own h over its own spacing (m/rho)^(1/d), so that it stays right for
-   refined particles and where h follows a stretched neighbourhood. */
+   refined particles and where h follows a stretched neighborhood. */
 #ifndef TM_SIZE_H
 #define TM_SIZE_H
 
@@ -84,7 +84,7 @@ TM_FN void tm_size_initial(tm_real *size, tm_real mass, tm_real rho0, tm_real ra
   size[tm_column(TM_S_TARGET)] = 0.0;
 }
 
-/* What a particle shows of its size; volume is the current one (plane stress: area). */
+/* Record of size of a particle; volume is the current one (plane stress: area). */
 TM_FN void tm_size_record(const tm_real *size, tm_real volume, const tm_real *gradient, int kernel, int dim3,
                           tm_real *out)
 {

@@ -1,4 +1,4 @@
-/* SPH-TM: heat between one particle and the neighbours that are no mechanical ones; they also close
+/* SPH-TM: heat between one particle and the neighbors that are no mechanical ones; they also close
    its free surface.
 
    F15's NeibTherm: particles of a tool, or of another body. F15 (6) as it stands is perfect
@@ -7,7 +7,9 @@
 #ifndef TM_THERMAL_H
 #define TM_THERMAL_H
 
-#include "tm_rates.h"
+#include "tm_chunk.h"
+#include "tm_heat.h"
+#include "tm_tensor.h"
 
 #if TM_SINGLE
 #error "double only: pairs that exchange heat alone have the precision of the state"
@@ -21,7 +23,7 @@ TM_FN void tm_thermal(int i, const tm_rates_args *a, unsigned effects)
   const tm_real *ri = tm_main_record(&a->rec, i);
   const tm_real *hi = tm_heat_record(&a->rec, i);
   const int sizes = (effects & TM_FX_SMOOTHING) != 0;
-  const tm_pair_size of_all = {a->h, 1.0 / a->h, a->norm, a->slope_norm, 1.0};
+  const tm_pair_size of_all = tm_size_of_all(a, 1.0, 1.0);
   const tm_pair_size own = tm_own_size(sizes ? a->rec.size + (ptrdiff_t) i * TM_REC_SIZE : NULL, of_all);
   tm_pair_size p = of_all;
   tm_vec3 n = tm_vec(0, 0, 0);
@@ -35,7 +37,7 @@ TM_FN void tm_thermal(int i, const tm_rates_args *a, unsigned effects)
       const tm_real *z = a->rec.size + j * TM_REC_SIZE;
       p = tm_pair_of_sizes(&own, z[TM_SIZE_INV_H], z[TM_SIZE_FACTOR], 1.0, a->norm_of_one, dim3);
     }
-    if (sizes ? r2 * p.inv_h * p.inv_h >= a->support2 : r2 >= a->reach2) continue;
+    if (sizes ? r2 * p.inv_h * p.inv_h >= a->support2 : r2 >= a->support_radius2) continue;
     const tm_real r = sqrt(r2), q = r / p.h;
     const tm_real g = p.slope_norm * tm_kernel_slope(kernel, q) / r, conducting = tm_conduction_slope(kernel, q, g);
     const tm_real vol = rj[tm_part(TM_REC_M)] / rj[tm_part(TM_REC_RHO)];

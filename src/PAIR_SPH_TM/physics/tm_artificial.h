@@ -17,25 +17,29 @@
 #include "tm_eigen.h"
 #include "tm_tensor.h"
 
-/* [hot] The factors of Pi_ij >= 0, for callers that have the inverses at hand: mu with
-   inv_soft2 = 1/tm_viscosity_soft2, vx = v_ij.x_ij; Pi with inv_rho = 1/rho_mean. h > 0. */
+/* r^2 + 0.01 h^2, in the denominator of mu */
 TM_FN tm_pair tm_viscosity_soft2(tm_pair h, tm_pair r2) { return r2 + TM_PAIR(0.01) * h * h; }
-TM_FN tm_pair tm_viscosity_mu(tm_pair h, tm_pair vx, tm_pair inv_soft2)
+
+/* [hot] Pi_ij, and 1/r with the same division. vx = v_ij.x_ij, r2 = r^2, rho_sum = rho_i + rho_j, h > 0, r > 0. */
+TM_FN tm_pair tm_viscosity_pair(tm_pair alpha, tm_pair beta, tm_pair h, tm_pair vx, tm_pair r2, tm_pair r,
+                                tm_pair c_mean, tm_pair rho_sum, tm_pair *inv_r)
 {
-  return h * tm_pair_min(vx, 0) * inv_soft2;
-}
-TM_FN tm_pair tm_viscosity_pi(tm_pair alpha, tm_pair beta, tm_pair mu, tm_pair c_mean,
-                              tm_pair inv_rho)
-{
-  return (beta * mu - alpha * c_mean) * mu * inv_rho;
+  const tm_pair soft2 = tm_viscosity_soft2(h, r2), inv = 1 / (r2 * (soft2 * rho_sum));
+  const tm_pair mu = h * tm_pair_min(vx, 0) * (r2 * rho_sum * inv);
+  *inv_r = r * (soft2 * rho_sum) * inv;
+  return (beta * mu - alpha * c_mean) * mu * (2 * (r2 * soft2) * inv);
 }
 
-/* Pi_ij. vx = v_ij.x_ij, r2 = |x_ij|^2, h > 0. */
-TM_FN tm_pair tm_viscosity_pair(tm_pair alpha, tm_pair beta, tm_pair h, tm_pair vx, tm_pair r2,
-                                tm_pair c_mean, tm_pair rho_mean)
+/* Pi_ij W'/r of a pair whose distance, densities and sound speeds stay as they were at one time,
+     Pi_ij W'/r = x (shock x - bulk),  x = min(v_ij.x_ij, 0),
+     bulk = alpha c/rho (W'/r)/(q^2 + 0.01) /h,  shock = beta/rho (W'/r)/(q^2 + 0.01)^2 /h^2,  q = r/h
+   The factors without their powers of h; g = W'/r in any unit. */
+TM_FN void tm_viscosity_factors(tm_real alpha, tm_real beta, tm_real q, tm_real g, tm_real c_mean, tm_real rho_sum,
+                                tm_real *bulk, tm_real *shock)
 {
-  const tm_pair mu = tm_viscosity_mu(h, vx, 1 / tm_viscosity_soft2(h, r2));
-  return tm_viscosity_pi(alpha, beta, mu, c_mean, 1 / rho_mean);
+  const tm_real per_soft = 1.0 / tm_viscosity_soft2(1.0, q * q), pi = 2.0 * g * per_soft / rho_sum;
+  *bulk = alpha * c_mean * pi;
+  *shock = beta * per_soft * pi;
 }
 
 /* Shear switch of one particle, 0..1; div and curl are of the velocity. */

@@ -24,23 +24,24 @@ typedef struct {
   tm_real gradient, interface, heat_rate;
 } tm_lattice;
 
-/* 2 V |W'|/r at lattice vector x y z; 0 at the origin and out of reach */
+/* 2 V |W'|/r at lattice vector x y z; 0 at the origin and outside the support radius */
 TM_FN tm_real tm_lattice_weight(int kernel, int dim, tm_real h, int x, int y, int z)
 {
   const tm_real r = sqrt((tm_real) (x * x + y * y + z * z));
   if (r == 0.0) return 0.0;
   return -2.0 * tm_kernel_norm(kernel, dim, h) / (h * r) * tm_kernel_slope(kernel, r / h);
 }
-TM_FN int tm_lattice_reach(int kernel, tm_real h) { return (int) (tm_kernel_support(kernel) * h); }
+/* Spacings within the support radius. */
+TM_FN int tm_lattice_cells(int kernel, tm_real h) { return (int) (tm_kernel_support(kernel) * h); }
 
 /* sum of 2 V |W'|/r (1 - cos(k.x)), k = pi/8 (a b c) */
 TM_FN tm_real tm_lattice_wave(int kernel, int dim, tm_real h, int a, int b, int c)
 {
-  const int reach = tm_lattice_reach(kernel, h), nz = dim == 3 ? reach : 0;
+  const int cells = tm_lattice_cells(kernel, h), nz = dim == 3 ? cells : 0;
   const tm_real u = 0.125 * TM_PI;
   tm_real sum = 0.0;
-  for (int x = 0; x <= reach; x++)
-    for (int y = 0; y <= reach; y++)
+  for (int x = 0; x <= cells; x++)
+    for (int y = 0; y <= cells; y++)
       for (int z = 0; z <= nz; z++)   /* one octant, with its mirror images */
         sum += (x ? 2 : 1) * (y ? 2 : 1) * (z ? 2 : 1) * tm_lattice_weight(kernel, dim, h, x, y, z)
              * (1.0 - cos(u * a * x) * cos(u * b * y) * cos(u * c * z));
@@ -50,9 +51,9 @@ TM_FN tm_real tm_lattice_wave(int kernel, int dim, tm_real h, int a, int b, int 
 /* Sums over the pairs between the layer x = 0 and the one at x, of weight times x and times r. */
 TM_FN void tm_lattice_layer(int kernel, int dim, tm_real h, int x, tm_real *by_x, tm_real *by_r)
 {
-  const int reach = tm_lattice_reach(kernel, h), nz = dim == 3 ? reach : 0;
+  const int cells = tm_lattice_cells(kernel, h), nz = dim == 3 ? cells : 0;
   *by_x = *by_r = 0.0;
-  for (int y = -reach; y <= reach; y++)
+  for (int y = -cells; y <= cells; y++)
     for (int z = -nz; z <= nz; z++) {
       const tm_real w = tm_lattice_weight(kernel, dim, h, x, y, z);
       *by_x += w * x;
@@ -63,7 +64,7 @@ TM_FN void tm_lattice_layer(int kernel, int dim, tm_real h, int x, tm_real *by_x
 TM_FN tm_real tm_lattice_gradient(int kernel, int dim, tm_real h)
 {
   tm_real sum = 0.0, by_x, by_r;
-  for (int x = 1; x <= tm_lattice_reach(kernel, h); x++) {
+  for (int x = 1; x <= tm_lattice_cells(kernel, h); x++) {
     tm_lattice_layer(kernel, dim, h, x, &by_x, &by_r);
     sum += x * by_x;
   }
@@ -76,7 +77,7 @@ TM_FN tm_lattice tm_lattice_sums(int kernel, int dim, tm_real h)
   tm_real across = 0.0;
   out.heat_rate = 0.0;
   out.gradient = tm_lattice_gradient(kernel, dim, h);
-  for (int x = 1; x <= tm_lattice_reach(kernel, h); x++) {
+  for (int x = 1; x <= tm_lattice_cells(kernel, h); x++) {
     tm_real by_x, by_r;
     tm_lattice_layer(kernel, dim, h, x, &by_x, &by_r);
     across += x * by_r;   /* x pairs of layers cross the interface */
@@ -94,7 +95,7 @@ TM_FN tm_lattice tm_lattice_sums(int kernel, int dim, tm_real h)
 TM_FN tm_real tm_lattice_face_normal(int kernel, int dim, tm_real h)
 {
   tm_real n = 0.0;
-  for (int x = 1; x <= tm_lattice_reach(kernel, h); x++) {
+  for (int x = 1; x <= tm_lattice_cells(kernel, h); x++) {
     tm_real by_x, by_r;
     tm_lattice_layer(kernel, dim, h, x, &by_x, &by_r);
     n += by_x;
@@ -106,7 +107,7 @@ TM_FN tm_real tm_lattice_face_normal(int kernel, int dim, tm_real h)
 TM_FN tm_real tm_lattice_face_sum(int kernel, int dim, tm_real h, tm_real least)
 {
   tm_real n = 0.0, sum = 0.0;
-  for (int x = tm_lattice_reach(kernel, h); x >= 1; x--) {   /* the layer without neighbours from x on */
+  for (int x = tm_lattice_cells(kernel, h); x >= 1; x--) {   /* the layer without neighbors from x on */
     tm_real by_x, by_r;
     tm_lattice_layer(kernel, dim, h, x, &by_x, &by_r);
     n += by_x;

@@ -1,4 +1,4 @@
-/* SPH-TM: what fix adapt/neigh asks tools for: the surface that a particle is about to touch. */
+/* SPH-TM: what fix adapt/neigh asks a fix that is a tool for: the surface that a particle is about to touch. */
 #ifndef SPHTM_CONTACT_PROBE_H
 #define SPHTM_CONTACT_PROBE_H
 
@@ -10,8 +10,6 @@ namespace SPHTM_NS {
 
 class ContactProbe {
  public:
-  static constexpr const char *NAME = "sph/tm contact";    // what Fix::extract() knows it by
-
   struct Surface {
     tm_vec3 normal;     // unit, from the surface to the particle
     double distance;    // of the particle's centre, negative behind the surface

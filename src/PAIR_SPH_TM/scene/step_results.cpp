@@ -101,7 +101,7 @@ tm_rates_args &StepResults::fill_args(ParticleState &state, const tm_state &s)
   args.single = single_records(state);
   args.effects = state.effects();
   args.h = set.h;
-  args.reach2 = model.support() * model.support();
+  args.support_radius2 = model.support() * model.support();
   args.norm = tm_kernel_norm(set.kernel, domain->dimension, set.h);
   args.slope_norm = args.norm / (set.h * model.lattice_sums().gradient);
   args.support2 = tm_kernel_support(set.kernel) * tm_kernel_support(set.kernel);
@@ -208,7 +208,7 @@ tm_near_args StepResults::near_args(bool of_each)
   tm_near_args a;
   a.rows = args.rows;
   a.main = rec.main;
-  a.reach2 = rec.size ? args.support2 : args.reach2;
+  a.support_radius2 = rec.size ? args.support2 : args.support_radius2;
   a.size = rec.size;
   a.count = near_count.loop_write();
   return a;
@@ -216,7 +216,7 @@ tm_near_args StepResults::near_args(bool of_each)
 
 double StepResults::neighbors(bool of_each)
 {
-  const bool rows = args.reach2 && args.rows.first;
+  const bool rows = args.support_radius2 && args.rows.first;
   return loops.near_count(backend, rows ? atom->nlocal : 0, near_args(of_each), 0);
 }
 
