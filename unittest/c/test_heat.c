@@ -1,5 +1,5 @@
 /* Heat: tables, conservation of the pair terms, particles that come together, the conductance of an
-   interface on a lattice, surface exchange, and the bound behind the time step. */
+   interface on a lattice, surface flux, and the bound behind the time step. */
 #include "tm_heat.h"
 #include "tm_lattice.h"
 #include "tm_time_step.h"

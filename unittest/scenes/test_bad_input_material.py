@@ -46,7 +46,8 @@ wrong("zerilli/armstrong without melting", coeff(GOOD + ZA + "65e6 0 890e6 0.002
 wrong("zerilli/armstrong rate0 0", coeff(GOOD + ZA + "65e6 0 890e6 0.0028 0.000115 0 1 0 1356"), C, "za_rate0", "0")
 wrong("zerilli/armstrong set of another law", coeff(GOOD + ZA + "65e6 0 890e6 0.0028 0.000115 0 1 1 1356 set jc_a 1"), C,
       "jc_a", "johnson/cook", "does not have")
-fine("zerilli/armstrong set t_melt", coeff(GOOD + ZA + "65e6 0 890e6 0.0028 0.000115 0 1 1 1356 set t_melt 1300"))
+fine("zerilli/armstrong set t_melt", coeff(GOOD + ZA + "65e6 0 890e6 0.0028 0.000115 0 1 1 1356" + HEAT +
+     " set t_melt 1300"))
 wrong("zerilli/armstrong and damage by rate", coeff(GOOD + ZA + "65e6 0 890e6 0.0028 0.000115 0 1 1 1356 "
       "damage johnson/cook 0.05 3.44 -2.12 0.002 0.61"), C, "d4", "johnson/cook")
 warned("zerilli/armstrong in MPa", coeff(GOOD + ZA + "65 0 890 0.0028 0.000115 0 1 1 1356"),

@@ -5,7 +5,7 @@ import numpy as np
 from sphtm_scene import Checks, lattice_block, run
 
 RATE, STEPS, DT = 2e4, 1500, 1e-8
-E, NU, CP, CHI, SCALE = 110e9, 0.35, 500.0, 0.9, 1e6    # the mass is scaled by 1e6, and so is the heat of a mass
+E, NU, CP, CHI, SCALE = 110e9, 0.35, 500.0, 0.9, 1e4    # the mass is scaled by 1e4, and so is the heat of a mass
 RHO = 4500.0
 A, B, N, C, M, TREF, TMELT = 800e6, 500e6, 0.3, 0.02, 0.9, 300.0, 1900.0
 
@@ -71,7 +71,7 @@ def integrate(law, T):
                 lo, hi = (d, hi) if q - 3 * G * d > law(eps + d, d / DT, T) else (lo, d)
             flow = q - 3 * G * d
             s, eps = trial * flow / q, eps + d
-            T += CHI * flow * d / (RHO * CP)    # the density stays to 1e-3
+            T += CHI * flow * d * (1 - (RATE * (t + 0.5 * DT)) ** 2) / (RHO * CP)    # over the density
     return flow, eps, T
 
 

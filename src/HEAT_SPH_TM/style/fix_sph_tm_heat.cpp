@@ -1,4 +1,4 @@
-/* SPH-TM: fix sph/tm/heat. See doc/fix_sph_tm_heat.rst. The physics is in tm_exchange.h. */
+/* SPH-TM: fix sph/tm/heat. See doc/fix_sph_tm_heat.rst. The physics is in tm_surface_flux.h. */
 #include "fix_sph_tm_heat.h"
 
 #include "argument.h"
@@ -133,10 +133,10 @@ void FixSPHTMHeat::setup(int)
   check_group();
   power = 0.0;
   if (mode == TEMPERATURE) {
-    hold(temperature_now());    // from the start; what that takes belongs to the initial state
+    set_temperature(temperature_now());    // from the start; what that takes belongs to the initial state
     return;
   }
-  exchange();
+  add_flux();
   double all = 0.0;
   MPI_Allreduce(&area, &all, 1, MPI_DOUBLE, MPI_SUM, world);
   if (on_surface() && all == 0.0 && comm->me == 0)
@@ -169,7 +169,7 @@ double FixSPHTMHeat::temperature_now()
 }
 
 // returns the heat this took
-double FixSPHTMHeat::hold(double T)
+double FixSPHTMHeat::set_temperature(double T)
 {
   return HeatLoops::of(state->loops()).dirichlet(state->loops(), atom->nlocal, {state->arrays(), groupbit, T}, 0);
 }
@@ -177,19 +177,19 @@ double FixSPHTMHeat::hold(double T)
 void FixSPHTMHeat::end_of_step()
 {
   const auto timed = state->clock().timed(this);
-  const double heat = hold(temperature_now());
+  const double heat = set_temperature(temperature_now());
   power = heat / state->time_step().now();
   energy += heat;
   state->energy().add(EnergyBalance::HEAT, heat);
   state->energy().add(EnergyBalance::HEAT_EXCHANGED, heat);
 }
 
-/* ---------------------------------------------------------------------- exchange */
+/* ---------------------------------------------------------------------- surface flux and source */
 
-tm_exchange_args FixSPHTMHeat::exchange_args()
+tm_surface_flux_args FixSPHTMHeat::flux_args()
 {
-  static const int modes[] = {0, TM_EXCHANGE_FLUX, TM_EXCHANGE_SOURCE, TM_EXCHANGE_CONVECTION, TM_EXCHANGE_RADIATION};
-  tm_exchange_args a;
+  static const int modes[] = {0, TM_FLUX_GIVEN, TM_FLUX_SOURCE, TM_FLUX_CONVECTION, TM_FLUX_RADIATION};
+  tm_surface_flux_args a;
   a.mode = modes[mode];
   const bool varies = strength.varies() || T_inf.varies();
   if (varies) modify->clearstep_compute();
@@ -218,9 +218,9 @@ tm_exchange_args FixSPHTMHeat::exchange_args()
 }
 
 // power into the particles at the half step, added to their source
-void FixSPHTMHeat::exchange()
+void FixSPHTMHeat::add_flux()
 {
-  tm_exchange_args a = exchange_args();
+  tm_surface_flux_args a = flux_args();
   Backend &loops = state->loops();
   const HeatLoops &heat = HeatLoops::of(loops);
   if (known_area > 0.0) {
@@ -229,7 +229,7 @@ void FixSPHTMHeat::exchange()
     MPI_Allreduce(&found, &all, 1, MPI_DOUBLE, MPI_SUM, world);
     a.area_factor = all > 0.0 ? known_area / all : 0.0;
   }
-  const tm_exchange_result r = heat.surface_flux(loops, atom->nlocal, a, 0);
+  const tm_surface_flux_result r = heat.surface_flux(loops, atom->nlocal, a, 0);
   power = r.power;
   area = r.area;
   state->time_step().limit(tm_decay_time_step(r.rate), TM_DT_CONDUCTION, this);
@@ -238,7 +238,7 @@ void FixSPHTMHeat::exchange()
 void FixSPHTMHeat::post_force(int)
 {
   const auto timed = state->clock().timed(this);
-  exchange();
+  add_flux();
   energy += power * state->time_step().now();
   state->energy().add(EnergyBalance::HEAT_EXCHANGED, power * state->time_step().now());
 }

@@ -9,7 +9,7 @@
 
 #include "equal_value.h"
 #include "scene.h"
-#include "tm_exchange.h"
+#include "tm_surface_flux.h"
 
 namespace SPHTM_NS {
 class Keywords;
@@ -51,9 +51,9 @@ class FixSPHTMHeat : public Fix {
   void ask();
   void check_group();
   double temperature_now();
-  double hold(double);
-  tm_exchange_args exchange_args();
-  void exchange();
+  double set_temperature(double);
+  tm_surface_flux_args flux_args();
+  void add_flux();
 };
 
 }    // namespace LAMMPS_NS

@@ -1,6 +1,6 @@
-/* SPH-TM: particles of prescribed temperature or velocity. */
-#ifndef TM_HOLD_H
-#define TM_HOLD_H
+/* SPH-TM: Dirichlet conditions: particles of prescribed temperature or velocity. */
+#ifndef TM_DIRICHLET_H
+#define TM_DIRICHLET_H
 
 #include "tm_heat.h"
 #include "tm_state.h"
@@ -9,10 +9,10 @@ typedef struct {
   tm_state state;
   int group;              /* of LAMMPS's group bits */
   tm_real temperature;
-} tm_hold_args;
+} tm_dirichlet_args;
 
 /* Gives particle i its temperature; returns the heat this takes. */
-TM_FN tm_real tm_hold(int i, const tm_hold_args *a)
+TM_FN tm_real tm_dirichlet(int i, const tm_dirichlet_args *a)
 {
   const tm_state *s = &a->state;
   if (!(s->mask[i] & a->group)) return 0.0;

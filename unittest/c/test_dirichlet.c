@@ -1,12 +1,12 @@
 /* Prescribed temperature and velocity: the state reached, the heat and the work it takes. */
-#include "tm_hold.h"
+#include "tm_dirichlet.h"
 #include "ut_state.h"
 
 static ut_particles p;
 
 static void temperature(void)
 {
-  tm_hold_args a;
+  tm_dirichlet_args a;
   ut_particles_make(&p);
   a.state = p.state;
   a.group = 2;
@@ -16,16 +16,16 @@ static void temperature(void)
   double *t = p.field[TM_F_TEMP];
   t[0] = t[3] = 300.0;
   t[4] = 7.0; t[5] = -8.0;
-  UT_TRUE(tm_hold(0, &a) == 0.0 && t[0] == 300.0);            /* not of the group */
-  UT_NEAR(tm_hold(1, &a), 2.0 * 4.0 * 200.0, 1e-15);           /* m c dT */
+  UT_TRUE(tm_dirichlet(0, &a) == 0.0 && t[0] == 300.0);            /* not of the group */
+  UT_NEAR(tm_dirichlet(1, &a), 2.0 * 4.0 * 200.0, 1e-15);           /* m c dT */
   UT_TRUE(t[3] == 500.0 && t[4] == 0.0 && t[5] == 0.0);        /* and no rate that would lead away */
-  UT_TRUE(tm_hold(1, &a) == 0.0);                              /* it is there already */
+  UT_TRUE(tm_dirichlet(1, &a) == 0.0);                              /* it is there already */
   /* a capacity linear in T: the integral from 500 to 300 is that of the middle */
   p.material[1].capacity.n = 2;
   p.material[1].capacity.t[0] = 200.0; p.material[1].capacity.t[1] = 600.0;
   p.material[1].capacity.y[0] = 1.0; p.material[1].capacity.y[1] = 5.0;
   a.temperature = 300.0;
-  UT_NEAR(tm_hold(1, &a), -2.0 * 200.0 * 3.0, 1e-15);
+  UT_NEAR(tm_dirichlet(1, &a), -2.0 * 200.0 * 3.0, 1e-15);
 }
 
 /* v + dt f/m = V, whatever else acts; work is force times mean velocity times dt */
