@@ -5,11 +5,7 @@
 #ifndef SPHTM_BACKEND_H
 #define SPHTM_BACKEND_H
 
-#include "tm_kept_moment.h"
-#include "tm_border.h"
-#include "tm_places.h"
-#include "tm_smoothing.h"
-
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -34,41 +30,11 @@ class Backend {
   virtual void copy(void *to, const void *from, size_t bytes);    // within it
   virtual void zero(void *, size_t bytes);
   virtual void fill(unsigned char *, unsigned char value, size_t n);
-  virtual bool equal(int n, const int *a, const int *b);
   virtual void wait() {}    // until all loops are done
 
   // for results of loops that are not waited for: memory that host and loops see
   virtual void *allocate_result(size_t);
   virtual void release_result(void *);
-
-  // search of neighbors: the box of n particles at x, their order by cells, rows of n (the longest)
-  virtual tm_bounds bounds(int n, const double *x);
-  virtual void bin(const tm_cells &);
-  virtual int search(int n, const tm_search_args &);
-  virtual int mark(const tm_cells &, const unsigned char *marks);    // counts those marked in order of cells
-  virtual int moved(int n, const tm_moved_args &);
-  virtual int select(int n, const tm_select_args &, int *which);    // which are, in order; how many
-  // rows that are kept, and those at their border
-  virtual int border_change(int n, const tm_border_args &);
-  virtual void border_touch(int n, const tm_border_args &);
-  virtual void border(int n, const tm_border_args &);
-  virtual void kept_moments(int n, const tm_kept_moment_args &, unsigned effects);
-  virtual void kept_show(int n, const tm_kept_args &, tm_real *shown);
-  virtual void kept_rates(int n, const tm_kept_args &, unsigned effects);
-  virtual int settle_leaps(int n, const tm_settle_args &);    // how many
-  virtual void settle_tell(int n, const tm_settle_args &, unsigned effects);
-  virtual void settle(int n, const tm_settle_args &, unsigned effects);
-  virtual int watch(int n, const tm_watch_args &);
-  // and when particles get new places: tm_places.h
-  virtual int largest(int n, const int *);    // at least 0
-  virtual void hold_tags(int n, const tm_places_args &);
-  virtual void searched(int n, const tm_real *memory, tm_real *next);
-  virtual int places(int n, const tm_places_args &);    // how many entries are nowhere
-  virtual void reorder(int n, const tm_kept_store &from, const int *order, const tm_kept_store &to);
-  virtual void kept_send(int n, const tm_kept_send_args &);
-  virtual void kept_receive(int n, const tm_kept_send_args &);
-
-  virtual tm_size_range smoothing(int n, const tm_smoothing_args &, unsigned effects);
 
   // loops on the host: f(begin, end) for the blocks that make up 0..n-1
   virtual void blocks(int n, const std::function<void(int, int)> &f);

@@ -2,7 +2,7 @@
 #include "backend_kokkos.h"
 
 #include "instruction_set.h"
-#include "lists_kokkos.h"
+#include "tm_layout.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -24,16 +24,7 @@ struct FillBytes {
   unsigned char *p, value;
   KOKKOS_FUNCTION void operator()(int i) const { p[i] = value; }
 };
-struct Smoothing {
-  tm_smoothing_args a;
-  unsigned fx;
-  KOKKOS_FUNCTION tm_size_range operator()(int i) const { return tm_smoothing(i, &a, fx); }
-};
-struct SumSizes {
-  KOKKOS_FUNCTION void operator()(tm_size_range *sum, const tm_size_range *r) const { tm_size_sum(sum, r); }
-};
-
-class DeviceBackend : public KokkosLists {
+class DeviceBackend : public Backend {
  public:
   std::string name() const override { return std::string("kernels of Kokkos ") + LMPDeviceType::name(); }
 
@@ -70,10 +61,6 @@ class DeviceBackend : public KokkosLists {
     if (p) Kokkos::kokkos_free<Kokkos::SharedHostPinnedSpace>(p);
   }
   void wait() override { LMPDeviceType().fence("sph/tm wait"); }
-  tm_size_range smoothing(int n, const tm_smoothing_args &a, unsigned fx) override
-  {
-    return kokkos_sum("sph/tm smoothing length", n, tm_size_nothing(), Smoothing{a, fx}, SumSizes());
-  }
 };
 
 /* ---------------------------------------------------------------------- threads of the host */

@@ -155,7 +155,7 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::of_centers(AuditPatch &p, unsi
   const double most = (model.covered_h() > 0.0 ? model.covered_h() : model.settings_in_use().h) +
       neighbor->skin / tm_kernel_support(model.settings_in_use().kernel);
   for (int turn = 0; turn < (rule.table ? PSI_TURNS : 1); turn++) {
-    Backend::host().smoothing(n, s, effects);
+    SearchLoops::of(Backend::host()).smoothing(Backend::host(), n, s, effects);
     for (int k = 0; k < n; k++) {
       double &h = own[(size_t) k * TM_S_COLUMNS + TM_S_H];
       h = std::min(h, most);
@@ -216,7 +216,6 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::surroundings(AuditSearch &sear
 
 AccuracyMeter::Rates AccuracyMeter::rates(AuditPatch &p, const tm_records &rec, unsigned effects, const double *K) const
 {
-  const Model &model = state.model();
   const Settings defaults;
   const int n = p.centers;
   const size_t room = n + 1, all = p.member.size() + 1;
@@ -398,7 +397,7 @@ std::string AccuracyMeter::report(double rates, double lists, bigint steps)
   Times all;
   MPI_Allreduce(&times, &all, sizeof(Times) / sizeof(double), MPI_DOUBLE, MPI_SUM, world);
   const double base = all.cause[measured[PRECISION] ? PRECISION : ROWS];
-  const bool keeps = scene.rows().keeps();
+  const bool keeps = scene.rows().has_tl();
   std::string text = fmt::format(
       "\n  audits: {} of {} particles; root mean square of the difference to a fresh search in double with all "
       "effects\n  {:<26} {:>10} {:>10} {:>10} {:>10} {:>10} {:>10}\n",

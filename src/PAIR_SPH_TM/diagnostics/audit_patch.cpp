@@ -39,10 +39,11 @@ AuditSearch::AuditSearch(LAMMPS *lmp, const ParticleState &state, const tm_recor
   x.resize(3 * (size_t) n);
   for (int i = 0; i < n; i++) std::copy_n(rec.main + (size_t) i * TM_REC, 3, x.data() + 3 * (size_t) i);
   Backend &host = Backend::host();
+  const SearchLoops &loops = SearchLoops::of(host);
   tm_cells &c = args.cells;
   c.n = n;
   c.x = x.data();
-  tm_cells_make(&c, host.bounds(n, c.x), farthest, farthest, dim == 3, 4 * n + 4096);
+  tm_cells_make(&c, loops.bounds(host, n, {c.x}, 0u), farthest, farthest, dim == 3, 4 * n + 4096);
   cell.resize(n);
   begin.resize(tm_cells_number(&c) + 1);
   index.resize(n + TM_COLUMN_MOST);
@@ -53,7 +54,7 @@ AuditSearch::AuditSearch(LAMMPS *lmp, const ParticleState &state, const tm_recor
   c.cell = cell.data();
   c.begin = begin.data();
   c.index = index.data();
-  host.bin(c);
+  loops.sort_into_cells(host, c);
 
   args.meets = meets.data();
   args.segments = TM_MEETS_MECHANICAL;
@@ -84,7 +85,7 @@ AuditPatch AuditSearch::around(const std::vector<int> &centers, double within)
     args.index = found.data();
     args.first = first.data();
     args.count[0] = count.data();
-    const int longest = Backend::host().search(n, args);
+    const int longest = SearchLoops::of(Backend::host()).search(Backend::host(), n, args, 0u);
     if (longest <= room) break;
     if (longest > TM_SEARCH_MOST)
       error->one(FLERR, "Fix sph/tm audit: a particle has at least {} neighbors", longest);

@@ -3,7 +3,7 @@
 #ifndef SPHTM_AUDIT_PATCH_H
 #define SPHTM_AUDIT_PATCH_H
 
-#include "backend.h"
+#include "search_loops.h"
 
 #include "pointers.h"
 

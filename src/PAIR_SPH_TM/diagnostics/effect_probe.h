@@ -3,6 +3,7 @@
 #ifndef SPHTM_EFFECT_PROBE_H
 #define SPHTM_EFFECT_PROBE_H
 
+#include "tm_fields.h"
 #include "loop_array.h"
 #include "tm_fields.h"
 

@@ -26,7 +26,7 @@ class NeighborRows : protected LAMMPS_NS::Pointers {
   // before a run; source: of fix adapt/neigh, or nullptr
   void init(const ParticleState &, RowSource *source);
   RowSource *source() const { return row_source; }
-  bool keeps() const { return row_source && row_source->keeps(); }    // rows that are not searched in every step
+  bool has_tl() const { return row_source && row_source->has_tl(); }    // total-Lagrangian pairs
   bool cover(int n) const { return (int) row_first.size() >= n; }     // so many particles
   virtual void build(LAMMPS_NS::NeighList *, bool conduction);
   tm_rows loop_rows();

@@ -60,6 +60,7 @@ class StepResults : protected LAMMPS_NS::Pointers {
   void communicate_records(LAMMPS_NS::Pair *);
   void communicate_correction(LAMMPS_NS::Pair *);
   void communicate_hourglass(LAMMPS_NS::Pair *);
+  void communicate(LAMMPS_NS::Pair *, LoopArray<tm_real> &, int columns);    // any values of particles
   tm_ghost_args ghosts();                       // where the loops run
   tm_ghost_args host_ghosts(bool to_write);
   LoopArray<tm_real> &main_record() { return rec_main; }
@@ -81,7 +82,6 @@ class StepResults : protected LAMMPS_NS::Pointers {
 
   tm_records_single single_records(const ParticleState &);
   tm_near_args near_args(bool of_each);
-  void communicate(LAMMPS_NS::Pair *, LoopArray<tm_real> &, int columns);
 };
 
 // the unit of positions in single, for rows with this support radius

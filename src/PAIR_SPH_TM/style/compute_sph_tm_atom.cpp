@@ -72,7 +72,13 @@ tm_output_args ComputeSPHTMAtom::output_args()
     const Scene::Adaptation &lists = scene->adaptation();
     if (!lists.rows)
       error->all(FLERR, "Compute sph/tm/atom adaptnode, searches: needs fix adapt/neigh with threshold");
-    a.lists = lists.tl_history ? lists.tl_history() : nullptr;
+    if (lists.tl_history) {
+      const Scene::TlHistory h = lists.tl_history();
+      a.lists = h.values;
+      a.lists_columns = h.columns;
+      a.was_ul = h.was_ul;
+      a.ul_steps = h.ul_steps;
+    }
   }
   a.measure = model.surface_measure();
   a.temperature = state->start_temperature();

@@ -152,7 +152,7 @@ void PairSPHTM::correct_gradients(int n, tm_rates_args &ul)
 {
   const auto timed = state->clock().timed(RunClock::MOMENTS);
   loops.correction(backend, n, ul, state->effects());
-  if (rows->source()) rows->source()->kept_moments(results.rate_args(), state->effects());
+  if (rows->source()) rows->source()->tl_corrections(results.rate_args(), state->effects());
   results.communicate_correction(this);
   ul.rec.correction = results.rate_args().rec.correction;
 }
@@ -203,9 +203,9 @@ void PairSPHTM::rates(const tm_state &s, tm_rates_args &args)
   const unsigned effects = state->effects();
   RowSource *source = rows->source();
   tm_rates_args ul = args;    // of updated-Lagrangian pairs
-  const int searched = source ? source->searched(ul) : nlocal;
+  const int searched = source ? source->ul_rows(ul) : nlocal;
   if (effects & TM_FX_CORRECTION) correct_gradients(searched, ul);
-  if (source) source->show(results.records());
+  if (source) source->tl_export(results.records());
   if (effects & TM_FX_MIXED) {
     const auto timed = state->clock().timed(RunClock::RATES);
     loops.round_to_single(backend, nlocal + atom->nghost, {args.rec, args.single}, effects);
@@ -229,7 +229,7 @@ void PairSPHTM::rates(const tm_state &s, tm_rates_args &args)
   {
     const auto timed = state->clock().timed(RunClock::RATES);
     loops.rates(backend, searched, ul, effects);
-    if (source) source->kept_rates(args, effects);
+    if (source) source->tl_rates(args, effects);
   }
   if (effects & TM_FX_HOURGLASS) control_hourglass(args);
   if (audited) audit(*audited, apart);
