@@ -1,7 +1,7 @@
 """The pages in doc/ against the plugin: every keyword, kernel, effect, constant and attribute that a style knows, as
 its error message lists them, stands in the Syntax of its page, and the page has no others. README.md names every
 example. The tables of doc/theory.rst have all equations of the papers; functions and files that they name exist, and each
-C test calls a function of its row."""
+C test calls a function of its row. Functions of doc/one_time_step.rst and files that pages name exist."""
 import glob
 import os
 import re
@@ -143,6 +143,20 @@ for equation, functions, headers, tests in theory:
             wrong.append("%s calls no %s" % (test, " ".join(functions)))
 checks.true("theory: functions, headers, tests", len(theory) > 50 and c_tests > 50 and not wrong,
             "%d rows; wrong: %s" % (len(theory), "; ".join(wrong) or "none"))
+
+source = {path: open(path).read() for path in glob.glob(os.path.join(SOURCE, "src", "**", "*.*"), recursive=True)}
+with open(os.path.join(SOURCE, "doc", "one_time_step.rst")) as f:
+    called = set(re.findall(r"``([\w:]+)\(\)``", f.read()))
+wrong = [name for name in called if not any(re.search(r"\b%s\(" % name, text) for text in source.values())]
+checks.true("one_time_step: functions", len(called) > 50 and not wrong,
+            "%d functions; not in src: %s" % (len(called), " ".join(sorted(wrong)) or "none"))
+wrong = []
+for page in glob.glob(os.path.join(SOURCE, "doc", "*.rst")) + [os.path.join(SOURCE, "README.md")]:
+    with open(page) as f:
+        text = f.read()
+    wrong += [path for path in re.findall(r"\b((?:src|unittest|tools)/[\w/.]+\.\w+)", text)
+              if not os.path.exists(os.path.join(SOURCE, path))]
+checks.true("pages: files that they name", not wrong, "not there: %s" % (" ".join(sorted(set(wrong))) or "none"))
 
 with open(os.path.join(SOURCE, "README.md")) as f:
     told = set(re.findall(r"\]\(examples/(\w+)\)", f.read()))
