@@ -2,6 +2,7 @@
    the numbers are (momentum, power, heat, linear fields, the order of a row). Also compiled for
    AVX2 and AVX-512, see test_rates_avx2.c. */
 #include "tm_moment.h"
+#include "tm_rates.h"
 #include "tm_state.h"
 #include "ut.h"
 

@@ -1,6 +1,7 @@
 /* Patch test of particles with a smoothing length of their own: constant and linear fields where two sizes meet,
    against the same on one size; what a split makes of a size. */
 #include "tm_moment.h"
+#include "tm_rates.h"
 #include "tm_refine.h"
 #include "tm_size.h"
 #include "tm_split_pattern.h"

@@ -259,7 +259,8 @@ TM_FN void tm_tl_rates(int i, const tm_tl_args *a, unsigned effects)
         const tm_lanes pi = tm_pair_viscosity_frozen(m, tm_lanes_dot(v, d, dim3), shock,
                                                      tm_weight_upper_lanes(own + TM_W_SHOCK * 8 * stride, stride), bulk,
                                                      tm_weight_upper_lanes(own + TM_W_BULK * 8 * stride, stride));
-        tm_pair_artificial(&s.artificial_force, &s.artificial, tm_lanes_scale(-pi, d), v);
+        const tm_lanes_vec f = {-pi * d.x, -pi * d.y, -pi * d.z};    /* not scaled by a -pi: the products round as before */
+        tm_pair_artificial(&s.artificial_force, &s.artificial, f, v);
       }
       if (conduction) s.heat += tm_values_load(col[TM_TL_COL_CONDUCTED], l);
     }
