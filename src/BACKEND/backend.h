@@ -1,31 +1,11 @@
-/* SPH-TM: where the particle loops run and where their arrays live.
+/* SPH-TM: where the loops over particles run and where their arrays live.
 
-   The styles say what is to be done for all particles; a backend does it, here on the host, or with
-   Kokkos on threads or a GPU (backend_kokkos.h). Each loop calls one C function per particle.
-
-   Sums are taken over blocks of particles and then over the blocks, so they do not depend on the
-   number of threads. */
+   The host's, or that of Kokkos on threads or a GPU (backend_kokkos.h). What runs there stands in the loop tables of
+   the packages (loop_table.h). */
 #ifndef SPHTM_BACKEND_H
 #define SPHTM_BACKEND_H
 
-#include "tm_body_contact.h"
-#include "tm_border.h"
-#include "tm_drift.h"
-#include "tm_exchange.h"
-#include "tm_hold.h"
-#include "tm_hourglass.h"
-#include "tm_initial.h"
-#include "tm_moment.h"
-#include "tm_neighbors.h"
-#include "tm_places.h"
-#include "tm_predict.h"
-#include "tm_rates.h"
-#include "tm_single.h"
-#include "tm_size.h"
-#include "tm_smoothing.h"
-#include "tm_tally.h"
-#include "tm_update.h"
-
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -50,66 +30,11 @@ class Backend {
   virtual void copy(void *to, const void *from, size_t bytes);    // within it
   virtual void zero(void *, size_t bytes);
   virtual void fill(unsigned char *, unsigned char value, size_t n);
-  virtual void add(double *to, const double *from, size_t n);
-  virtual bool equal(int n, const int *a, const int *b);
   virtual void wait() {}    // until all loops are done
 
   // for results of loops that are not waited for: memory that host and loops see
   virtual void *allocate_result(size_t);
   virtual void release_result(void *);
-
-  // search of neighbors: the box of n particles at x, their order by cells, rows of n (the longest)
-  virtual tm_bounds bounds(int n, const double *x);
-  virtual void bin(const tm_cells &);
-  virtual int search(int n, const tm_search_args &);
-  virtual int mark(const tm_cells &, const unsigned char *marks);    // counts those marked in order of cells
-  virtual int moved(int n, const tm_moved_args &);
-  virtual int select(int n, const tm_select_args &, int *which);    // which are, in order; how many
-  // rows that are kept, and those at their border
-  virtual int border_change(int n, const tm_border_args &);
-  virtual void border_touch(int n, const tm_border_args &);
-  virtual void border(int n, const tm_border_args &);
-  virtual void kept_moments(int n, const tm_kept_moment_args &, unsigned effects);
-  virtual void kept_show(int n, const tm_kept_args &, tm_real *shown);
-  virtual void kept_rates(int n, const tm_kept_args &, unsigned effects);
-  virtual int settle_leaps(int n, const tm_settle_args &);    // how many
-  virtual void settle_tell(int n, const tm_settle_args &, unsigned effects);
-  virtual void settle(int n, const tm_settle_args &, unsigned effects);
-  virtual int watch(int n, const tm_watch_args &);
-  // and when particles get new places: tm_places.h
-  virtual int largest(int n, const int *);    // at least 0
-  virtual void hold_tags(int n, const tm_places_args &);
-  virtual void searched(int n, const tm_real *memory, tm_real *next);
-  virtual int places(int n, const tm_places_args &);    // how many entries are nowhere
-  virtual void reorder(int n, const tm_kept_store &from, const int *order, const tm_kept_store &to);
-  virtual void kept_send(int n, const tm_kept_send_args &);
-  virtual void kept_receive(int n, const tm_kept_send_args &);
-
-  // one step of particles 0..n-1
-  virtual void drift(int n, const tm_drift_args &, unsigned effects, int *lost);    // the first one lost, or n
-  virtual void predict(int n, const tm_predict_args &, unsigned effects);
-  virtual void moments(int n, const tm_rates_args &, unsigned effects);
-  virtual void hourglass(int n, const tm_rates_args &, unsigned effects);    // after the rates
-  virtual void round(int n, const tm_single_args &, unsigned effects);    // records to single
-  virtual bool rates_in_single(int /*kernel*/) const { return true; }
-  virtual void rates(int n, const tm_rates_args &, unsigned effects);
-  virtual void thermal(int n, const tm_rates_args &, unsigned effects);
-  virtual tm_body_contact_result body_contact(int n, const tm_rates_args &,
-                                              const tm_body_contact_args &, unsigned effects);
-  virtual tm_update_result update(int n, const tm_update_args &, unsigned effects);
-  virtual tm_exchange_result exchange(int n, const tm_exchange_args &, bool area_only);
-  virtual double hold(int n, const tm_hold_args &);    // the heat it takes
-  virtual tm_drive_result drive(int n, const tm_drive_args &);
-
-  // set-up and output
-  virtual void initial_of_new(int n, const tm_initial_args &);
-  virtual tm_update_result initial_limits(int n, const tm_update_args &, unsigned effects, bool seed);
-  virtual double kinetic_energy(int n, const tm_state &);
-  virtual tm_tally_result tally(int n, const tm_tally_args &, unsigned effects);
-  virtual tm_size_range smoothing(int n, const tm_smoothing_args &, unsigned effects);
-  virtual tm_size_range size_range(int n, const tm_state &);
-  virtual double near_count(int n, const tm_near_args &);
-  virtual tm_nearest nearest(int n, const tm_near_args &);
 
   // loops on the host: f(begin, end) for the blocks that make up 0..n-1
   virtual void blocks(int n, const std::function<void(int, int)> &f);

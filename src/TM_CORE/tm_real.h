@@ -16,6 +16,14 @@
 #else
 #define TM_FN static inline
 #endif
+/* one that few scenes run: called, so that it is in no loop's machine code. It writes nothing. */
+#if defined(__CUDACC__)
+#define TM_CALLED_FN static __host__ __device__ __noinline__
+#elif defined(__GNUC__)
+#define TM_CALLED_FN static __attribute__((noinline, unused, pure))
+#else
+#define TM_CALLED_FN static inline
+#endif
 /* one that a GPU does not run */
 #if defined(__CUDACC__)
 #define TM_HOST_FN static inline

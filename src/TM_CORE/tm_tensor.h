@@ -182,4 +182,49 @@ TM_FN void tm_sym_to_record(tm_real *record, int first, tm_sym3 s)
   for (int k = 0; k < 6; k++) record[tm_part(first + k)] = p[k];
 }
 
+TM_FN tm_mat3 tm_mat_transposed(tm_mat3 a)
+{
+  tm_real t = a.xy; a.xy = a.yx; a.yx = t;
+  t = a.xz; a.xz = a.zx; a.zx = t;
+  t = a.yz; a.yz = a.zy; a.zy = t;
+  return a;
+}
+
+TM_FN tm_mat3 tm_mat_add(tm_mat3 a, tm_mat3 b)
+{
+  a.xx += b.xx; a.xy += b.xy; a.xz += b.xz;
+  a.yx += b.yx; a.yy += b.yy; a.yz += b.yz;
+  a.zx += b.zx; a.zy += b.zy; a.zz += b.zz;
+  return a;
+}
+
+/* Inverse; *good is 0 where the matrix is nearly singular. In two dimensions that of the upper left block, with
+   zz = 1. */
+TM_FN tm_mat3 tm_mat_inverse(tm_mat3 a, int dim3, int *good)
+{
+  tm_mat3 b = tm_mat_identity();
+  const tm_real size = a.xx * a.xx + a.xy * a.xy + a.yx * a.yx + a.yy * a.yy;
+  if (!dim3) {
+    const tm_real det = a.xx * a.yy - a.xy * a.yx;
+    *good = fabs(det) > 0.05 * 0.5 * size;
+    if (!*good) return b;
+    b.xx = a.yy / det; b.xy = -a.xy / det; b.yx = -a.yx / det; b.yy = a.xx / det;
+    return b;
+  }
+  const tm_real all = (size + a.xz * a.xz + a.yz * a.yz + a.zx * a.zx + a.zy * a.zy + a.zz * a.zz) / 3.0;
+  const tm_real cxx = a.yy * a.zz - a.yz * a.zy, cyx = a.yz * a.zx - a.yx * a.zz, czx = a.yx * a.zy - a.yy * a.zx;
+  const tm_real det = a.xx * cxx + a.xy * cyx + a.xz * czx;
+  *good = det * det > 0.0025 * all * all * all;
+  if (!*good) return b;
+  const tm_real per = 1.0 / det;
+  b.xx = cxx * per; b.yx = cyx * per; b.zx = czx * per;
+  b.xy = (a.xz * a.zy - a.xy * a.zz) * per;
+  b.yy = (a.xx * a.zz - a.xz * a.zx) * per;
+  b.zy = (a.xy * a.zx - a.xx * a.zy) * per;
+  b.xz = (a.xy * a.yz - a.xz * a.yy) * per;
+  b.yz = (a.xz * a.yx - a.xx * a.yz) * per;
+  b.zz = (a.xx * a.yy - a.xy * a.yx) * per;
+  return b;
+}
+
 #endif

@@ -8,10 +8,10 @@
 
 static void laws(void)
 {
-  UT_NEAR(tm_contact_stiffness(0.5, 100.0, 300.0, 0.1, 1), 0.5 * 75.0 * 0.1, 1e-15);
-  UT_NEAR(tm_contact_stiffness(0.5, 100.0, 1e30, 0.1, 1), 0.5 * 100.0 * 0.1, 1e-15);
-  UT_NEAR(tm_contact_stiffness(0.5, 100.0, 0.0, 0.1, 1), 0.5 * 100.0 * 0.1, 1e-15);
-  UT_NEAR(tm_contact_stiffness(0.5, 100.0, 0.0, 0.1, 0), 0.5 * 100.0, 1e-15);
+  UT_NEAR(tm_contact_stiffness(0.5, 100.0, 300.0, 0.1, 0.1, 1), 0.5 * 75.0 * 0.1, 1e-15);
+  UT_NEAR(tm_contact_stiffness(0.5, 100.0, 1e30, 0.1, 0.1, 1), 0.5 * 100.0 * 0.1, 1e-15);
+  UT_NEAR(tm_contact_stiffness(0.5, 100.0, 0.0, 0.1, 0.1, 1), 0.5 * 100.0 * 0.1, 1e-15);
+  UT_NEAR(tm_contact_stiffness(0.5, 100.0, 0.0, 0.1, 0.1, 0), 0.5 * 100.0, 1e-15);
 
   UT_NEAR(tm_contact_normal(10.0, 0.1, 2.0, 0.3, 0), 1.6, 1e-15);    /* closing: damping adds */
   UT_NEAR(tm_contact_normal(10.0, 0.1, 2.0, -0.3, 0), 0.4, 1e-15);
@@ -305,7 +305,7 @@ static void sizes(void)
   for (int dim3 = 0; dim3 < 2; dim3++) {
     w.radius = 0.5 * dp;
     w.area = dim3 ? dp * dp : dp;
-    w.stiffness = tm_contact_stiffness(0.7, 110e9, 0.0, dp, dim3);
+    w.stiffness = tm_contact_stiffness(0.7, 110e9, 0.0, dp, dp, dim3);
     const tm_contact_law same = tm_contact_law_of_size(&w, dp, dim3);
     UT_TRUE(same.stiffness == w.stiffness && same.area == w.area && same.radius == w.radius);
     for (double edge = 0.1; edge < 3.0; edge *= 1.7) {
@@ -318,9 +318,9 @@ static void sizes(void)
               sqrt(edge) * tm_contact_time_step(w.stiffness, m, z), 1e-14);
     }
     /* bodies: as many more pairs per area as the finer particles are smaller */
-    const double k = tm_body_contact_stiffness(0.7, 110e9, 70e9, dp, dp, dim3);
+    const double k = tm_contact_stiffness(0.7, 110e9, 70e9, dp, dp, dim3);
     UT_TRUE(k == 0.7 * 110e9 * 70e9 / (110e9 + 70e9) * (dim3 ? dp : 1.0));
-    UT_NEAR(pow(2.0, dim3 ? 2 : 1) * tm_body_contact_stiffness(0.7, 110e9, 70e9, dp, 0.5 * dp, dim3), k, 1e-14);
+    UT_NEAR(pow(2.0, dim3 ? 2 : 1) * tm_contact_stiffness(0.7, 110e9, 70e9, dp, 0.5 * dp, dim3), k, 1e-14);
   }
 
   floor_scene();

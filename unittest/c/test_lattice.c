@@ -1,6 +1,6 @@
 /* Lattice sums against values summed independently (numpy, wave vectors on a fine mesh), the surface
-   of a flat face layer by layer, and the exchange of heat through it. */
-#include "tm_exchange.h"
+   of a flat face layer by layer, and the heat flux through it. */
+#include "tm_surface_flux.h"
 #include "ut.h"
 
 static const struct {
@@ -64,35 +64,35 @@ int main(void)
   tm_material m = {0};
   m.capacity.value = 10;
   m.emissivity = 0.25;
-  tm_exchange_args a = {0};
+  tm_surface_flux_args a = {0};
   a.rec.main = main_record; a.rec.heat = heat; a.normal = n; a.type = type; a.material = &m;
   a.surface.least = 1; a.surface.scale = 0.1; a.area_factor = 2; a.emissivity = -1;
   a.strength = 7; a.T_inf = 300;
-  a.mode = TM_EXCHANGE_FLUX;
-  UT_NEAR(tm_exchange(0, &a).area, 0.5, 1e-15);
-  UT_NEAR(tm_exchange(0, &a).power, 3.5, 1e-15);
-  UT_TRUE(tm_exchange(0, &a).rate == 0);
-  a.mode = TM_EXCHANGE_SOURCE;
-  UT_NEAR(tm_exchange(0, &a).power, 3.5, 1e-15);
-  UT_TRUE(tm_exchange(0, &a).area == 0);
-  a.mode = TM_EXCHANGE_CONVECTION;
-  UT_NEAR(tm_exchange(0, &a).power, -350, 1e-15);
-  UT_NEAR(tm_exchange(0, &a).rate, 0.5 * 7 / 20, 1e-15);
-  a.mode = TM_EXCHANGE_RADIATION;
+  a.mode = TM_FLUX_GIVEN;
+  UT_NEAR(tm_surface_flux(0, &a).area, 0.5, 1e-15);
+  UT_NEAR(tm_surface_flux(0, &a).power, 3.5, 1e-15);
+  UT_TRUE(tm_surface_flux(0, &a).rate == 0);
+  a.mode = TM_FLUX_SOURCE;
+  UT_NEAR(tm_surface_flux(0, &a).power, 3.5, 1e-15);
+  UT_TRUE(tm_surface_flux(0, &a).area == 0);
+  a.mode = TM_FLUX_CONVECTION;
+  UT_NEAR(tm_surface_flux(0, &a).power, -350, 1e-15);
+  UT_NEAR(tm_surface_flux(0, &a).rate, 0.5 * 7 / 20, 1e-15);
+  a.mode = TM_FLUX_RADIATION;
   a.strength = 5.67e-8;
   const double below = 0.5 * 0.25 * 5.67e-8 * (300. * 300 * 300 * 300 - 400. * 400 * 400 * 400);
-  UT_NEAR(tm_exchange(0, &a).power, below, 1e-13);
-  UT_NEAR(tm_exchange(0, &a).rate, 0.5 * 0.25 * 5.67e-8 * 4 * 400. * 400 * 400 / 20, 1e-13);
+  UT_NEAR(tm_surface_flux(0, &a).power, below, 1e-13);
+  UT_NEAR(tm_surface_flux(0, &a).rate, 0.5 * 0.25 * 5.67e-8 * 4 * 400. * 400 * 400 / 20, 1e-13);
   a.emissivity = 0.5;
-  UT_NEAR(tm_exchange(0, &a).power, 2 * below, 1e-13);
+  UT_NEAR(tm_surface_flux(0, &a).power, 2 * below, 1e-13);
   a.facing = 1;
   a.d = tm_vec(1, 0, 0);   /* n points inwards */
-  UT_NEAR(tm_exchange(0, &a).area, 0.3, 1e-15);
+  UT_NEAR(tm_surface_flux(0, &a).area, 0.3, 1e-15);
   a.d = tm_vec(0, 1, 0);
-  UT_TRUE(tm_exchange(0, &a).area == 0);
+  UT_TRUE(tm_surface_flux(0, &a).area == 0);
   a.facing = 0;
   a.surface.least = 6;
-  UT_TRUE(tm_exchange(0, &a).area == 0);
+  UT_TRUE(tm_surface_flux(0, &a).area == 0);
 
   /* rise by a heat: 450 at 300 to 900 at 500, 500 from 700 on */
   m.capacity.n = 3;

@@ -1,7 +1,7 @@
 /* Rows from the cells against all pairs: two and three dimensions, one reach and one each, types, rows that are full, cells
    as wide as the largest reach and, where each has its own, narrower; how far a particle has to look;
    which rows one that has moved is near to; rows with a margin where each has its own reach, which grows. */
-#include "tm_border.h"
+#include "tm_candidates.h"
 #include "ut.h"
 
 #include <string.h>
@@ -148,18 +148,14 @@ static void run(int dim3, int own_reach, int types, ptrdiff_t stride, tm_real wi
   check(&a, 1);
 
   tm_moved_args m = {x[0], was_at[0], 0.4, 0.5, marks, NULL, 0, NULL};
-  tm_select_args near;
-  memset(&near, 0, sizeof near);
-  near.kind = TM_SELECT_NEAR;
-  near.cells = a.cells;
-  near.border.dirty = dirty;
+  const tm_near_moved_args near = {a.cells, dirty};
   int some = 0;
   for (int i = 0; i < N; i++) {
     UT_TRUE(tm_moved(i, &m) == moved[i] && marks[i] == moved[i] && was_at[i][0] == x[i][0]);
     dirty[i] = 0;
   }
   for (int i = 0; i < OWN; i++) {
-    const int is_near = tm_selected(i, &near);
+    const int is_near = tm_near_moved(i, &near);
     int neighbor = 0;
     for (int j = 0; j < N; j++) {
       const tm_real dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], dz = x[i][2] - x[j][2];

@@ -1,5 +1,5 @@
-/* Johnson-Cook flow stress against values worked out apart, Jaumann rate against the closed simple shear and
-   against the matrix product, radial return against the flow stress. */
+/* Flow stresses against values worked out apart and against each other where one law becomes another, Jaumann rate
+   against the closed simple shear and against the matrix product, radial return against the flow stress. */
 #include "tm_strength.h"
 #include "ut.h"
 
@@ -199,8 +199,136 @@ static void check_other_kinds(void)
   UT_TRUE(tm_radial_return(&m, big, 0, 300, 1e-9).d_eps == 0);
 }
 
+/* softening exponents for these tests */
+static tm_material johnson_cook_tanh(void)
+{
+  tm_material x = johnson_cook(800, 500, 0.3, 0.02, 0.9, 300, 1900, 4430, 526);
+  x.strength = TM_STRENGTH_JOHNSON_COOK_TANH;
+  x.tanh_a = 1.6; x.tanh_b = 0.4; x.tanh_d = 1.0; x.tanh_r = 6.0; x.tanh_s = 1.0;
+  return x;
+}
+
+/* the formula written out, strain > 0 */
+static double tanh_formula(const tm_material *m, double eps, double rate, double T)
+{
+  const double D = 1 - pow(T / m->t_melt, m->tanh_d), S = pow(T / m->t_melt, m->tanh_b);
+  const double hot = (T - m->t_ref) / (m->t_melt - m->t_ref);
+  return (m->jc_a + m->jc_b * pow(eps, m->jc_n) / exp(pow(eps, m->tanh_a))) * (1 + m->jc_c * log(rate / m->jc_rate0)) *
+      (1 - pow(hot, m->jc_m)) * (D + (1 - D) * pow(tanh(1 / pow(eps + S, m->tanh_r)), m->tanh_s));
+}
+
+static void check_tanh(void)
+{
+  tm_material m = johnson_cook_tanh();
+  for (int k = 0; k < 300; k++) {
+    const double eps = ut_random(1e-3, 3), rate = pow(10, ut_random(0, 6)), T = ut_random(301, 1800);
+    m.tanh_s = k % 3 ? 1.0 : ut_random(0.01, 2);    /* Calamaz; Sima and Ozel */
+    UT_NEAR(tm_flow_stress(&m, eps, rate, T), tanh_formula(&m, eps, rate, T), 1e-12);
+  }
+  /* without its two factors it is Johnson-Cook */
+  m.tanh_a = m.tanh_s = 0.0;
+  tm_material jc = m;
+  jc.strength = TM_STRENGTH_JOHNSON_COOK;
+  for (int k = 0; k < 300; k++) {
+    const double eps = k % 10 ? ut_random(0, 3) : 0, rate = pow(10, ut_random(-2, 6)), T = ut_random(0, 2000);
+    UT_NEAR(tm_flow_stress(&m, eps, rate, T), tm_flow_stress(&jc, eps, rate, T), 1e-14);
+    const tm_sym3 s = random_deviator(2e9);
+    const double dt = pow(10, ut_random(-10, -6));
+    UT_NEAR(tm_radial_return(&m, s, eps, T, dt).d_eps, tm_radial_return(&jc, s, eps, T, dt).d_eps, 1e-9);
+  }
+  /* softens with strain when hot, more than without tanh; no strength at the melting temperature; finite at the ends */
+  m = johnson_cook_tanh();
+  UT_TRUE(tm_flow_stress(&m, 1.0, 1e3, 900) < tm_flow_stress(&m, 0.2, 1e3, 900));
+  UT_TRUE(tm_flow_stress(&m, 1.0, 1e3, 900) < tm_flow_stress(&jc, 1.0, 1e3, 900));
+  UT_TRUE(tm_flow_stress(&m, 1.0, 1e3, m.t_melt) == 0 && tm_flow_stress(&m, 1.0, 1e3, 2 * m.t_melt) == 0);
+  UT_NEAR(tm_flow_stress(&m, 0, 0, 0), m.jc_a, 1e-14);
+  UT_TRUE(tm_flow_stress(&m, 1e6, 0, 300) > 0);
+}
+
+static tm_material zerilli_armstrong(int bcc)
+{
+  tm_material x = {0};
+  x.strength = TM_STRENGTH_ZERILLI_ARMSTRONG;
+  x.shear = bcc ? 8e10 : 4.6e10;
+  x.za_rate0 = 1.0;
+  x.za_c0 = 65e6;
+  x.za_n = 0.289;
+  if (bcc) {    /* Armco iron */
+    x.za_c1 = 1033e6; x.za_c3 = 0.00698; x.za_c4 = 0.000415; x.za_c5 = 266e6; x.t_melt = 1811;
+  } else {      /* OFHC copper */
+    x.za_c2 = 890e6; x.za_c3 = 0.0028; x.za_c4 = 0.000115; x.t_melt = 1356;
+  }
+  return x;
+}
+
+static void check_zerilli_armstrong(void)
+{
+  const tm_material iron = zerilli_armstrong(1), copper = zerilli_armstrong(0);
+  for (int k = 0; k < 300; k++) {
+    const double eps = ut_random(0, 2), rate = pow(10, ut_random(-3, 6)), T = ut_random(0, 1300);
+    const double ln = log(rate);
+    UT_NEAR(tm_flow_stress(&iron, eps, rate, T),
+            65e6 + 1033e6 * exp(-0.00698 * T + 0.000415 * T * ln) + 266e6 * pow(eps, 0.289), 1e-12);
+    UT_NEAR(tm_flow_stress(&copper, eps, rate, T), 65e6 + 890e6 * sqrt(eps) * exp(-0.0028 * T + 0.000115 * T * ln), 1e-12);
+    /* the unit of time does not matter: microseconds */
+    tm_material other = iron;
+    other.za_rate0 *= 1e-6;
+    UT_NEAR(tm_flow_stress(&other, eps, rate * 1e-6, T), tm_flow_stress(&iron, eps, rate, T), 1e-12);
+  }
+  UT_NEAR(tm_flow_stress(&iron, 0, 0, 0), 65e6 + 1033e6, 1e-14);
+  UT_NEAR(tm_flow_stress(&copper, 0, 0, 300), 65e6, 1e-14);
+  UT_NEAR(tm_flow_stress(&iron, 0.1, 0, 300), tm_flow_stress(&iron, 0.1, 1e-4, 300), 1e-14);    /* the least rate */
+  UT_NEAR(tm_flow_stress(&iron, -1e-9, 1, 300), tm_flow_stress(&iron, 0, 1, 300), 1e-14);
+  UT_TRUE(tm_flow_stress(&iron, 1, 1, iron.t_melt) == 0 && tm_flow_stress(&iron, 1, 1, iron.t_melt - 1) > 65e6);
+}
+
+/* any law: 3G d = trial - Y at the end of the step */
+static void check_searched_returns(tm_material m, double t_most)
+{
+  int most = 0;
+  double sum = 0.0;
+  for (int k = 0; k < 4000; k++) {
+    const double eps = k % 5 ? pow(10, ut_random(-8, 0.5)) : 0, dt = pow(10, ut_random(-12, 0));
+    const double T = ut_random(0, t_most);
+    const double size = tm_flow_stress(&m, eps, 0, T) * pow(10, ut_random(-0.5, 0.5)) + 1;
+    check_return(&m, random_deviator(size * (k % 11 ? 0.4 : 40)), eps, T, dt);
+  }
+  for (int k = 0; k < 4000; k++) {    /* a step of cutting */
+    const double eps = ut_random(0, 2), dt = 1e-9, T = ut_random(300, 1000);
+    const double d = dt * pow(10, ut_random(3, 6)), y = tm_flow_stress(&m, eps + d, d / dt, T);
+    const tm_sym3 s = random_deviator(1), trial = tm_sym_scale((y + 3 * m.shear * d) / tm_sym_mises(s), s);
+    const tm_return_result r = tm_radial_return(&m, trial, eps, T, dt);
+    check_return(&m, trial, eps, T, dt);
+    UT_NEAR(r.d_eps, d, 1e-4);
+    if (r.iterations > most) most = r.iterations;
+    sum += r.iterations;
+  }
+  printf("searched return: %.1f evaluations in a cutting step, %d at most\n", sum / 4000, most);
+  UT_TRUE(most <= 30);
+}
+
+/* softening steeper than the elastic unloading: the stress of the end still lies on the flow curve */
+static void check_steep_softening(void)
+{
+  tm_material m = johnson_cook_tanh();
+  m.shear = 2e8;
+  m.tanh_r = 20.0;
+  for (int k = 0; k < 500; k++) {
+    const double eps = ut_random(0, 1), T = ut_random(400, 1200), dt = 1e-6;
+    const tm_sym3 s = random_deviator(1);
+    const double y = tm_flow_stress(&m, eps, 0, T);
+    check_return(&m, tm_sym_scale(y * ut_random(1.01, 1.5) / tm_sym_mises(s), s), eps, T, dt);
+  }
+}
+
 int main(void)
 {
+  check_tanh();
+  check_zerilli_armstrong();
+  check_searched_returns(johnson_cook_tanh(), 1890);
+  check_searched_returns(zerilli_armstrong(1), 1800);
+  check_searched_returns(zerilli_armstrong(0), 1300);
+  check_steep_softening();
   const tm_material steel = johnson_cook(553.1, 600.8, 0.234, 0.0134, 1, 293.15, 1733, 7870, 486);
   const tm_material copper = johnson_cook(90, 292, 0.31, 0.025, 1.09, 298, 1356, 8960, 383);
   const tm_material s4340 = johnson_cook(792, 510, 0.26, 0.014, 1.03, 298, 1793, 7830, 477);

@@ -5,10 +5,10 @@
 
 #include "points.h"
 #include "tm_body_contact.h"
-#include "tm_carry.h"
+#include "tm_tool_move.h"
 #include "tm_drift.h"
-#include "tm_exchange.h"
-#include "tm_hold.h"
+#include "tm_surface_flux.h"
+#include "tm_dirichlet.h"
 #include "tm_hourglass.h"
 #include "tm_initial.h"
 #include "tm_moment.h"
@@ -247,10 +247,10 @@ STAGE(contact_tri)
 }
 STAGE(exchange)
 {
-  tm_exchange_args a;
+  tm_surface_flux_args a;
   memset(&a, 0, sizeof a);
   a.mode = i % 4;
-  a.strength = a.mode == TM_EXCHANGE_RADIATION ? 5.67e-8 : 1e4;
+  a.strength = a.mode == TM_FLUX_RADIATION ? 5.67e-8 : 1e4;
   a.T_inf = 400.0;
   a.emissivity = -1.0;
   a.surface.least = 0.1 / w->spacing; a.surface.scale = 1.5;
@@ -259,16 +259,16 @@ STAGE(exchange)
   a.type = w->type; a.mask = w->mask; a.group = 1;
   a.material = w->material;
   a.source = w->source;
-  const tm_exchange_result r = tm_exchange_of_group(i, &a, 0);
+  const tm_surface_flux_result r = tm_surface_flux_of_group(i, &a, 0);
   out[0] = r.power; out[1] = r.area; out[2] = r.rate;
 }
 STAGE(hold)
 {
-  tm_hold_args a;
+  tm_dirichlet_args a;
   a.state = cloud_state(w);
   a.group = 2;
   a.temperature = 555.0;
-  out[0] = tm_hold(i, &a);
+  out[0] = tm_dirichlet(i, &a);
 }
 STAGE(drive)
 {
@@ -324,13 +324,13 @@ STAGE(near)
 }
 STAGE(carry)
 {
-  tm_carry_args a;
+  tm_tool_move_args a;
   a.state = cloud_state(w);
   a.group = 1;
   a.body_type = 2;
   a.dim3 = w->dim == 3;
   a.from = w->from; a.to = w->to;
-  tm_carry(i, &a);
+  tm_tool_move(i, &a);
   (void) out;
 }
 STAGE(initial)

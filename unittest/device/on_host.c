@@ -104,7 +104,7 @@ void cloud_make(cloud *w, int dim, int kernel, double ratio, unsigned effects, t
     tm_contact_law *law = w->law + t;
     law->active = 1;
     law->radius = 0.5 * w->spacing;
-    law->stiffness = tm_contact_stiffness(0.1, w->young[t], 0.0, w->spacing, dim == 3);
+    law->stiffness = tm_contact_stiffness(0.1, w->young[t], 0.0, w->spacing, w->spacing, dim == 3);
     law->damping = 0.2;
     law->area = pow(w->spacing, dim - 1);
     law->friction.value = 0.3;

@@ -153,7 +153,7 @@ POINT(conduction)
   out[3] = tm_convection(in[5], in[0], in[1]);
   out[4] = tm_radiation(5.67e-8, 0.7, in[0], in[1]);
   out[5] = tm_heat_time_step(7800, tm_capacity(mat, in[0]), 1e-3, ki, 55, 3.0);
-  out[6] = tm_plastic_heating(mat, in[0], in[1]);
+  out[6] = 1e-5 * tm_effusivity(ki, 7800, tm_capacity(mat, in[0]));
   return 1500.0;    /* a difference of temperatures */
 }
 POINT(damage)
@@ -184,7 +184,7 @@ POINT(contact_laws)
   w.radius = 0.5; w.area = 1.0; w.shear = 1.0; w.share = -1.0;
   w.friction.value = 0.3;
   w.tool_effusivity = 2.0; w.conductance = in[9];
-  out[0] = tm_contact_stiffness(0.1, in[0], in[1], 0.5, 1);
+  out[0] = tm_contact_stiffness(0.1, in[0], in[1], 0.5, 0.5, 1);
   out[1] = tm_contact_damping(0.2, in[0], in[1]);
   out[2] = tm_contact_normal(in[0], in[2], in[1], in[3], 0);
   out[3] = tm_contact_friction_limit(&w, in[0], 300, in[1]);

@@ -45,7 +45,7 @@ def scene(ranks=1, expect_error=False, half=None, box=(-2e-3, 21.2e-3), **more):
 
 
 def counted(result):
-    found = re.findall(r"(\d+) pairs of kept rows were dropped", result.output)
+    found = re.findall(r"(\d+) total-Lagrangian pairs were dropped", result.output)
     return [int(n) for n in found]
 
 

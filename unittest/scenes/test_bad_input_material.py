@@ -35,6 +35,23 @@ wrong("johnson/cook with seven values", coeff(GOOD + " strength johnson/cook 4e8
 wrong("johnson/cook melts below its reference", coeff(GOOD + " strength johnson/cook 4e8 3e8 1 0.01 1.3 293 200 1"), C,
       "t_melt", "t_ref", "293")
 wrong("johnson/cook rate0 0", coeff(GOOD + " strength johnson/cook 4e8 3e8 1 0.01 1.3 293 855 0"), C, "rate0", "0")
+TANH, ZA = " strength johnson/cook/tanh 4e8 3e8 1 0.01 1.3 293 855 1", " strength zerilli/armstrong "
+fine("johnson/cook/tanh", coeff(GOOD + TANH + " 1.6 0.4 1 6 1" + HEAT))
+fine("zerilli/armstrong", coeff(GOOD + ZA + "65e6 0 890e6 0.0028 0.000115 0 1 1 1356" + HEAT))
+wrong("johnson/cook/tanh without softening", coeff(GOOD + TANH), C, "johnson/cook/tanh value 9 of 13", "tanh_a", "missing")
+wrong("johnson/cook/tanh negative exponent", coeff(GOOD + TANH + " 1.6 -0.4 1 6 1"), C, "tanh_b", ">= 0", "-0.4")
+wrong("johnson/cook/tanh melts below its reference", coeff(GOOD + TANH.replace("855", "200") + " 1.6 0.4 1 6 1"), C,
+      "johnson/cook/tanh", "t_melt", "t_ref")
+wrong("zerilli/armstrong without melting", coeff(GOOD + ZA + "65e6 0 890e6 0.0028 0.000115 0 1 1"), C, "t_melt", "missing")
+wrong("zerilli/armstrong rate0 0", coeff(GOOD + ZA + "65e6 0 890e6 0.0028 0.000115 0 1 0 1356"), C, "za_rate0", "0")
+wrong("zerilli/armstrong set of another law", coeff(GOOD + ZA + "65e6 0 890e6 0.0028 0.000115 0 1 1 1356 set jc_a 1"), C,
+      "jc_a", "johnson/cook", "does not have")
+fine("zerilli/armstrong set t_melt", coeff(GOOD + ZA + "65e6 0 890e6 0.0028 0.000115 0 1 1 1356" + HEAT +
+     " set t_melt 1300"))
+wrong("zerilli/armstrong and damage by rate", coeff(GOOD + ZA + "65e6 0 890e6 0.0028 0.000115 0 1 1 1356 "
+      "damage johnson/cook 0.05 3.44 -2.12 0.002 0.61"), C, "d4", "johnson/cook")
+warned("zerilli/armstrong in MPa", coeff(GOOD + ZA + "65 0 890 0.0028 0.000115 0 1 1 1356"),
+       "za_c0 + za_c1 + za_c2 + za_c5 955", "MPa?")
 wrong("unknown eos", coeff(GOOD + " eos ideal"), C, "eos", "ideal", "shock")
 wrong("shock c0 0", coeff(GOOD + " eos shock 0 1.4 2"), C, "c0", "0")
 wrong("tait without exponent", coeff(GOOD + " eos tait"), C, "tait", "missing")

@@ -1,6 +1,7 @@
 """The pages in doc/ against the plugin: every keyword, kernel, effect, constant and attribute that a style knows, as
 its error message lists them, stands in the Syntax of its page, and the page has no others. README.md names every
-example."""
+example. The tables of doc/theory.rst have all equations of the papers; functions and files that they name exist, and each
+C test calls a function of its row. Functions of doc/one_time_step.rst and files that pages name exist."""
 import glob
 import os
 import re
@@ -92,6 +93,70 @@ same("compute sph/tm/atom", known(READY + "compute p all sph/tm/atom nonsense"),
      starred(re.sub(r"=.*", "", part(syntax("compute_sph_tm_atom"), "one or more attributes", r"\Z"))))
 same("compute cutting/force", known(READY + "compute f all cutting/force t nonsense"),
      keywords(syntax("compute_cutting_force")))
+
+def rows_of_tables(page):
+    """Rows of list-tables with four columns, each a list of texts, without the heads."""
+    with open(os.path.join(SOURCE, "doc", page + ".rst")) as f:
+        rows = re.findall(r"^   \* - (.*(?:\n     [ -] .*)*)", f.read(), re.M)
+    rows = [[re.sub(r"\s+", " ", cell) for cell in re.split(r"\n     - ", row)] for row in rows]
+    return [row for row in rows if len(row) == 4 and row[0] != "equation"]
+
+
+def names(cell):
+    return re.findall(r"``([^`]+)``", cell)
+
+
+def has_word(word, *path):
+    path = os.path.join(SOURCE, *path)
+    if not os.path.isfile(path):
+        return False
+    with open(path) as f:
+        return re.search(r"\b%s\b" % re.escape(word.split("::")[-1]), f.read()) is not None
+
+
+def equations(paper, text):
+    """Numbers like (2), (4) to (6) after the name of a paper."""
+    found = set()
+    for list_of_numbers in re.findall(paper + r"((?: ?(?:,|to|and)? ?\(\d+\))+)", text):
+        for first, last in re.findall(r"\((\d+)\)(?: to \((\d+)\))?", list_of_numbers):
+            found |= set(range(int(first), int(last or first) + 1))
+    return found
+
+
+theory = rows_of_tables("theory")
+for paper, last in ("F15", 17), ("F14", 18), ("S13", 9):
+    missing = set(range(1, last + 1)) - set().union(*(equations(paper, row[0]) for row in theory))
+    checks.true("theory: equations of " + paper, not missing, "not there: %s" % (sorted(missing) or "none"))
+wrong, c_tests = [], 0
+for equation, functions, headers, tests in theory:
+    functions, headers = names(functions), names(headers)
+    if not functions or not headers or not (names(tests) or tests == "none"):
+        wrong.append(equation)
+    wrong += ["%s in %s" % (f, " ".join(headers)) for f in functions if not any(has_word(f, "src", h) for h in headers)]
+    wrong += ["%s of %s" % (h, equation) for h in headers if not any(has_word(f, "src", h) for f in functions)]
+    for test in names(tests):
+        if test.endswith(".py"):
+            wrong += [] if os.path.isfile(os.path.join(SOURCE, "unittest", "scenes", test)) else [test]
+            continue
+        c_tests += 1
+        if not any(has_word(f, "unittest", "c", test) for f in functions):
+            wrong.append("%s calls no %s" % (test, " ".join(functions)))
+checks.true("theory: functions, headers, tests", len(theory) > 50 and c_tests > 50 and not wrong,
+            "%d rows; wrong: %s" % (len(theory), "; ".join(wrong) or "none"))
+
+source = {path: open(path).read() for path in glob.glob(os.path.join(SOURCE, "src", "**", "*.*"), recursive=True)}
+with open(os.path.join(SOURCE, "doc", "one_time_step.rst")) as f:
+    called = set(re.findall(r"``([\w:]+)\(\)``", f.read()))
+wrong = [name for name in called if not any(re.search(r"\b%s\(" % name, text) for text in source.values())]
+checks.true("one_time_step: functions", len(called) > 50 and not wrong,
+            "%d functions; not in src: %s" % (len(called), " ".join(sorted(wrong)) or "none"))
+wrong = []
+for page in glob.glob(os.path.join(SOURCE, "doc", "*.rst")) + [os.path.join(SOURCE, "README.md")]:
+    with open(page) as f:
+        text = f.read()
+    wrong += [path for path in re.findall(r"\b((?:src|unittest|tools)/[\w/.]+\.\w+)", text)
+              if not os.path.exists(os.path.join(SOURCE, path))]
+checks.true("pages: files that they name", not wrong, "not there: %s" % (" ".join(sorted(set(wrong))) or "none"))
 
 with open(os.path.join(SOURCE, "README.md")) as f:
     told = set(re.findall(r"\]\(examples/(\w+)\)", f.read()))

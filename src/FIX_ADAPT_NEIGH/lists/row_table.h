@@ -3,7 +3,7 @@
 #define SPHTM_ROW_TABLE_H
 
 #include "loop_array.h"
-#include "tm_kept.h"
+#include "tm_neighbors.h"
 
 namespace SPHTM_NS {
 

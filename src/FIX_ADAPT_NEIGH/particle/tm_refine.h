@@ -2,7 +2,7 @@
 
    Split: a value A of the parent becomes A + phi g.d at the child's place d, with g the gradient that is
    exact for linear fields (moment matrix), and 0 <= phi <= 1 the largest factor for which no child lies
-   outside of the least and largest value of the parent and its neighbours. The places have their centre
+   outside of the least and largest value of the parent and its neighbors. The places have their center
    of mass in the parent, so the mass mean of the children is the parent's value: plastic strain, damage,
    temperature and energy are bounded and conserved at once. (S13 interpolates with the kernel, which is
    bounded too, but smears and does not conserve.)
@@ -15,7 +15,7 @@
 #include "tm_kernel.h"
 #include "tm_tensor.h"
 
-/* What a particle shows of itself to those that interpolate: columns of one row of a table. */
+/* What a particle exports for interpolation: columns of one row of a table. */
 enum {
   TM_CLOUD_X = 0,      /* position */
   TM_CLOUD_V = 3,      /* velocity */
@@ -57,7 +57,7 @@ TM_FN int tm_sym_inverse(tm_sym3 m, tm_real least, tm_sym3 *inverse)
   return 1;
 }
 
-/* Inverse of the moment matrix sum w d d of the neighbours j[0..n-1] of i. Returns 0 where they do not
+/* Inverse of the moment matrix sum w d d of the neighbors j[0..n-1] of i. Returns 0 where they do not
    span the space: nobody within reach, or all near one line or plane; *inverse is 0 then. In 2D z stays
    out. Rank is judged by det(M)/(tr(M)/dim)^dim, which is 1 for a lattice. */
 TM_FN int tm_cloud_moments(const tm_cloud *c, int i, const int *j, int n, tm_real h, tm_sym3 *inverse)
@@ -81,7 +81,7 @@ TM_FN int tm_cloud_moments(const tm_cloud *c, int i, const int *j, int n, tm_rea
 
 typedef struct {
   tm_vec3 gradient;
-  tm_real least, most; /* of the particle and its neighbours within reach */
+  tm_real least, most; /* of the particle and its neighbors within reach */
 } tm_slope;
 
 /* Column col of the table about particle i. */
@@ -120,14 +120,14 @@ TM_FN tm_real tm_slope_limit(const tm_slope *s, tm_real own, const double *place
 /* Children of parent i: for n_col columns from col on, which share one factor (the components of a tensor;
    a scalar alone), adds to row k of the children (n rows of width columns, which hold the parent's) what
    their places give. place: in units of size. */
-TM_FN void tm_cloud_spread(const tm_cloud *c, int i, const int *j, int neighbours, tm_real h, const tm_sym3 *inverse,
+TM_FN void tm_cloud_spread(const tm_cloud *c, int i, const int *j, int neighbors, tm_real h, const tm_sym3 *inverse,
                            int col, int n_col, const double *place, int n, tm_real size, tm_real *children)
 {
   enum { MOST = 6 };
   tm_slope s[MOST];
   tm_real phi = 1.0;
   for (int m = 0; m < n_col && m < MOST; m++) {
-    s[m] = tm_cloud_slope(c, i, j, neighbours, h, inverse, col + m);
+    s[m] = tm_cloud_slope(c, i, j, neighbors, h, inverse, col + m);
     const tm_real own = tm_cloud_row(c, i)[col + m];
     phi = tm_min(phi, tm_slope_limit(&s[m], own, place, n, size));
   }
@@ -212,7 +212,7 @@ TM_FN void tm_content_sum(tm_content *sum, const tm_content *c)
   sum->angular = tm_vec_add(sum->angular, c->angular);
 }
 
-/* One particle from n (rows of width columns): mass and volume are sums, the centre of mass, its velocity,
+/* One particle from n (rows of width columns): mass and volume are sums, the center of mass, its velocity,
    state the mean over mass. Returns the kinetic energy that is no longer in the motion. */
 TM_FN tm_real tm_cloud_merge(const tm_real *const *member, int n, int width, tm_real *out)
 {

@@ -4,7 +4,7 @@
 
 static const struct {
   const char *name;
-  int dim, centre, corners;
+  int dim, center, corners;
 } kinds[TM_SPLIT_KINDS] = {{"square", 2, 0, 4},
                            {"hexagon", 2, 1, 6},
                            {"cube", 3, 0, 8},
@@ -62,13 +62,13 @@ typedef struct {
   double x[NODES], w[NODES];
 } overlap;
 
-/* seen from the centre of the circle of radius r: how far along it the distance is s */
+/* seen from the center of the circle of radius r: how far along it the distance is s */
 static double angle(double s, double r, double d)
 {
   return 2.0 * asin(sqrt(tm_min((s - fabs(r - d)) * (s + fabs(r - d)) / (4.0 * r * d), 1.0)));
 }
 
-/* Mean of shape(s/alpha) over the circle or sphere of radius r whose centre is d away. */
+/* Mean of shape(s/alpha) over the circle or sphere of radius r whose center is d away. */
 static double mean_on_shell(const overlap *o, double r)
 {
   const double d = o->d, a = o->alpha;
@@ -136,7 +136,7 @@ double tm_kernel_overlap(int kernel, int dim, double alpha, double d)
 
 static void places(tm_split_pattern *p)
 {
-  const int first = kinds[p->kind].centre, corners = kinds[p->kind].corners;
+  const int first = kinds[p->kind].center, corners = kinds[p->kind].corners;
   p->n = first + corners;
   for (int k = 0; k < p->n; k++) p->x[k][0] = p->x[k][1] = p->x[k][2] = 0.0;
   const double e = p->epsilon, golden = 0.5 * (1.0 + sqrt(5.0));
@@ -201,11 +201,11 @@ int tm_split_make(int kind, int kernel, double epsilon, double alpha, tm_split_p
       double d2 = 0.0;
       for (int c = 0; c < 3; c++) d2 += (p->x[r][c] - p->x[s][c]) * (p->x[r][c] - p->x[s][c]);
       a[r][s] = a[s][r] = a0[r][s] = a0[s][r] =
-          scale * tm_kernel_overlap(kernel, p->dim, 1.0, sqrt(d2) / alpha);
+          scale * tm_kernel_overlap(kernel, p->dim, 1.0, sqrt(d2) / alpha);    /* A, S13 (8) */
     }
     double d2 = 0.0;
     for (int c = 0; c < 3; c++) d2 += p->x[r][c] * p->x[r][c];
-    b[r] = b0[r] = tm_kernel_overlap(kernel, p->dim, alpha, sqrt(d2));
+    b[r] = b0[r] = tm_kernel_overlap(kernel, p->dim, alpha, sqrt(d2));    /* b, S13 (8) */
     one[r] = 1.0;
   }
   if (!solve(n, a, b, one)) return TM_SPLIT_SINGULAR;
@@ -217,10 +217,10 @@ int tm_split_make(int kind, int kernel, double epsilon, double alpha, tm_split_p
   const double mu = (1.0 - sum_b) / sum_one, c = tm_kernel_overlap(kernel, p->dim, 1.0, 0.0);
   double value = c, least = 1.0;
   for (int r = 0; r < n; r++) {
-    p->mass[r] = b[r] + mu * one[r];
+    p->mass[r] = b[r] + mu * one[r];    /* S13 (9) with sum 1: A lambda = b + mu 1 */
     least = tm_min(least, p->mass[r]);
   }
-  for (int r = 0; r < n; r++) {
+  for (int r = 0; r < n; r++) {    /* S13 (8) */
     value -= 2.0 * p->mass[r] * b0[r];
     for (int s = 0; s < n; s++) value += p->mass[r] * a0[r][s] * p->mass[s];
   }

@@ -15,14 +15,14 @@
 
 enum tm_split_kind {
   TM_SPLIT_SQUARE = 0,      /* 2D: 4 on the corners of a square of edge epsilon */
-  TM_SPLIT_HEXAGON,         /* 2D: 6 at distance epsilon and the centre */
+  TM_SPLIT_HEXAGON,         /* 2D: 6 at distance epsilon and the center */
   TM_SPLIT_CUBE,            /* 3D: 8 on the corners of a cube of edge epsilon */
-  TM_SPLIT_CUBE_CENTRE,     /* the same and the centre */
-  TM_SPLIT_ICOSAHEDRON,     /* 3D: 12 at distance epsilon and the centre */
+  TM_SPLIT_CUBE_CENTRE,     /* the same and the center */
+  TM_SPLIT_ICOSAHEDRON,     /* 3D: 12 at distance epsilon and the center */
   TM_SPLIT_KINDS
 };
 enum { TM_SPLIT_MOST = 13 };
-#define TM_SPLIT_LEAST 1e-6    /* a smaller share of the mass is none: alpha 1 leaves it all in the centre */
+#define TM_SPLIT_LEAST 1e-6    /* a smaller share of the mass is none: alpha 1 leaves it all in the center */
 
 enum tm_split_status {
   TM_SPLIT_OK = 0,
@@ -32,7 +32,7 @@ enum tm_split_status {
 };
 
 typedef struct {
-  int kind, dim, n;                     /* n children; a centre, where there is one, is the first */
+  int kind, dim, n;                     /* n children; a center, where there is one, is the first */
   double epsilon, alpha;                /* edge or distance in h of the parent; h of a child over it */
   double x[TM_SPLIT_MOST][3];           /* places about the parent, in its h */
   double mass[TM_SPLIT_MOST];           /* shares of its mass, sum 1 */

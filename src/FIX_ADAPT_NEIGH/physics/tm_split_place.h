@@ -45,7 +45,7 @@ TM_FN void tm_split_turn(double *place, int n, tm_vec3 normal)
 }
 
 /* The factor of the places along the normal with which the outermost child, a sphere of radius[k], reaches as far as
-   a sphere of the given radius, larger than theirs, in the centre; 1 where all lie beside it. */
+   a sphere of the given radius, larger than theirs, in the center; 1 where all lie beside it. */
 TM_FN tm_real tm_split_factor(const double *place, const double *radius, int n, tm_vec3 normal, tm_real reach)
 {
   tm_real factor = 1e300;

@@ -1,8 +1,5 @@
 #include "cloud.h"
 
-#include "fix_adapt_neigh.h"
-#include "fix_sph_tm.h"
-#include "pair_sph_tm.h"
 
 #include "atom.h"
 #include "domain.h"
@@ -15,17 +12,17 @@ namespace SPHTM_NS {
 
 void Cloud::begin(int columns)
 {
-  const Atom *atom = fix.host()->atom;
+  const Atom *atom = parts.host()->atom;
   const int n = atom->nlocal;
-  FixSPHTM &body = fix.body();
+  ParticleState &state = parts.state();
   table.width = TM_CLOUD_STATE + columns;
-  table.kernel = fix.pair().settings_in_use().kernel;
-  table.dim = fix.host()->domain->dimension;
+  table.kernel = parts.model().settings_in_use().kernel;
+  table.dim = parts.host()->domain->dimension;
   rows.assign((size_t) (n + atom->nghost) * table.width, 0.0);
   table.row = rows.data();
-  links = fix.pair().host_rows();
+  links = parts.rows().host_rows();
   std::fill(at, at + TM_F_COUNT, -1);
-  const double *rho = body.field(TM_F_RHO);
+  const double *rho = state.field(TM_F_RHO);
   for (int i = 0; i < n; i++) {
     double *r = row(i);
     std::copy_n(atom->x[i], 3, r + TM_CLOUD_X);
@@ -37,18 +34,18 @@ void Cloud::begin(int columns)
 
 void Cloud::take_state()
 {
-  FixSPHTM &body = fix.body();
+  ParticleState &state = parts.state();
   int columns = 0;
   for (int id = 0; id < TM_F_COUNT; id++)
-    if (body.field(id)) columns += tm_field_table[id].columns;
+    if (state.field(id)) columns += tm_field_table[id].columns;
   begin(columns);
   columns = TM_CLOUD_STATE;
   for (int id = 0; id < TM_F_COUNT; id++) {
-    const double *from = body.field(id);
+    const double *from = state.field(id);
     if (!from) continue;
     at[id] = columns;
     const int width = tm_field_table[id].columns;
-    for (int i = 0; i < fix.host()->atom->nlocal; i++) std::copy_n(from + (size_t) i * width, width, row(i) + columns);
+    for (int i = 0; i < parts.owned(); i++) std::copy_n(from + (size_t) i * width, width, row(i) + columns);
     columns += width;
   }
 }
@@ -56,12 +53,12 @@ void Cloud::take_state()
 void Cloud::take_values(const std::vector<double> &values)
 {
   begin(1);
-  for (int i = 0; i < fix.host()->atom->nlocal; i++) row(i)[TM_CLOUD_STATE] = values[i];
+  for (int i = 0; i < parts.host()->atom->nlocal; i++) row(i)[TM_CLOUD_STATE] = values[i];
 }
 
-void Cloud::forward() { fix.forward(rows.data(), table.width); }
+void Cloud::forward() { parts.forward(rows.data(), table.width); }
 
-double Cloud::size(int i) const { return fix.body().field(TM_F_SIZE)[(size_t) i * TM_S_COLUMNS + TM_S_H]; }
+double Cloud::size(int i) const { return parts.state().field(TM_F_SIZE)[(size_t) i * TM_S_COLUMNS + TM_S_H]; }
 
 const std::vector<int> &Cloud::neighbors(int i)
 {

@@ -1,24 +1,21 @@
 /* SPH-TM: particles of this rank and their ghosts as one table at the end of a step, for what looks at
-   neighbourhoods now and then: criteria, interpolation, families. On the host. Ghosts get their rows by one
+   neighborhoods now and then: criteria, interpolation, families. On the host. Ghosts get their rows by one
    forward communication, positions included: those that LAMMPS keeps are of half a step ago. */
 #ifndef SPHTM_CLOUD_H
 #define SPHTM_CLOUD_H
 
+#include "adapt_parts.h"
 #include "tm_fields.h"
 #include "tm_rates.h"
 #include "tm_refine.h"
 
 #include <vector>
 
-namespace LAMMPS_NS {
-class FixAdaptNeigh;
-}
-
 namespace SPHTM_NS {
 
 class Cloud {
  public:
-  explicit Cloud(LAMMPS_NS::FixAdaptNeigh &owner) : fix(owner) {}
+  explicit Cloud(AdaptParts &all) : parts(all) {}
   static constexpr int MOST_COLUMNS = 80;              // for the buffers of the communication
   // the owned particles, with the columns of all state fields, or with values as the only one
   void take_state();
@@ -34,7 +31,7 @@ class Cloud {
   int count_within_reach(int i);
 
  private:
-  LAMMPS_NS::FixAdaptNeigh &fix;
+  AdaptParts &parts;
   tm_cloud table = {};
   tm_rows links = {};
   std::vector<double> rows;

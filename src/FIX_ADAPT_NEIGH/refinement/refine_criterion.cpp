@@ -1,10 +1,7 @@
 #include "refine_criterion.h"
 
 #include "argument.h"
-#include "compute_sph_tm_atom.h"
-#include "fix_adapt_neigh.h"
-#include "fix_sph_tm.h"
-#include "pair_sph_tm.h"
+#include "tm_output.h"
 
 #include "atom.h"
 #include "compute.h"
@@ -25,9 +22,18 @@ using namespace LAMMPS_NS;
 
 namespace SPHTM_NS {
 
+// of compute sph/tm/atom
+static bool is_attribute(const std::string &name)
+{
+#define TM_OUTPUT_NAME(id, name) name,
+  static const char *const attributes[] = {TM_OUTPUT_TABLE(TM_OUTPUT_NAME)};
+#undef TM_OUTPUT_NAME
+  return std::find(std::begin(attributes), std::end(attributes), name) != std::end(attributes);
+}
+
 RefineCriteria::~RefineCriteria()
 {
-  Modify *modify = fix.host()->modify;
+  Modify *modify = parts.host()->modify;
   for (const Source &s : sources)
     if (!s.compute_id.empty() && modify && modify->get_compute_by_id(s.compute_id))
       modify->delete_compute(s.compute_id);
@@ -47,7 +53,7 @@ void RefineCriteria::read(const std::string &what, Keywords &k)
 
 RefineCriteria::Term RefineCriteria::read_term(const std::string &what, Keywords &k)
 {
-  LAMMPS *lmp = fix.host();
+  LAMMPS *lmp = parts.host();
   Error *error = lmp->error;
   auto next = [&](const char *expected) {
     if (!k.rest()) error->all(FLERR, "{} ends where {} is expected", what, expected);
@@ -76,7 +82,7 @@ RefineCriteria::Term RefineCriteria::read_term(const std::string &what, Keywords
 // c_ID, c_ID[n], f_ID, f_ID[n], v_name, or an attribute of compute sph/tm/atom
 int RefineCriteria::read_source(const std::string &what, const std::string &text)
 {
-  LAMMPS *lmp = fix.host();
+  LAMMPS *lmp = parts.host();
   Source s;
   std::string name = text;
   if (name.size() > 2 && name[1] == '_' && strchr("cfv", name[0])) {
@@ -95,10 +101,10 @@ int RefineCriteria::read_source(const std::string &what, const std::string &text
   for (size_t k = 0; k < sources.size(); k++)
     if (sources[k].kind == s.kind && sources[k].name == s.name && sources[k].column == s.column) return (int) k;
   if (s.kind == Source::OWN) {    // its compute refuses a name that it does not know
-    if (!ComputeSPHTMAtom::knows(name))
+    if (!is_attribute(name))
       lmp->error->all(FLERR, "{}: unknown criterion {}; known are region, neighbors, gradient, c_ID, f_ID, v_name "
                              "and the attributes of compute sph/tm/atom", what, name);
-    s.compute_id = fmt::format("{}_{}_{}", fix.id, label, sources.size());
+    s.compute_id = fmt::format("{}_{}_{}", parts.id(), label, sources.size());
     lmp->modify->add_compute(fmt::format("{} all sph/tm/atom {}", s.compute_id, name));
   }
   sources.push_back(s);
@@ -109,7 +115,7 @@ int RefineCriteria::read_source(const std::string &what, const std::string &text
 
 void RefineCriteria::init(int every)
 {
-  LAMMPS *lmp = fix.host();
+  LAMMPS *lmp = parts.host();
   Error *error = lmp->error;
   const std::string what = fmt::format("Fix adapt/neigh {} when", label);
   auto fits = [&](const Source &s, const char *kind, bool per_atom, int columns) {
@@ -147,7 +153,7 @@ void RefineCriteria::init(int every)
 
 void RefineCriteria::take_values(Source &s)
 {
-  LAMMPS *lmp = fix.host();
+  LAMMPS *lmp = parts.host();
   const int n = lmp->atom->nlocal;
   s.values.resize(n);
   double *vector = nullptr, **array = nullptr;
@@ -175,7 +181,7 @@ void RefineCriteria::take_values(Source &s)
 
 std::vector<char> RefineCriteria::test(const Term &t, Cloud &cloud)
 {
-  LAMMPS *lmp = fix.host();
+  LAMMPS *lmp = parts.host();
   const int n = lmp->atom->nlocal;
   std::vector<char> holds(n);
   if (t.kind == REGION) {
@@ -211,7 +217,7 @@ std::vector<char> RefineCriteria::test(const Term &t, Cloud &cloud)
 std::vector<char> RefineCriteria::hold(Cloud &cloud)
 {
   for (Source &s : sources) take_values(s);
-  const size_t n = fix.host()->atom->nlocal;
+  const size_t n = parts.host()->atom->nlocal;
   std::vector<char> any(n, 0), all(n, 1);    // 'and' binds closer: a sum of products
   for (const Term &t : terms) {
     if (t.after_or)

@@ -1,4 +1,4 @@
-/* SPH-TM: when a particle is split or merged: per-atom values, their gradients, neighbour counts and regions,
+/* SPH-TM: when a particle is split or merged: per-atom values, their gradients, neighbor counts and regions,
    joined with and/or ('and' binds closer). See doc/fix_adapt_neigh.rst. */
 #ifndef SPHTM_REFINE_CRITERION_H
 #define SPHTM_REFINE_CRITERION_H
@@ -8,10 +8,6 @@
 #include <string>
 #include <vector>
 
-namespace LAMMPS_NS {
-class FixAdaptNeigh;
-}    // namespace LAMMPS_NS
-
 namespace SPHTM_NS {
 
 class Keywords;
@@ -19,7 +15,7 @@ class Keywords;
 class RefineCriteria {
  public:
   // name: a word for the IDs of the computes that it makes
-  RefineCriteria(LAMMPS_NS::FixAdaptNeigh &owner, const std::string &name) : fix(owner), label(name) {}
+  RefineCriteria(AdaptParts &all, const std::string &name) : parts(all), label(name) {}
   ~RefineCriteria();
   // reads 'criterion [and|or criterion] ...'
   void read(const std::string &what, Keywords &);
@@ -44,7 +40,7 @@ class RefineCriteria {
     int source = -1;
     std::string region;
   };
-  LAMMPS_NS::FixAdaptNeigh &fix;
+  AdaptParts &parts;
   std::string label;
   std::vector<Source> sources;
   std::vector<Term> terms;

@@ -2,17 +2,13 @@
 #include "adapt_smoothing.h"
 
 #include "argument.h"
-#include "fix_adapt_neigh.h"
-#include "fix_sph_tm.h"
 #include "neighbor_cutoff.h"
-#include "pair_sph_tm.h"
+#include "search_loops.h"
 
 #include "atom.h"
 #include "domain.h"
 #include "error.h"
 #include "update.h"
-
-#include <cstring>
 
 using namespace LAMMPS_NS;
 
@@ -24,7 +20,7 @@ static constexpr double MARGIN = 1.05;
 bool AdaptSmoothing::keyword(Keywords &k)
 {
   if (!k.is("asph")) return false;
-  LAMMPS *lmp = fix.host();
+  LAMMPS *lmp = parts.host();
   if (mode != NONE) lmp->error->all(FLERR, "{} is given twice", k.what());
   mode = k.second("psi", "density") ? DENSITY : PSI;
   while (k.option(options())) {
@@ -36,53 +32,56 @@ bool AdaptSmoothing::keyword(Keywords &k)
       if (most < 1.0) lmp->error->all(FLERR, "{} hi must be at least 1, got {}", k.what(), k.given());
     }
   }
+  rule.least = least;
+  rule.most = most;
   // before init, so that no check takes particles of different mass for a mistake
-  if (FixSPHTM *body = FixSPHTM::of(lmp)) body->need(TM_FX_SMOOTHING, "fix adapt/neigh has asph");
+  if (ParticleState *state = parts.scene().state()) state->need(TM_FX_SMOOTHING, "fix adapt/neigh has asph");
   return true;
 }
 
 void AdaptSmoothing::init()
 {
-  PairSPHTM &pair = fix.pair();
-  fix.body().need(TM_FX_SMOOTHING, "fix adapt/neigh has asph");
-  if (!fix.body().has(TM_FX_SMOOTHING))
-    fix.host()->error->all(FLERR, "Fix adapt/neigh asph needs the effect smoothing, which is forced off in fix sph/tm");
-  const tm_size_range r = fix.body().sizes();
+  parts.state().need(TM_FX_SMOOTHING, "fix adapt/neigh has asph");
+  if (!parts.state().has(TM_FX_SMOOTHING))
+    parts.host()->error->all(FLERR, "Fix adapt/neigh asph needs the effect smoothing, which is forced off in fix "
+                                    "sph/tm");
+  const tm_size_range r = parts.state().sizes();
   smallest_h = r.smallest_h;
   largest_h = r.largest_h;
-  pair.cover_sizes(MARGIN * largest_h, r.smallest_dp);
+  parts.rows().cover_sizes(MARGIN * largest_h, r.smallest_dp);
   if (mode != PSI || !table.empty()) return;
   tm_asph_table t;
-  tm_asph_make(pair.settings_in_use().kernel, fix.host()->domain->dimension, &t);
-  table.live_in(fix.body().loops());
+  tm_asph_make(parts.model().settings_in_use().kernel, parts.host()->domain->dimension, &t);
+  table.live_in(parts.state().loops());
   table.assign(&t, 1);
+  rule.table = table.host_read();
 }
 
 void AdaptSmoothing::setup() { follow(true); }
 
 void AdaptSmoothing::end_of_step()
 {
-  if (fix.host()->update->ntimestep % every) return;
+  if (parts.host()->update->ntimestep % every) return;
   follow(false);
-  if (largest_h > fix.pair().covered_h()) fix.renew_lists();
+  if (largest_h > parts.model().covered_h()) parts.renew_lists();
 }
 
 void AdaptSmoothing::follow(bool first)
 {
-  FixSPHTM &body = fix.body();
-  const tm_rates_args &rates = fix.pair().rate_args();
+  ParticleState &state = parts.state();
+  const tm_rates_args &rates = parts.results().rate_args();
   tm_smoothing_args a;
-  a.state = body.state();
+  a.state = state.arrays();
   a.rec = rates.rec;
   a.rows = rates.rows;
   a.table = mode == PSI ? table.loop_read() : nullptr;
   a.first = first;
   a.least = least;
   a.most = most;
-  const tm_size_range mine = body.loops().smoothing(fix.host()->atom->nlocal, a, body.effects());
+  const tm_size_range mine = SearchLoops::of(state.loops()).smoothing(state.loops(), parts.owned(), a, state.effects());
   const double low[2] = {-mine.largest_h, mine.smallest_h};
   double all[2];
-  MPI_Allreduce(low, all, 2, MPI_DOUBLE, MPI_MIN, fix.host()->world);
+  MPI_Allreduce(low, all, 2, MPI_DOUBLE, MPI_MIN, parts.host()->world);
   largest_h = -all[0];
   smallest_h = all[1];
 }
@@ -90,20 +89,14 @@ void AdaptSmoothing::follow(bool first)
 // lists that are about to be renewed reach as far as the largest h needs
 void AdaptSmoothing::pre_exchange()
 {
-  PairSPHTM &pair = fix.pair();
-  if (largest_h <= pair.covered_h()) return;
-  pair.cover_sizes(MARGIN * largest_h, pair.smallest_spacing());
-  widen_neighbor_lists(fix.host());
+  if (largest_h <= parts.model().covered_h()) return;
+  parts.rows().cover_sizes(MARGIN * largest_h, parts.model().smallest_spacing());
+  widen_neighbor_lists(parts.host());
   widened++;
 }
 
 double AdaptSmoothing::output(int n) { return n == 0 ? smallest_h : n == 1 ? largest_h : widened; }
 
-void *AdaptSmoothing::extract(const char *what)
-{
-  if (mode == NONE || strcmp(what, SmoothingRule::NAME) != 0) return nullptr;
-  rule = {mode == PSI ? table.host_read() : nullptr, least, most};
-  return &rule;
-}
+void AdaptSmoothing::offer(Scene::Adaptation &a) { a.smoothing = &rule; }
 
 }    // namespace SPHTM_NS

@@ -1,4 +1,4 @@
-/* SPH-TM: part of fix adapt/neigh: the smoothing length of each particle follows its neighbourhood (ASPH), S13
+/* SPH-TM: part of fix adapt/neigh: the smoothing length of each particle follows its neighborhood (ASPH), S13
    section 3. The values live in the state of fix sph/tm. */
 #ifndef SPHTM_ADAPT_SMOOTHING_H
 #define SPHTM_ADAPT_SMOOTHING_H
@@ -12,7 +12,7 @@ namespace SPHTM_NS {
 
 class AdaptSmoothing : public AdaptPart {
  public:
-  explicit AdaptSmoothing(LAMMPS_NS::FixAdaptNeigh &owner) : AdaptPart(owner) {}
+  explicit AdaptSmoothing(AdaptParts &all) : AdaptPart(all) {}
   bool keyword(Keywords &) override;
   std::vector<std::string> keywords() const override { return {"asph"}; }
   std::vector<std::string> options() const override { return {"every", "limits"}; }
@@ -23,7 +23,7 @@ class AdaptSmoothing : public AdaptPart {
   void end_of_step() override;
   std::vector<std::string> outputs() const override { return {"smallest h", "largest h", "lists widened"}; }
   double output(int) override;
-  void *extract(const char *) override;
+  void offer(Scene::Adaptation &) override;
 
  private:
   enum { NONE, PSI, DENSITY } mode = NONE;
@@ -31,7 +31,7 @@ class AdaptSmoothing : public AdaptPart {
   double least = 0.5, most = 2.0;
   double smallest_h = 0.0, largest_h = 0.0, widened = 0.0;
   LoopArray<tm_asph_table> table;
-  SmoothingRule rule;    // as others ask for it
+  SmoothingRule rule;    // for others
 
   void follow(bool first);
 };

@@ -20,7 +20,7 @@ template <class ORDER> struct ToInt {
 FixAdaptNeighKokkos::FixAdaptNeighKokkos(LAMMPS *lmp, int narg, char **arg) :
     OnLoopsKokkos<FixAdaptNeigh>(lmp, narg, arg)
 {
-  exchange_comm_device = sort_device = !on_host();
+  exchange_comm_device = sort_device = !parts.on_host();
 }
 
 int FixAdaptNeighKokkos::pack_exchange_kokkos(const int &n, DAT::tdual_xfloat_2d &buf, DAT::tdual_int_1d sent,

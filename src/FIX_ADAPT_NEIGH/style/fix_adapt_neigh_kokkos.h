@@ -1,5 +1,5 @@
 /* -*- c++ -*- ----------------------------------------------------------
-   SPH-TM: fix adapt/neigh with Kokkos: rows that are kept migrate and are sorted where the loops run.
+   SPH-TM: fix adapt/neigh with Kokkos: total-Lagrangian pairs migrate and are sorted where the loops run.
 ------------------------------------------------------------------------- */
 #ifndef LMP_FIX_ADAPT_NEIGH_KOKKOS_H
 #define LMP_FIX_ADAPT_NEIGH_KOKKOS_H

@@ -1,7 +1,7 @@
 /* SPH-TM: building the broad-phase grid; see tm_tri_grid.h.
 
    Each triangle descends into the box of cells it may touch, halving it along its longest side and
-   dropping halves whose centre is too far away: the work is that of the cells near the surface, not
+   dropping halves whose center is too far away: the work is that of the cells near the surface, not
    of the volume. Three descents: mark blocks, count, fill; then every list is sorted. */
 #include "tm_tri_grid.h"
 
@@ -54,7 +54,7 @@ static void descend(const descent *d, int t, const int *lo, const int *hi)
     if (hi[k] - lo[k] > hi[axis] - lo[axis]) axis = k;
   }
   const double radius = 0.5 * sqrt(size[0] * size[0] + size[1] * size[1] + size[2] * size[2]);
-  const double far = (v->reach + radius) * (1.0 + 1e-9);
+  const double far = (v->radius + radius) * (1.0 + 1e-9);
   if (tm_closest_on_facet(tm_load3(mid), &d->mesh, t).dist2 > far * far) return;
   if (hi[axis] - lo[axis] <= d->unit) {
     visit(d, lo, t);
@@ -78,8 +78,8 @@ static void descend_all(tm_tri_grid *g, const tm_mesh *mesh, enum pass pass)
     const double *c = mesh->corner + 9 * (ptrdiff_t) t;
     int lo[3], hi[3];
     for (int k = 0; k < 3; k++) {
-      const double a = tm_min(c[k], tm_min(c[3 + k], c[6 + k])) - g->view.reach;
-      const double b = tm_max(c[k], tm_max(c[3 + k], c[6 + k])) + g->view.reach;
+      const double a = tm_min(c[k], tm_min(c[3 + k], c[6 + k])) - g->view.radius;
+      const double b = tm_max(c[k], tm_max(c[3 + k], c[6 + k])) + g->view.radius;
       const int top = g->view.blocks[k] * TM_GRID_EDGE;
       lo[k] = (int) tm_clamp(floor((a - g->view.lo[k]) * g->view.inv_cell), 0.0, top - 1);
       hi[k] = 1 + (int) tm_clamp(floor((b - g->view.lo[k]) * g->view.inv_cell), 0.0, top - 1);
@@ -90,11 +90,11 @@ static void descend_all(tm_tri_grid *g, const tm_mesh *mesh, enum pass pass)
   }
 }
 
-/* Entries expected with a cell edge: volume of the points whose cell centre comes near enough, by
+/* Entries expected with a cell edge: volume of the points whose cell center comes near enough, by
    Steiner's formula 2 r A + pi/2 r^2 P + 4/3 pi r^3 per triangle. */
-static double expected_entries(const tm_mesh *m, double reach, double cell)
+static double expected_entries(const tm_mesh *m, double radius, double cell)
 {
-  const double r = reach + 0.866 * cell;
+  const double r = radius + 0.866 * cell;
   double volume = 0.0;
   for (ptrdiff_t t = 0; t < m->nt; t++) {
     const double *c = m->corner + 9 * t;
@@ -112,8 +112,8 @@ static double lay_out(tm_tri_grid *g, const tm_mesh *m)
   double n = 1.0;
   const double edge = TM_GRID_EDGE * g->cell;
   for (int k = 0; k < 3; k++) {
-    g->view.lo[k] = m->lo[k] - g->view.reach * (1.0 + 1e-9);
-    const double blocks = ceil((m->hi[k] - m->lo[k] + 2.0 * g->view.reach) * (1.0 + 1e-9) / edge);
+    g->view.lo[k] = m->lo[k] - g->view.radius * (1.0 + 1e-9);
+    const double blocks = ceil((m->hi[k] - m->lo[k] + 2.0 * g->view.radius) * (1.0 + 1e-9) / edge);
     g->view.blocks[k] = blocks < 1e8 ? (int) tm_max(blocks, 1.0) : 100000000;
     n *= tm_max(blocks, 1.0);
   }
@@ -146,7 +146,7 @@ static int prefix_sums(tm_tri_grid *g)
   return g->list != NULL;
 }
 
-/* --- segments: the list of a cell by patch, within a patch by distance from the centre -------- */
+/* --- segments: the list of a cell by patch, within a patch by distance from the center -------- */
 
 typedef struct { int patch, t; double near; } listed;
 
@@ -158,7 +158,7 @@ static int compare_listed(const void *a, const void *b)
   return p->t < q->t ? -1 : p->t > q->t;
 }
 
-static tm_vec3 cell_centre(const tm_grid_view *v, ptrdiff_t table, int cell)
+static tm_vec3 cell_center(const tm_grid_view *v, ptrdiff_t table, int cell)
 {
   const int m = TM_GRID_EDGE - 1, nx = v->blocks[0], ny = v->blocks[1];
   const int i = (int) (table % nx) * TM_GRID_EDGE + (cell & m);
@@ -169,14 +169,14 @@ static tm_vec3 cell_centre(const tm_grid_view *v, ptrdiff_t table, int cell)
 }
 
 /* Sort one list and return its number of segments; their beginnings go to `segment`. */
-static int sort_list(tm_tri_grid *g, const tm_tri_view *m, tm_vec3 centre, int begin, int n,
+static int sort_list(tm_tri_grid *g, const tm_tri_view *m, tm_vec3 center, int begin, int n,
                      listed *work, int *segment)
 {
   int segments = 0;
   for (int k = 0; k < n; k++) {
     work[k].t = g->list[begin + k];
     work[k].patch = m->patch[work[k].t];
-    work[k].near = sqrt(tm_closest_on_facet(centre, m, work[k].t).dist2);
+    work[k].near = sqrt(tm_closest_on_facet(center, m, work[k].t).dist2);
   }
   qsort(work, (size_t) n, sizeof(listed), compare_listed);
   for (int k = 0; k < n; k++) {
@@ -204,7 +204,7 @@ static int cut_segments(tm_tri_grid *g, const tm_mesh *mesh, size_t table)
     for (int c = 0; c < TM_GRID_CELLS; c++) {
       const int begin = first[c], n = first[c + 1] - begin;
       first[c] = segments;   /* blocks come in the order of their numbers */
-      segments += sort_list(g, &m, cell_centre(&g->view, (ptrdiff_t) b, c), begin, n, work,
+      segments += sort_list(g, &m, cell_center(&g->view, (ptrdiff_t) b, c), begin, n, work,
                             g->segment + segments);
     }
   }
@@ -226,14 +226,14 @@ static void set_view(tm_tri_grid *g)
   g->view.near = g->near;
 }
 
-int tm_tri_grid_build(tm_tri_grid *g, const tm_mesh *mesh, double reach, double budget)
+int tm_tri_grid_build(tm_tri_grid *g, const tm_mesh *mesh, double radius, double budget)
 {
   memset(g, 0, sizeof *g);
-  g->view.reach = reach;
-  g->cell = reach;
+  g->view.radius = radius;
+  g->cell = radius;
   double table = lay_out(g, mesh);
   budget = tm_max(budget, 40.0 * mesh->nt);
-  while (expected_entries(mesh, reach, g->cell) > budget || table > budget) {
+  while (expected_entries(mesh, radius, g->cell) > budget || table > budget) {
     g->cell *= 1.26;
     table = lay_out(g, mesh);
   }

@@ -1,11 +1,11 @@
-/* SPH-TM: broad phase. Which triangles can lie within `reach` of a point?
+/* SPH-TM: broad phase. Which triangles can lie within a search radius of a point?
 
-   Cubic cells in the mesh's own frame; each cell lists every triangle within reach of any of its
+   Cubic cells in the mesh's own frame; each cell lists every triangle within that radius of any of its
    points, so one look-up answers a query and triangles far away cost nothing. Cells are kept in
    blocks of 4^3, and only blocks that some triangle comes near exist: a dense table of block
    numbers (-1: empty), then cells, then the lists. The list of a cell is cut into segments, one per
-   smooth patch, and each segment is sorted by distance from the centre of the cell: once that
-   distance, less the way from the centre to the query point, exceeds the best found, the rest of
+   smooth patch, and each segment is sorted by distance from the center of the cell: once that
+   distance, less the way from the center to the query point, exceeds the best found, the rest of
    the segment is out. So a finely tessellated patch costs little more than a coarse one. Built
    once; rigid motion moves the query point into the mesh's frame. All arrays are plain and can be
    copied to a device as they are. */
@@ -21,16 +21,16 @@
 typedef struct {
   tm_real lo[3];          /* corner of the grid */
   tm_real cell, inv_cell; /* cell edge, 1 / cell edge */
-  tm_real reach;          /* lists are complete up to this distance */
+  tm_real radius;         /* lists are complete up to this distance */
   int blocks[3];          /* extent in blocks */
   const int *block;       /* number of an existing block, or -1 */
   const int *first;       /* TM_GRID_CELLS per block, + 1: where the segments of a cell begin */
   const int *segment;     /* where the list of a segment begins, + 1 */
   const int *list;        /* triangle indices */
-  const float *near;      /* of each, a lower bound of its distance from the centre of the cell */
+  const float *near;      /* of each, a lower bound of its distance from the center of the cell */
 } tm_grid_view;
 
-/* Cell that holds p, or -1 where no triangle is near; *away: distance of p from its centre. */
+/* Cell that holds p, or -1 where no triangle is near; *away: distance of p from its center. */
 TM_FN ptrdiff_t tm_grid_cell(const tm_grid_view *g, tm_vec3 p, tm_real *away)
 {
   const tm_real s[3] = {(p.x - g->lo[0]) * g->inv_cell, (p.y - g->lo[1]) * g->inv_cell,
@@ -69,7 +69,7 @@ typedef struct {
   tm_grid_view view;      /* points into the arrays below */
   int *block, *first, *segment, *list;
   float *near;
-  double cell;            /* cell edge: reach, or more where memory would exceed the budget */
+  double cell;            /* cell edge: the search radius, or more where memory would exceed the budget */
   int nblocks;            /* existing blocks */
   ptrdiff_t entries;      /* triangles in all lists */
 } tm_tri_grid;
@@ -78,7 +78,7 @@ typedef struct {
 #define TM_GRID_BUDGET 8000000.0
 
 /* 0, or TM_MESH_TOO_LARGE without memory. */
-int tm_tri_grid_build(tm_tri_grid *grid, const tm_mesh *mesh, double reach, double budget);
+int tm_tri_grid_build(tm_tri_grid *grid, const tm_mesh *mesh, double radius, double budget);
 void tm_tri_grid_free(tm_tri_grid *grid);
 
 #ifdef __cplusplus

@@ -13,7 +13,7 @@ typedef struct {
   const double *vertex;         /* 3 nv */
   const double *corner;         /* 9 nt: the three vertices of each triangle once more */
   const double *normal;         /* 3 nt: unit face normals, outward */
-  const double *ball;           /* 4 nt: centre and radius of a sphere around each triangle */
+  const double *ball;           /* 4 nt: center and radius of a sphere around each triangle */
   const int *tri;               /* 3 nt: vertex indices */
   const int *twin;              /* 3 nt: next half-edge of the ring, or -1 */
   const int *patch;             /* nt: smooth patch of the triangle */

@@ -2,7 +2,7 @@
 
    The winding number is the solid angle under which the mesh is seen, over 4 pi: 1 inside and 0
    outside of a closed mesh with normals outward, whatever the triangles are like. The solid angle
-   of one triangle is that of van Oosterom and Strackee (1983). It asks every triangle: for checks
+   of one triangle is that of van Oosterom and Strackee (1983). It takes every triangle: for checks
    at the start, not for the loop. */
 #ifndef TM_WINDING_H
 #define TM_WINDING_H

@@ -15,7 +15,7 @@
 
 namespace SPHTM_NS {
 
-std::string first_said(MPI_Comm world, const std::string &mine)
+std::string first_message(MPI_Comm world, const std::string &mine)
 {
   int me, ranks, first;
   MPI_Comm_rank(world, &me);
@@ -25,10 +25,10 @@ std::string first_said(MPI_Comm world, const std::string &mine)
   if (first == ranks) return "";
   int length = (int) mine.size();
   MPI_Bcast(&length, 1, MPI_INT, first, world);
-  std::string said = mine;
-  said.resize(length);
-  MPI_Bcast(&said[0], length, MPI_CHAR, first, world);
-  return said;
+  std::string message = mine;
+  message.resize(length);
+  MPI_Bcast(&message[0], length, MPI_CHAR, first, world);
+  return message;
 }
 
 // what a file is that is not a regular one, or nullptr
@@ -85,13 +85,13 @@ std::string ToolFile::read(MPI_Comm world, const std::string &name, size_t max_b
   MPI_Comm_rank(world, &me);
   std::string wrong = me == 0 ? read_here(name, max_bytes) : "";
   if (!wrong.empty()) wrong = fmt::format("mesh file {}: {}", name, wrong);
-  wrong = first_said(world, wrong);
+  wrong = first_message(world, wrong);
   if (!wrong.empty()) return wrong;
   uint64_t size = count;
   MPI_Bcast(&size, 1, MPI_UINT64_T, 0, world);
   count = size;
   if (me) bytes.reset((unsigned char *) malloc(std::max(count, (size_t) 1)));
-  wrong = first_said(world, bytes ? "" : fmt::format("mesh file {}: no memory for its {} bytes on rank {}", name,
+  wrong = first_message(world, bytes ? "" : fmt::format("mesh file {}: no memory for its {} bytes on rank {}", name,
                                                      count, me));
   if (!wrong.empty()) return wrong;
   constexpr size_t CHUNK = 1 << 28;

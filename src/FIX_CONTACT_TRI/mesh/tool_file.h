@@ -10,8 +10,8 @@
 
 namespace SPHTM_NS {
 
-// what the first of the ranks that say something says, on all of them; empty where none does (collective)
-std::string first_said(MPI_Comm world, const std::string &mine);
+// of the messages of the ranks the first that is not empty, on all of them (collective)
+std::string first_message(MPI_Comm world, const std::string &mine);
 
 class ToolFile {
  public:

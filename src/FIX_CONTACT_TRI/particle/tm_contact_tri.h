@@ -1,11 +1,11 @@
-/* SPH-TM: contact of one particle with a rigid triangle mesh.
+/* SPH-TM: contact of one particle with a rigid triangle mesh, F15 (9)-(17).
 
    The particle is taken into the mesh's frame (tm_motion.h), its contacts are found there
    (tm_touch.h), and the laws of tm_contact.h act between its velocity and that of the tool's
-   material point it touches. Normal forces of all contacts come first, so that the friction of
-   each sees all that acts on the particle this step.
+   material point it touches. Normal forces of all contacts are added first, so that the friction of
+   each is computed with all forces that act on the particle in this step.
 
-   Positions and velocities are those of the force point (x, record); `v` is the velocity at the
+   Positions and velocities are those at the time of the forces (x, record); `v` is the velocity at the
    start of the step, from which the step ends at v + dt F/m. Powers use the mean of both ends, as
    the integrator's kinetic energy does, and the spring's energy is that of the end of the step, so
    that over a run
@@ -39,7 +39,7 @@ typedef struct tm_contact_args {
   tm_grid_view grid;
   tm_pose pose;
   tm_vec3 reference;             /* torques are about this point */
-  tm_real deep;                  /* how far behind the surface a centre is still pushed out */
+  tm_real deep;                  /* how far behind the surface a center is still pushed out */
   tm_real dt;
   tm_real after;                 /* from the force point to the end of the step: dt/2, or 0 */
   tm_real force_unit;            /* mass times acceleration -> force of the unit style */
@@ -83,7 +83,7 @@ typedef struct {
   tm_real particle_power;        /* work of contact forces on particles, per time */
   tm_real tool_power;            /* work done by the tool's motion, per time */
   tm_real depth;                 /* deepest penetration */
-  tm_real inner;                 /* deepest centre behind the surface, 0: none */
+  tm_real inner;                 /* deepest center behind the surface, 0: none */
   int contacts;
 } tm_contact_result;
 
@@ -140,15 +140,19 @@ TM_FN void tm_contact_count(int *sum)
 
 /* One contact of one particle, in the world frame. */
 typedef struct {
-  tm_vec3 point, normal, tool_v, normal_force, friction;
-  tm_real fn, delta;
+  tm_vec3 point, normal;           /* on the surface; unit, towards the particle */
+  tm_vec3 tool_v;                  /* velocity of the tool there */
+  tm_vec3 normal_force, friction;  /* on the particle */
+  tm_real fn, delta;               /* normal force, penetration */
 } tm_contact_point;
 
-/* Who the particle is, and what acts on it while its contacts are worked through. */
+/* A particle while its contacts are evaluated. */
 typedef struct {
   const tm_contact_law *law;
-  tm_vec3 v, rate_v, force;      /* force: all of this step so far */
-  tm_real mass, dt, temperature, yield;
+  tm_vec3 v, rate_v;               /* velocity at the start of the step, and at the time of the forces */
+  tm_vec3 force;                   /* all of this step so far */
+  tm_real mass, dt, temperature;
+  tm_real yield;                   /* flow stress, 0: not known */
 } tm_contact_body;
 
 TM_FN tm_contact_body tm_contact_load(int i, const tm_contact_args *a, const tm_contact_law *law, unsigned effects)
@@ -166,9 +170,9 @@ TM_FN tm_contact_body tm_contact_load(int i, const tm_contact_args *a, const tm_
   return b;
 }
 
-/* Normal force of a touch; added to the body's force. */
-TM_FN tm_contact_point tm_contact_press(tm_contact_body *b, const tm_touch *t, const tm_pose *pose,
-                                        unsigned effects)
+/* Normal force of a contact, added to the body's force. */
+TM_FN tm_contact_point tm_contact_add_normal(tm_contact_body *b, const tm_touch *t, const tm_pose *pose,
+                                             unsigned effects)
 {
   const tm_contact_law *w = b->law;
   tm_contact_point c;
@@ -176,46 +180,46 @@ TM_FN tm_contact_point tm_contact_press(tm_contact_body *b, const tm_touch *t, c
   c.normal = tm_mat_mul_vec(pose->turn, t->normal);
   if (!(effects & TM_CT_3D)) c.normal.z = 0.0;
   c.tool_v = tm_pose_velocity_at(pose, c.point);
-  c.delta = w->radius - t->distance;
+  c.delta = w->radius - t->distance;                                            /* F15 (9) */
   const tm_real closing = tm_vec_dot(tm_vec_sub(c.tool_v, b->rate_v), c.normal);
   c.fn = tm_contact_normal(w->stiffness, c.delta,
                            tm_contact_damping(w->damping, w->stiffness, b->mass), closing,
                            (effects & TM_CT_APPROACH) != 0);
-  c.normal_force = tm_vec_scale(c.fn, c.normal);
+  c.normal_force = tm_vec_scale(c.fn, c.normal);                                /* F15 (12) */
   c.friction = tm_vec(0, 0, 0);
   b->force = tm_vec_add(b->force, c.normal_force);
   return c;
 }
 
-/* Friction of a contact: against the sliding that the step would end with. */
-TM_FN void tm_contact_rub(tm_contact_body *b, tm_contact_point *c)
+/* Friction of a contact, added to the body's force: against the sliding that the step would end with. */
+TM_FN void tm_contact_add_friction(tm_contact_body *b, tm_contact_point *c)
 {
   const tm_vec3 end = tm_vec_sub(tm_vec_axpy(b->v, b->dt / b->mass, b->force), c->tool_v);
-  const tm_vec3 slide = tm_vec_axpy(end, -tm_vec_dot(end, c->normal), c->normal);   /* F15 (14) */
+  const tm_vec3 slide = tm_contact_tangential(end, c->normal);
   const tm_real limit = tm_contact_friction_limit(b->law, c->fn, b->temperature, b->yield);
-  c->friction = tm_contact_friction(slide, b->mass, b->dt, limit);
+  c->friction = tm_contact_friction(slide, b->mass, b->dt, limit);                  /* F15 (13) (15) */
   b->force = tm_vec_add(b->force, c->friction);
 }
 
 /* Heat of one contact: into the particle from friction and, through the contact, from the tool. */
-TM_FN void tm_contact_warm(int i, const tm_contact_args *a, const tm_contact_body *b,
-                           tm_real friction_power, tm_real fn, tm_contact_result *r)
+TM_FN void tm_contact_add_heat(int i, const tm_contact_args *a, const tm_contact_body *b,
+                               tm_real friction_power, tm_real fn, tm_contact_result *r)
 {
   const tm_material *m = a->material + a->type[i];
   const tm_real T = b->temperature, k = tm_conductivity(m, T), cp = tm_capacity(m, T);
-  r->friction_heat += friction_power * tm_contact_share(b->law, sqrt(k * m->rho0 * cp));
+  r->friction_heat += friction_power * tm_contact_share(b->law, tm_effusivity(k, m->rho0, cp));
   if (fn > 0.0 && b->law->conductance != 0.0)
     r->conducted += tm_contact_heat(tm_contact_conductance(b->law, k) * b->law->area,
                                     a->tool_temperature, T, b->mass * cp, b->dt);
 }
 
 /* Powers, torque and energy of a contact once all forces on the particle are known. */
-TM_FN void tm_contact_account(int i, const tm_contact_args *a, const tm_contact_body *b,
-                              const tm_contact_point *c, unsigned effects, tm_contact_result *r)
+TM_FN void tm_contact_tally(int i, const tm_contact_args *a, const tm_contact_body *b,
+                            const tm_contact_point *c, unsigned effects, tm_contact_result *r)
 {
   const tm_vec3 mean = tm_vec_axpy(b->v, 0.5 * b->dt / b->mass, b->force);
   const tm_vec3 slip = tm_vec_sub(mean, c->tool_v);
-  const tm_vec3 F = tm_vec_add(c->normal_force, c->friction);
+  const tm_vec3 F = tm_vec_add(c->normal_force, c->friction);     /* F15 (16) */
   const tm_real friction_power = -tm_vec_dot(c->friction, slip);
   const tm_real spring_force = b->law->stiffness * c->delta;
   r->force = tm_vec_sub(r->force, F);
@@ -230,7 +234,7 @@ TM_FN void tm_contact_account(int i, const tm_contact_args *a, const tm_contact_
   r->depth = tm_max(r->depth, c->delta);
   r->inner = tm_max(r->inner, c->delta - b->law->radius);
   r->contacts += c->fn > 0.0;
-  if (effects & TM_CT_HEAT) tm_contact_warm(i, a, b, friction_power, c->fn, r);
+  if (effects & TM_CT_HEAT) tm_contact_add_heat(i, a, b, friction_power, c->fn, r);
 }
 
 /* Force, heat and count of one contact on its triangle; heat is what this contact added. */
@@ -247,6 +251,7 @@ TM_FN void tm_contact_output(const tm_contact_args *a, const tm_contact_point *c
   if (a->tri_count && c->fn > 0.0) tm_contact_count(a->tri_count + t);
 }
 
+/* Contacts of particle i: adds to its force and to its heat source; what is summed over particles comes back. */
 TM_FN tm_contact_result tm_contact_tri(int i, const tm_contact_args *a, unsigned effects)
 {
   tm_contact_result r = tm_contact_nothing();
@@ -271,19 +276,19 @@ TM_FN tm_contact_result tm_contact_tri(int i, const tm_contact_args *a, unsigned
   }
   tm_contact_body b = tm_contact_load(i, a, w, effects);
   tm_contact_point c[TM_TOUCH_MAX];
-  for (int k = 0; k < n; k++) c[k] = tm_contact_press(&b, touch + k, &a->pose, effects);
+  for (int k = 0; k < n; k++) c[k] = tm_contact_add_normal(&b, touch + k, &a->pose, effects);
   if (effects & TM_CT_FRICTION)
-    for (int k = 0; k < n; k++) tm_contact_rub(&b, c + k);
+    for (int k = 0; k < n; k++) tm_contact_add_friction(&b, c + k);
 
   for (int k = 0; k < n; k++) {
     const tm_real before = r.friction_power - r.friction_heat - r.conducted;
-    tm_contact_account(i, a, &b, c + k, effects, &r);
+    tm_contact_tally(i, a, &b, c + k, effects, &r);
     r.heat_tool = (effects & TM_CT_HEAT) ? r.friction_power - r.friction_heat - r.conducted : 0.0;
     if (effects & TM_CT_OUTPUT)
       tm_contact_output(a, c + k, touch[k].triangle,
                         (effects & TM_CT_HEAT) ? r.heat_tool - before : 0.0);
   }
-  double *f = a->f + i * a->f_stride;
+  double *f = a->f + i * a->f_stride;                             /* F15 (17), times the mass */
   f[0] -= a->force_unit * r.force.x;
   f[1] -= a->force_unit * r.force.y;
   if (effects & TM_CT_3D) f[2] -= a->force_unit * r.force.z;

@@ -1,7 +1,7 @@
 /* SPH-TM: friction heat for a tool that is filled with particles (F15's NeibContTherm).
 
-   It goes to the tool's particles within the kernel of the rubbing one, in parts that add up to all of it: the rubbing
-   particle divides its heat by the sum of its weights W(r)/norm, then each tool particle collects. */
+   The heat of a particle in contact goes to the tool's particles within its kernel, in parts that add up to all of it:
+   the particle divides its heat by the sum of its weights W(r)/norm, then each tool particle collects its parts. */
 #ifndef TM_SPREAD_H
 #define TM_SPREAD_H
 
@@ -15,7 +15,7 @@ typedef struct {
   int body_type;            /* of the tool's particles */
   int kernel;
   tm_real h;
-  tm_real *heat;            /* for the tool, of each rubbing particle (power); then over the sum of its weights */
+  tm_real *heat;            /* for the tool, of each particle in contact (power); then over the sum of its weights */
   tm_real *source;          /* power into particles, added to */
 } tm_spread_args;
 
@@ -26,7 +26,7 @@ TM_FN tm_real tm_spread_weight(int i, int j, const tm_spread_args *a)
   return tm_kernel_shape(a->kernel, sqrt(dx * dx + dy * dy + dz * dz) / a->h);
 }
 
-/* Divides the heat of particle i by the sum of its weights; nonzero: no particle takes it. */
+/* Divides the heat of particle i by the sum of its weights; nonzero: there is no tool particle in its kernel. */
 TM_FN int tm_spread_divide(int i, const tm_spread_args *a)
 {
   if (a->heat[i] == 0.0) return 0;

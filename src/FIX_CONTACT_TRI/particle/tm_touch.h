@@ -1,19 +1,19 @@
 /* SPH-TM: where does a particle touch a mesh?
 
-   A particle is pushed once per smooth patch, at the patch's nearest point: so triangles of one
-   patch are never counted twice, and a plane or a rounding in many triangles is one surface. Of
+   A particle has at most one contact per smooth patch, at the patch's nearest point: so triangles of
+   one patch are never counted twice, and a plane or a rounding in many triangles is one surface. Of
    the patches, those count whose nearest point is a minimum of distance for the whole surface: a
-   point on a border between patches is none when the patch across the border comes nearer. At a
-   convex edge that leaves one push, across face, edge and vertex regions without a gap; in a
-   concave corner it leaves one push per wall.
+   point on the boundary between patches is none when the patch across the boundary comes nearer. At
+   a convex edge that leaves one contact, across face, edge and vertex regions without a gap; in a
+   concave corner it leaves one per wall.
 
-   Side: the pseudo-normal of the feature tells it. A centre behind the surface is pushed out by the
-   shortest way only, through the one nearest point of all; its penetration r + d goes on smoothly
-   from r - d outside. It is seen up to `deep` (one spacing) behind the surface. Open rims have no
-   inside. Corners sharper than the particle within one patch count as one contact.
+   The sign of the pseudo-normal of the feature gives the side. A center behind the surface has one
+   contact, the nearest point of all; its penetration r + d goes on smoothly from r - d outside. It is
+   found up to `deep` (one spacing) behind the surface. Open rims have no inside. Corners sharper than
+   the particle within one patch count as one contact.
 
    The inside-outside test of F15 (7)-(9) is here for comparison: every triangle for itself, faces
-   only, unsigned distance, push along the face normal. It leaves gaps at convex edges and counts
+   only, unsigned distance, force along the face normal. It leaves gaps at convex edges and counts
    twice where prisms over faces overlap. */
 #ifndef TM_TOUCH_H
 #define TM_TOUCH_H
@@ -25,8 +25,8 @@
 
 typedef struct {
   tm_vec3 point;          /* on the surface */
-  tm_vec3 normal;         /* unit, the direction of the push */
-  tm_real distance;       /* of the centre from the surface along normal, negative behind it */
+  tm_vec3 normal;         /* unit, the direction of the normal force */
+  tm_real distance;       /* of the center from the surface along normal, negative behind it */
   int triangle;
 } tm_touch;
 
@@ -37,10 +37,10 @@ typedef struct {
 } tm_candidate;
 
 /* Relative size under which directions and places count as equal: coordinates on a lattice meet
-   vertices and edges exactly, and rounding must not decide whether they are felt. */
+   vertices and edges exactly, and rounding must not decide whether they are found. */
 #define TM_TOUCH_EPS 1e-7
 
-/* Is the point of an edge or vertex also nearest among the patches across the border? */
+/* Is the point of an edge or vertex also nearest among the patches across the boundary? */
 TM_FN int tm_touch_is_minimum(const tm_tri_view *m, const tm_candidate *c, tm_vec3 p)
 {
   if (c->near.feature == TM_FACE) return 1;
@@ -76,7 +76,7 @@ TM_FN tm_vec3 tm_touch_pseudo_normal(const tm_tri_view *m, const tm_candidate *c
   return tm_load3(m->vertex_normal + 3 * (ptrdiff_t) m->tri[3 * t + f - TM_VERTEX_0]);
 }
 
-/* Side, distance and direction of the push at a candidate. */
+/* Side, distance and direction of the force at a candidate. */
 TM_FN tm_touch tm_touch_at(const tm_tri_view *m, const tm_candidate *c, tm_vec3 p, tm_real radius,
                            int two_sided)
 {
@@ -96,11 +96,10 @@ TM_FN tm_touch tm_touch_at(const tm_tri_view *m, const tm_candidate *c, tm_vec3 
   return t;
 }
 
-/* Nearest point within reach on one segment of a cell's list, which is one patch; 0: none. */
+/* Nearest point within `limit` on one segment of a cell's list, which is one patch; 0: none. */
 TM_FN int tm_touch_nearest(const tm_tri_view *m, const tm_grid_view *g, int begin, int end,
-                           tm_vec3 p, tm_real away, tm_real reach, tm_candidate *best)
+                           tm_vec3 p, tm_real away, tm_real limit, tm_candidate *best)
 {
-  tm_real limit = reach;
   int found = 0;
   for (int k = begin; k < end; k++) {
     if (g->near[k] - away >= limit) break;   /* sorted: the rest is farther still */
@@ -119,9 +118,9 @@ TM_FN int tm_touch_nearest(const tm_tri_view *m, const tm_grid_view *g, int begi
   return found;
 }
 
-/* Nearest points of the patches within reach of p, the nearest of all first; their number. When
+/* Nearest points of the patches within the search radius of p, the nearest of all first; their number. When
    there are too many patches the nearest ones are kept. */
-TM_FN int tm_touch_candidates(const tm_tri_view *m, const tm_grid_view *g, tm_vec3 p, tm_real reach,
+TM_FN int tm_touch_candidates(const tm_tri_view *m, const tm_grid_view *g, tm_vec3 p, tm_real search,
                               tm_candidate *list)
 {
   tm_real away;
@@ -130,7 +129,7 @@ TM_FN int tm_touch_candidates(const tm_tri_view *m, const tm_grid_view *g, tm_ve
   if (cell < 0) return 0;
   for (int s = g->first[cell]; s < g->first[cell + 1]; s++) {
     tm_candidate c;
-    if (!tm_touch_nearest(m, g, g->segment[s], g->segment[s + 1], p, away, reach, &c)) continue;
+    if (!tm_touch_nearest(m, g, g->segment[s], g->segment[s + 1], p, away, search, &c)) continue;
     int k = n < TM_TOUCH_MAX ? n++ : TM_TOUCH_MAX;   /* sorted in by distance */
     for (; k > 0 && c.near.dist2 < list[k - 1].near.dist2; k--)
       if (k < TM_TOUCH_MAX) list[k] = list[k - 1];
@@ -144,8 +143,8 @@ TM_FN int tm_touch_find(const tm_tri_view *m, const tm_grid_view *g, tm_vec3 p, 
                         tm_real deep, int two_sided, tm_touch *out)
 {
   tm_candidate list[TM_TOUCH_MAX];
-  const tm_real reach = two_sided ? radius : tm_max(radius, deep);
-  const int n = tm_touch_candidates(m, g, p, reach, list);
+  const tm_real search = two_sided ? radius : tm_max(radius, deep);
+  const int n = tm_touch_candidates(m, g, p, search, list);
   int found = 0;
   for (int k = 0; k < n; k++) {
     if (k > 0 && !tm_touch_is_minimum(m, list + k, p)) continue;
@@ -171,10 +170,10 @@ TM_FN int tm_touch_find_f15(const tm_tri_view *m, const tm_grid_view *g, tm_vec3
     const ptrdiff_t t = near[k];
     const double *c = m->corner + 9 * t;
     const tm_vec3 A = tm_load3(c), B = tm_load3(c + 3), C = tm_load3(c + 6);
-    const tm_vec3 n = tm_load3(m->normal + 3 * t);
-    const tm_real h = tm_vec_dot(n, tm_vec_sub(p, A));
+    const tm_vec3 n = tm_load3(m->normal + 3 * t);                               /* F15 (7) */
+    const tm_real h = tm_vec_dot(n, tm_vec_sub(p, A));                          /* of F15 (9) */
     if (!(fabs(h) < radius)) continue;
-    const tm_vec3 Q = tm_vec_axpy(p, -h, n);
+    const tm_vec3 Q = tm_vec_axpy(p, -h, n);                                    /* inside by F15 (8)? */
     if (tm_vec_dot(tm_vec_cross(tm_vec_sub(B, A), tm_vec_sub(Q, A)), n) < 0.0
         || tm_vec_dot(tm_vec_cross(tm_vec_sub(C, B), tm_vec_sub(Q, B)), n) < 0.0
         || tm_vec_dot(tm_vec_cross(tm_vec_sub(A, C), tm_vec_sub(Q, C)), n) < 0.0)

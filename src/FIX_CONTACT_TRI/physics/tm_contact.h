@@ -1,25 +1,19 @@
-/* SPH-TM: laws of contact between a particle and a rigid surface.
+/* SPH-TM: contact between a particle and a rigid surface: the law of tm_contact_law.h, and what a surface adds to it.
 
    Penetration F15 (9): delta = r - d, r = dp/2 the particle's radius, d the distance of its centre.
-   Stiffness F15 (10): k = PFAC E_i E_j dp/(E_i + E_j), against a rigid body PFAC E_i dp (per unit
-   thickness in 2D: without dp), with dp of the pair style: PFAC E_i/dp per area. Particles of a
-   size of their own have the same per area, so that a pressed surface that is split into finer
-   particles is as stiff as before: its force and the energy of its springs stay.
-   Damping F15 (11) with the particle's own mass: c = DFAC 2 sqrt(k m), so DFAC = 1 is critical
-   against a rigid body. The printed factor contains m_i + m_j, which has no rigid limit.
-   Normal force F15 (12): f = k delta + c ddelta/dt, ddelta/dt > 0 while closing (the printed minus
-   would feed energy in), and never tensile. F15's approach test drops all of it while separating.
+   Stiffness and damping are those against a rigid body, with the particle's own mass.
    Friction F15 (13): |f_t| <= min(mu(T) f_n, m Y/sqrt(3) A): Coulomb's law up to the shear flow
    stress of the particle's material (Zorev; m = 1 sticking, 0 leaves the limit out). F15 prints
    mu(sigma_y, T) without a form; this one has the same arguments. Up to that limit friction is
-   the force that brings the sliding to rest at the end of the step, so it never reverses it.
+   the force that brings the sliding to rest at the end of the step.
    Heat: friction power is shared by effusivity e = sqrt(k rho c_p), the exact split between two
    half-spaces. A conductance h acts in series with the half spacing of the particle. */
 #ifndef TM_CONTACT_H
 #define TM_CONTACT_H
 
+#include "tm_contact_law.h"
 #include "tm_heat.h"
-#include "tm_tensor.h"
+#include "tm_time_step.h"
 
 /* Contact of the particles of one type. */
 typedef struct {
@@ -35,12 +29,6 @@ typedef struct {
   tm_real conductance;    /* to the surface, power/(area temperature); 0: none, negative: perfect */
 } tm_contact_law;
 
-/* F15 (10); Ej = 0 stands for a rigid body. */
-TM_FN tm_real tm_contact_stiffness(tm_real pfac, tm_real Ei, tm_real Ej, tm_real dp, int dim3)
-{
-  return pfac * (Ej > 0.0 ? Ei * Ej / (Ei + Ej) : Ei) * (dim3 ? dp : 1.0);
-}
-
 /* The law for a particle of edge dp, where it differs from the one the law was made for: the same
    stiffness per area. */
 TM_FN tm_contact_law tm_contact_law_of_size(const tm_contact_law *law, tm_real dp, int dim3)
@@ -50,19 +38,6 @@ TM_FN tm_contact_law tm_contact_law_of_size(const tm_contact_law *law, tm_real d
   own.area = dim3 ? dp * dp : dp;
   own.stiffness = law->stiffness * (own.area / law->area);
   return own;
-}
-
-/* F15 (11), corrected. */
-TM_FN tm_real tm_contact_damping(tm_real dfac, tm_real k, tm_real mass)
-{
-  return dfac * 2.0 * sqrt(k * mass);
-}
-
-/* F15 (12), corrected; `closing` is ddelta/dt. */
-TM_FN tm_real tm_contact_normal(tm_real k, tm_real delta, tm_real c, tm_real closing, int approach)
-{
-  if (approach && !(closing > 0.0)) return 0.0;
-  return tm_max(k * delta + c * closing, 0.0);
 }
 
 /* Largest friction force at normal force fn, temperature T and flow stress Y (0: not known). */
@@ -104,13 +79,6 @@ TM_FN tm_real tm_contact_heat(tm_real hA, tm_real T_surface, tm_real T, tm_real 
                               tm_real dt)
 {
   return -capacity / dt * expm1(-hA * dt / capacity) * (T_surface - T);
-}
-
-/* Largest stable step of one particle on its contact spring with damping ratio z, central
-   differences with lagging damping velocity: 2/w (sqrt(1 + z^2) - z). */
-TM_FN tm_real tm_contact_time_step(tm_real k, tm_real mass, tm_real z)
-{
-  return 2.0 * sqrt(mass / k) * (sqrt(1.0 + z * z) - z);
 }
 
 #endif

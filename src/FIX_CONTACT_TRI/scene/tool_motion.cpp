@@ -1,12 +1,8 @@
 #include "tool_motion.h"
 
-#include "argument.h"
-
-#include "domain.h"
 #include "error.h"
 #include "input.h"
 #include "lammps.h"
-#include "utils.h"
 #include "variable.h"
 
 #include <algorithm>
@@ -26,23 +22,8 @@ ToolMotion::ToolMotion(LAMMPS *lmp) : lmp(lmp)
   std::fill(variable, variable + 6, -1);
 }
 
-namespace {
-  struct Style {
-    const char *name;
-    int kind, numbers;
-    const char *arguments;
-  };
-  constexpr int BY_VARIABLE = -1;
-  const Style styles[] = {{"none", TM_MOTION_NONE, 0, ""},
-                          {"linear", TM_MOTION_LINEAR, 3, "Vx Vy Vz"},
-                          {"wiggle", TM_MOTION_WIGGLE, 4, "Ax Ay Az period"},
-                          {"rotate", TM_MOTION_ROTATE, 7, "Px Py Pz Rx Ry Rz period"},
-                          {"transrot", TM_MOTION_TRANSROT, 10, "Vx Vy Vz Px Py Pz Rx Ry Rz period"},
-                          {"variable", BY_VARIABLE, 6, "v_dx v_dy v_dz v_vx v_vy v_vz"}};
-}    // namespace
-
 // a motion that a restart file holds goes on when the same one is given again
-void ToolMotion::keep_if_restarted(const tm_motion &given, double clock)
+void ToolMotion::keep_if_restarted(const tm_motion &given)
 {
   auto same = [](tm_vec3 a, tm_vec3 b) {
     return a.x == b.x && a.y == b.y && a.z == b.z;
@@ -52,76 +33,17 @@ void ToolMotion::keep_if_restarted(const tm_motion &given, double clock)
       given.period == motion.period && given.ramp == motion.ramp;
   restarted = false;
   if (again) return;
-  base = pose(clock, 0.0, 0.0);
-  start = clock;
+  base = pose_now();
+  start = time;
   moved = moved_next = rate = tm_vec(0, 0, 0);
 }
 
-// numbers of a motion into its struct
-static tm_motion fill(const Style &s, const double *a)
+void ToolMotion::set(const MotionCommand &c)
 {
-  tm_motion m;
-  memset(&m, 0, sizeof(m));
-  m.kind = s.kind == BY_VARIABLE ? (int) TM_MOTION_NONE : s.kind;
-  m.period = 1.0;
-  if (m.kind != TM_MOTION_ROTATE) m.v = tm_vec(a[0], a[1], a[2]);
-  if (m.kind == TM_MOTION_WIGGLE) m.period = a[3];
-  if (m.kind == TM_MOTION_ROTATE || m.kind == TM_MOTION_TRANSROT) {
-    const double *turn = a + (m.kind == TM_MOTION_TRANSROT ? 3 : 0);
-    m.point = tm_vec(turn[0], turn[1], turn[2]);
-    m.axis = tm_vec(turn[3], turn[4], turn[5]);
-    m.period = turn[6];
-  }
-  return m;
-}
-
-void ToolMotion::check(const char *name, const tm_motion &m, bool along_z) const
-{
-  Error *error = lmp->error;
-  const bool turns = m.kind == TM_MOTION_ROTATE || m.kind == TM_MOTION_TRANSROT;
-  if (turns && !(tm_vec_norm(m.axis) > 0.0))
-    error->all(FLERR, "Fix contact/tri move {}: the axis Rx Ry Rz must not be zero", name);
-  if (m.period == 0.0) error->all(FLERR, "Fix contact/tri move {}: the period must not be 0", name);
-  if (lmp->domain->dimension == 3) return;
-  if (turns && (m.axis.x != 0.0 || m.axis.y != 0.0))
-    error->all(FLERR, "Fix contact/tri move {}: the axis must be along z in 2d", name);
-  if (m.v.z != 0.0 || along_z)
-    error->all(FLERR, "Fix contact/tri move {}: no motion along z in 2d, use 0 or NULL", name);
-}
-
-int ToolMotion::parse(int narg, char **arg, double clock)
-{
-  Error *error = lmp->error;
-  Keywords k(lmp, "Fix contact/tri move", narg, arg);
-  if (!k.next()) utils::missing_cmd_args(FLERR, "fix_modify move of fix contact/tri", error);
-  const Style *s = std::find_if(std::begin(styles), std::end(styles), [&](const Style &t) { return k.is(t.name); });
-  if (s == std::end(styles))
-    error->all(FLERR, "Fix contact/tri move must be linear, wiggle, rotate, transrot, variable or none, got {}",
-               k.name());
-  if (k.rest() < s->numbers) error->all(FLERR, "{} needs {}", k.what(), s->arguments);
-  std::vector<std::string> vars;
-  double a[10] = {0};
-  for (int n = 0; n < s->numbers; n++) {
-    const bool null = k.take("NULL");
-    if (s->kind != BY_VARIABLE) {
-      a[n] = null ? 0.0 : k.number();
-      continue;
-    }
-    const char *text = null ? "v_" : k.value();
-    if (strncmp(text, "v_", 2) != 0) error->all(FLERR, "{} needs v_name or NULL, got {}", k.what(), text);
-    vars.emplace_back(text + 2);
-  }
-  tm_motion m = fill(*s, a);
-  check(s->name, m, !vars.empty() && !(vars[2].empty() && vars[5].empty()));
-  if (k.option({"ramp"})) {
-    if (m.kind == TM_MOTION_NONE) error->all(FLERR, "Fix contact/tri move {} has no ramp", s->name);
-    m.ramp = k.not_negative("(time)");
-  }
-  keep_if_restarted(m, clock);
+  keep_if_restarted(c.motion);
   restarted_variable = false;
-  motion = m;
-  names = vars;
-  return narg - k.rest();
+  motion = c.motion;
+  names = c.variables;
 }
 
 void ToolMotion::init()
@@ -154,9 +76,15 @@ tm_vec3 ToolMotion::displacement(tm_vec3 otherwise) const
                 variable[2] >= 0 ? value(2) : otherwise.z);
 }
 
-void ToolMotion::evaluate_now()
+void ToolMotion::evaluate(double dt)
 {
   if (names.empty()) return;
+  if (dt > 0.0) evaluate_next(dt);
+  else evaluate_now();
+}
+
+void ToolMotion::evaluate_now()
+{
   moved = moved_next = displacement(moved);
   rate = tm_vec(variable[3] >= 0 ? value(3) : 0.0, variable[4] >= 0 ? value(4) : 0.0,
                 variable[5] >= 0 ? value(5) : 0.0);
@@ -164,7 +92,6 @@ void ToolMotion::evaluate_now()
 
 void ToolMotion::evaluate_next(double dt)
 {
-  if (names.empty()) return;
   double v[3];
   for (int k = 0; k < 3; k++) v[k] = variable[3 + k] >= 0 ? value(3 + k) : 0.0;
   moved_next = displacement(tm_vec_axpy(moved, dt, tm_vec(v[0], v[1], v[2])));
@@ -174,10 +101,16 @@ void ToolMotion::evaluate_next(double dt)
   rate = tm_vec(v[0], v[1], v[2]);
 }
 
-tm_pose ToolMotion::pose(double clock, double ahead, double dt) const
+void ToolMotion::end_of_step(double dt)
+{
+  time += dt;
+  moved = moved_next;
+}
+
+tm_pose ToolMotion::pose(double ahead, double dt) const
 {
   if (names.empty()) {
-    tm_pose p = tm_motion_pose(&motion, &base, clock - start + ahead);
+    tm_pose p = tm_motion_pose(&motion, &base, time - start + ahead);
     p.shift = tm_vec_add(p.shift, moved);    // by variables before a restart, else 0
     return p;
   }
@@ -233,8 +166,9 @@ static bool possible(const tm_motion &m, const tm_pose &base)
   return true;
 }
 
-bool ToolMotion::unpack(const double *v)
+bool ToolMotion::unpack(double clock, const double *v)
 {
+  time = clock;
   if (!(v[0] >= TM_MOTION_NONE && v[0] <= TM_MOTION_TRANSROT && v[0] == floor(v[0]))) return false;
   memset(&motion, 0, sizeof(motion));
   motion.kind = (int) v[0];
@@ -245,16 +179,7 @@ bool ToolMotion::unpack(const double *v)
   for (int k = 0; k < 5; k++) *vectors[k] = tm_vec(v[4 + 3 * k], v[5 + 3 * k], v[6 + 3 * k]);
   moved_next = moved;
   const double *r = v + 19;
-  tm_mat3 &m = base.turn;
-  m.xx = r[0];
-  m.xy = r[1];
-  m.xz = r[2];
-  m.yx = r[3];
-  m.yy = r[4];
-  m.yz = r[5];
-  m.zx = r[6];
-  m.zy = r[7];
-  m.zz = r[8];
+  base.turn = {r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]};
   restarted = true;
   restarted_variable = v[28] != 0.0;
   return possible(motion, base);

@@ -75,7 +75,7 @@ std::string TriTool::load(MPI_Comm world, const Shape &shape, bool two_sided)
   std::string wrong = file.read(world, shape.file, shape.max_bytes);
   if (!wrong.empty()) return wrong;
   content_ = hash_bytes(file.data(), file.size());
-  wrong = first_said(world, build(shape, file.data(), file.size()));
+  wrong = first_message(world, build(shape, file.data(), file.size()));
   if (!wrong.empty() || two_sided) return wrong;
   if (mesh_.inconsistent_edges)
     return fmt::format("mesh file {}: the triangles at {} edges disagree about which side is out; "
@@ -88,12 +88,12 @@ std::string TriTool::load(MPI_Comm world, const Shape &shape, bool two_sided)
   return "";
 }
 
-std::string TriTool::index(MPI_Comm world, double reach)
+std::string TriTool::index(MPI_Comm world, double radius)
 {
   tm_tri_grid_free(&grid_);
-  const bool built = tm_tri_grid_build(&grid_, &mesh_, reach, TM_GRID_BUDGET) == TM_MESH_OK;
-  return first_said(world, built ? "" : fmt::format("no memory for the search grid of {} triangles with reach {}",
-                                                    mesh_.nt, reach));
+  const bool built = tm_tri_grid_build(&grid_, &mesh_, radius, TM_GRID_BUDGET) == TM_MESH_OK;
+  return first_message(world, built ? "" : fmt::format("no memory for the search grid of {} triangles with radius {}",
+                                                    mesh_.nt, radius));
 }
 
 std::string TriTool::summary() const

@@ -29,15 +29,15 @@ class TriTool {
     size_t max_bytes = 512000000;    // of the file
     std::vector<Placement> placement;
     tm_mesh_options options;
-    int flip = -1;    // 1: turn facets round, 0: leave them, -1: not said
+    int flip = -1;    // 1: turn facets round, 0: leave them, -1: not given
 
     uint64_t hash() const;    // of all that changes what is in the file
   };
 
   // empty, or what is wrong and how to mend it; the same on all ranks (collective)
   std::string load(MPI_Comm world, const Shape &shape, bool two_sided);
-  std::string index(MPI_Comm world, double reach);
-  // what a reader of the log wants to know, in one line
+  std::string index(MPI_Comm world, double radius);
+  // for the log, in one line
   std::string summary() const;
   // less serious flaws, one line each
   std::vector<std::string> flaws(bool two_sided) const;

@@ -62,10 +62,8 @@ void ComputeCuttingForce::init() { tool(); }
 void ComputeCuttingForce::compute_vector()
 {
   invoked_vector = update->ntimestep;
-  double f[3];
   FixContactTri *t = tool();
-  t->tool_force(f);
-  const tm_vec3 v = t->tool_velocity(), F = tm_vec(f[0], f[1], f[2]);
+  const tm_vec3 F = tm_load3(t->tool_force()), v = t->tool_velocity();
   const double speed = tm_vec_norm(v);
   tm_vec3 u = tm_load3(direction);
   if (!direction_given && speed > 0.0) u = tm_vec_scale(1.0 / speed, v);

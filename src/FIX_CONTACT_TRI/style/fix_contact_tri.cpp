@@ -2,19 +2,15 @@
 #include "fix_contact_tri.h"
 
 #include "argument.h"
-#include "fix_sph_tm.h"
-#include "pair_sph_tm.h"
-#include "tm_eos.h"
+#include "overlap_check.h"
+#include "scene.h"
 
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "input.h"
-#include "memory.h"
 #include "modify.h"
 #include "update.h"
-#include "variable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,58 +20,48 @@ using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
 using namespace FixConst;
 
-FixContactTri::FixContactTri(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg), motion(lmp)
+FixContactTri::FixContactTri(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), set(lmp, narg - 3, arg + 3), particles(this, set.body_type), scene(Scene::of(lmp)),
+    motion(lmp), temperature(set), output(lmp, id, set, tool), checks(lmp, *this, set, tool)
 {
-  scalar_flag = 1;
-  vector_flag = 1;
-  size_vector = 13;
-  extscalar = 0;
-  extvector = 0;
-  global_freq = 1;
-  restart_global = 1;
-  comm_forward = 1;
-  sums = tm_contact_nothing();
-  std::fill(totals, totals + 14, 0.0);
-  shape.options = tm_mesh_defaults();
-
-  parse(narg - 3, arg + 3);
-  const std::string wrong = tool.load(world, shape, request.two_sided);
+  scalar_flag = vector_flag = restart_global = 1;
+  size_vector = ContactResults::SIZE;
+  extscalar = extvector = 0;
+  nevery = global_freq = comm_forward = 1;
+  if (set.local_every) {
+    local_flag = 1;
+    local_freq = set.local_every;
+    size_local_cols = ToolOutput::LOCAL_COLUMNS;
+    size_local_rows = 0;
+  }
+  const std::string wrong = tool.load(world, set.shape, set.two_sided);
   if (!wrong.empty()) error->all(FLERR, "Fix contact/tri {}: {}", id, wrong);
-  reference_local = request.reference_given
-      ? tm_vec(request.reference[0], request.reference[1], request.reference[2])
-      : tool.origin();
-  nevery = 1;
+  reference = set.reference_given ? tm_load3(set.reference) : tool.origin();
+  scene->enter(this);
 }
 
-FixContactTri::~FixContactTri()
-{
-  if (copymode) return;
-  memory->destroy(local_rows);
-  memory->destroy(image_rows);
-}
+FixContactTri::~FixContactTri() { scene->leave(this); }
 
 int FixContactTri::setmask()
 {
   int mask = POST_FORCE | FINAL_INTEGRATE;
-  if (motion.by_variable() || request.body_type || !temperature_variable.empty())
-    mask |= INITIAL_INTEGRATE;
-  if (vtk.every || stl.every || local_every || request.lumped_capacity > 0.0) mask |= END_OF_STEP;
+  if (motion.by_variable() || set.body_type || temperature.by_variable()) mask |= INITIAL_INTEGRATE;
+  if (set.vtk.every || set.stl.every || set.local_every || set.lumped_capacity > 0.0) mask |= END_OF_STEP;
   return mask;
 }
 
 int FixContactTri::modify_param(int narg, char **arg)
 {
   if (strcmp(arg[0], "move") == 0) {
-    const int used = motion.parse(narg - 1, arg + 1, clock);
+    const MotionCommand command = read_motion(lmp, narg - 1, arg + 1);
+    motion.set(command);
     modify->fmask[modify->find_fix(id)] = setmask();
-    return 1 + used;
+    return 1 + command.words;
   }
   if (strcmp(arg[0], "temperature") == 0) {
     if (narg < 2)
       utils::missing_cmd_args(FLERR, "fix_modify temperature of fix contact/tri", error);
-    temperature = positive(lmp, "Fix_modify temperature of fix contact/tri", arg[1]);
-    temperature_given = true;
-    temperature_variable.clear();
+    temperature.set(positive(lmp, "Fix_modify temperature of fix contact/tri", arg[1]));
     return 2;
   }
   return 0;
@@ -85,145 +71,98 @@ int FixContactTri::modify_param(int narg, char **arg)
 
 void FixContactTri::init()
 {
-  state = FixSPHTM::of(lmp, fmt::format("Fix contact/tri {}", id));
-  if (modify->find_fix(id) < modify->find_fix(state->id))
-    error->all(FLERR, "Fix contact/tri {} must come after fix {} sph/tm in the input", id, state->id);
-  pair = state->pair();
-  loop_laws.live_in(state->loops());
-  tool_heat.live_in(state->loops());
-  for (auto *a : {&tri_force, &tri_heat}) a->live_in(state->loops());
-  tri_count.live_in(state->loops());
-  warn_of_empty_group();
-  ask_for_heat();
-  if (!temperature_given) temperature = state->start_temperature();
+  state = &scene->state(fmt::format("Fix contact/tri {}", id));
+  if (modify->find_fix(id) < modify->find_fix(state->id()))
+    error->all(FLERR, "Fix contact/tri {} must come after fix {} sph/tm in the input", id, state->id());
+  model = &state->model();
+  laws.live_in(state->loops());
+  particles.live_in(lmp, *scene);
+  triangles.live_in(state->loops());
+  results.live_in(state->loops());
+  checks.empty_group();
+  checks.heat(*state);
+  temperature.begin(state->start_temperature());
   motion.init();
-  check_dimension();
-  const double reach = pair->settings_in_use().spacing;
-  if (reach != indexed_reach) {
-    const std::string wrong = tool.index(world, reach);
-    if (!wrong.empty()) error->all(FLERR, "Fix contact/tri {}: {}", id, wrong);
-    const bool first = indexed_reach == 0.0;
-    indexed_reach = reach;
-    loop_tool.copy(state->loops(), tool);
-    make_laws();
-    if (first) report();
-  } else {
-    make_laws();
-  }
-  limit_time_step();    // the first step of the run knows the tool
+  checks.extent(model->settings_in_use().spacing);
+  const bool first = spacing == 0.0;
+  if (spacing != model->settings_in_use().spacing) index_tool();
+  checks.body_material(*model);
+  laws.make(set, *model, state->start_temperature(), domain->dimension);
+  if (first) report();
+  limit_time_step();    // the first step of the run keeps to it too
+}
+
+void FixContactTri::index_tool()
+{
+  spacing = model->settings_in_use().spacing;
+  const std::string wrong = tool.index(world, spacing);
+  if (!wrong.empty()) error->all(FLERR, "Fix contact/tri {}: {}", id, wrong);
+  loop_tool.copy(state->loops(), tool);
 }
 
 void FixContactTri::limit_time_step()
 {
   // sqrt(m/k): m follows the volume of a particle, k its area
-  const double dp = pair->settings_in_use().spacing;
-  state->limit_dt(dt_limit * sqrt(pair->smallest_spacing() / dp), TM_DT_CONTACT, this);
+  const double smallest = model->smallest_spacing();
+  state->time_step().limit(laws.stable_dt() * sqrt(smallest / spacing), TM_DT_CONTACT, this);
   // no point of the tool moves by more than a fifth of the smallest spacing in a step
   const double speed = motion.top_speed(tool.mesh().lo, tool.mesh().hi);
-  check_speed(speed);
-  if (speed > 0.0) state->limit_dt(0.2 * pair->smallest_spacing() / speed, TM_DT_MOTION, this);
+  checks.speed(speed, laws.sound_speed());
+  if (speed > 0.0) state->time_step().limit(0.2 * smallest / speed, TM_DT_MOTION, this);
 }
 
-// friction heat of a type in words
-std::string FixContactTri::heat_in_words(int type) const
+// friction heat of a type
+static std::string heat_in_words(const tm_contact_law &w, const tm_material &m, double T, bool given)
 {
-  const tm_material &m = pair->materials()[type];
-  const double T = state->start_temperature();
-  const double e = sqrt(tm_conductivity(&m, T) * m.rho0 * tm_capacity(&m, T));
-  const bool said = request.share >= 0.0 || request.effusivity >= 0.0 || request.body_type;
-  return fmt::format(", {:.3f} of the friction heat into the particles{}",
-                     tm_contact_share(&laws[type], e),
-                     said ? "" : " (give 'effusivity' or 'share' to change that)");
+  const double e = tm_effusivity(tm_conductivity(&m, T), m.rho0, tm_capacity(&m, T));
+  return fmt::format(", {:.3f} of the friction heat into the particles{}", tm_contact_share(&w, e),
+                     given ? "" : " (give 'effusivity' or 'share' to change that)");
 }
 
-void FixContactTri::report()
+void FixContactTri::report() const
 {
   if (comm->me) return;
-  utils::logmesg(lmp, "contact/tri {}: {}: {}\n", id, shape.file, tool.summary());
-  for (const auto &line : tool.flaws(request.two_sided))
+  utils::logmesg(lmp, "contact/tri {}: {}: {}\n", id, set.shape.file, tool.summary());
+  for (const auto &line : tool.flaws(set.two_sided))
     error->warning(FLERR, "Fix contact/tri {}: {}", id, line);
+  const bool heat = state->has(TM_FX_HEAT) && set.has_friction();
+  const bool given = set.share >= 0.0 || set.effusivity >= 0.0 || set.body_type;
   for (int t = 1; t <= atom->ntypes; t++) {
-    const tm_contact_law &w = laws[t];
+    const tm_contact_law &w = laws.of(t);
     if (!w.active) continue;
     const std::string mu = w.friction.n ? "by table" : fmt::format("{:.4g}", w.friction.value);
-    utils::logmesg(lmp,
-                   "contact/tri {}: type {}: stiffness {:.6g}, damping {:.4g} of critical, "
-                   "friction {}{}\n",
-                   id, t, w.stiffness / pair->units().force, w.damping, mu,
-                   state->has(TM_FX_HEAT) && rubs() ? heat_in_words(t) : "");
+    utils::logmesg(lmp, "contact/tri {}: type {}: stiffness {:.6g}, damping {:.4g} of critical, friction {}{}\n", id, t,
+                   w.stiffness / model->units().force, w.damping, mu,
+                   heat ? heat_in_words(w, model->materials()[t], state->start_temperature(), given) : "");
   }
-}
-
-tm_contact_law FixContactTri::make_law(int type)
-{
-  const tm_material &m = pair->materials()[type];
-  const UnitScale &u = pair->units();
-  const double dp = pair->settings_in_use().spacing;
-  const bool dim3 = domain->dimension == 3;
-  tm_contact_law w = {};
-  w.active = m.body == TM_BODY_SOLID;
-  w.radius = 0.5 * dp;
-  w.stiffness = tm_contact_stiffness(request.penalty, m.young, 0.0, dp, dim3);
-  w.damping = request.damping;
-  w.area = dim3 ? dp * dp : dp;
-  w.friction = request.friction;
-  w.shear = request.shear;
-  w.share = request.share;
-  w.tool_effusivity = request.effusivity * u.energy;
-  w.conductance = request.conductance > 0.0 ? request.conductance * u.energy : request.conductance;
-  if (request.body_type) {
-    const tm_material &b = pair->materials()[request.body_type];
-    const double T = state->start_temperature();
-    w.tool_effusivity = sqrt(tm_conductivity(&b, T) * b.rho0 * tm_capacity(&b, T));
-    w.conductance = 0.0;    // conduction goes from particle to particle
-  } else if (request.share < 0.0 && request.effusivity < 0.0) {
-    w.share = 0.5;
-  }
-  return w;
-}
-
-void FixContactTri::make_laws()
-{
-  if (request.body_type && pair->materials()[request.body_type].body != TM_BODY_HEAT)
-    error->all(FLERR, "Fix contact/tri {} particles: type {} must be a material that only conducts heat", id,
-               request.body_type);
-  const double dp = pair->settings_in_use().spacing;
-  laws.assign(atom->ntypes + 1, tm_contact_law{});
-  dt_limit = 1e300;
-  sound_speed = 0.0;
-  for (int t = 1; t <= atom->ntypes; t++) {
-    laws[t] = make_law(t);
-    if (!laws[t].active) continue;
-    const tm_material &m = pair->materials()[t];
-    sound_speed = std::max(sound_speed, tm_eos_sound_speed(&m, m.rho0, 0.0));
-    const double mass = m.rho0 * pow(dp, domain->dimension);
-    // 0.35: stability of the half-step prediction, 0.78 without and 0.70 with damping, of 2
-    dt_limit =
-        std::min(dt_limit, 0.35 * tm_contact_time_step(laws[t].stiffness, mass, laws[t].damping));
-  }
-  loop_laws.assign(laws.data(), laws.size());
 }
 
 // penetration at the start that passes, in spacings: rounding of positions and of tessellated arcs; and what particles
 // that were moved between runs may have more than before
 static constexpr double OVERLAP_ALLOWED = 0.01, OVERLAP_GROWS = 0.05;
 
+void FixContactTri::check_overlap()
+{
+  if (set.overlap_allowed) return;
+  double allowed = OVERLAP_ALLOWED;
+  if (overlap_checked) {
+    if (!state->history().moved_since_last_run()) return;
+    allowed = OVERLAP_ALLOWED + OVERLAP_GROWS + results.depth(world) / spacing;    // that deep contact has brought them
+  } else if (restored || motion.clock() != 0.0) return;
+  const bool closed = tool.mesh().closed && !set.two_sided;
+  OverlapCheck(lmp, query(), spacing, allowed)
+      .stop(fmt::format("Fix contact/tri {}", id), closed ? &tool.mesh() : nullptr);
+}
+
 void FixContactTri::setup(int vflag)
 {
   evaluate_variables(0.0);
-  check_jump(pose_now());
-  if (!request.overlap_allowed) {
-    if (!checked && !restored && clock == 0.0) check_overlap(OVERLAP_ALLOWED);
-    else if (checked && state->moved_since_last_run()) {    // deeper than contact has brought them
-      double depth;
-      MPI_Allreduce(&sums.depth, &depth, 1, MPI_DOUBLE, MPI_MAX, world);
-      check_overlap(OVERLAP_ALLOWED + OVERLAP_GROWS + depth / pair->settings_in_use().spacing);
-    }
-  }
-  checked = true;
+  checks.jump(motion.pose_now(), motion.by_variable(), state->time_step().now(), model->smallest_spacing());
+  check_overlap();
+  overlap_checked = true;
   post_force(vflag);
   finish_contact();
-  write_files();
+  write_output();
 }
 
 /* ---------------------------------------------------------------------- one step */
@@ -231,61 +170,48 @@ void FixContactTri::setup(int vflag)
 // values of variables at the end of the step that begins, or now where dt is 0
 void FixContactTri::evaluate_variables(double dt)
 {
-  if (!motion.by_variable() && temperature_variable.empty()) return;
+  if (!motion.by_variable() && !temperature.by_variable()) return;
   modify->clearstep_compute();
-  if (dt > 0.0)
-    motion.evaluate_next(dt);
-  else
-    motion.evaluate_now();
-  if (!temperature_variable.empty()) {
-    const int k = input->variable->find(temperature_variable.c_str());
-    if (k < 0 || !input->variable->equalstyle(k))
-      error->all(FLERR, "Fix contact/tri {} temperature: no equal-style variable {}", id,
-                 temperature_variable);
-    temperature = input->variable->compute_equal(k);
-    if (!(temperature > 0.0 && std::isfinite(temperature)))
-      error->all(FLERR, "Fix contact/tri {} temperature: variable {} is {} at step {}; it must be a positive number",
-                 id, temperature_variable, temperature, update->ntimestep);
-  }
+  motion.evaluate(dt);
+  if (temperature.by_variable()) temperature.evaluate(lmp, fmt::format("Fix contact/tri {}", id));
   modify->addstep_compute(update->ntimestep + 1);
 }
 
 void FixContactTri::initial_integrate(int)
 {
-  const double dt = state->step_dt();
+  const double dt = state->time_step().now();
   evaluate_variables(dt);
-  if (request.body_type)
-    place_body(motion.pose(clock, 0.0, dt), motion.pose(clock, state->time_ahead(), dt));
+  if (set.body_type) particles.move(motion.pose(0.0, dt), motion.pose(state->time_step().ahead(), dt));
 }
 
-unsigned FixContactTri::effects(bool output) const
+unsigned FixContactTri::effects(bool of_triangles) const
 {
-  unsigned fx = 0;
-  if (domain->dimension == 3) fx |= TM_CT_3D;
-  if (state->has(TM_FX_HEAT)) fx |= TM_CT_HEAT;
-  if (rubs()) fx |= TM_CT_FRICTION;
-  if (request.approach) fx |= TM_CT_APPROACH;
-  if (request.f15) fx |= TM_CT_F15;
-  if (request.two_sided) fx |= TM_CT_TWO_SIDED;
-  if (output) fx |= TM_CT_OUTPUT;
-  return fx;
+  unsigned effects = 0;
+  if (domain->dimension == 3) effects |= TM_CT_3D;
+  if (state->has(TM_FX_HEAT)) effects |= TM_CT_HEAT;
+  if (set.has_friction()) effects |= TM_CT_FRICTION;
+  if (set.approach) effects |= TM_CT_APPROACH;
+  if (set.f15) effects |= TM_CT_F15;
+  if (set.two_sided) effects |= TM_CT_TWO_SIDED;
+  if (of_triangles) effects |= TM_CT_OUTPUT;
+  return effects;
 }
 
-tm_contact_args FixContactTri::make_args(const tm_pose &pose, bool output)
+tm_contact_args FixContactTri::contact_args(const tm_pose &pose, bool of_triangles)
 {
   tm_contact_args a = {};
-  const tm_state s = state->state();
-  const tm_records &rec = pair->rate_args().rec;
+  const tm_state s = state->arrays();
+  const tm_records &rec = scene->results().rate_args().rec;
   a.mesh = loop_tool.mesh();
   a.grid = loop_tool.grid();
   a.pose = pose;
-  a.reference = tm_pose_to_world(&pose, reference_local);
-  a.deep = pair->settings_in_use().spacing;
-  a.dt = state->step_dt();
-  a.after = state->time_ahead() > 0.0 ? a.dt - state->time_ahead() : 0.0;
-  a.force_unit = 1.0 / pair->units().force;
-  a.tool_temperature = temperature;
-  a.law = loop_laws.loop_read();
+  a.reference = tm_pose_to_world(&pose, reference);
+  a.deep = spacing;
+  a.dt = state->time_step().now();
+  a.after = state->time_step().ahead() > 0.0 ? a.dt - state->time_step().ahead() : 0.0;
+  a.force_unit = 1.0 / model->units().force;
+  a.tool_temperature = temperature.now();
+  a.law = laws.loop_read();
   a.size = rec.size;
   a.mask = s.mask;
   a.group = groupbit;
@@ -302,88 +228,132 @@ tm_contact_args FixContactTri::make_args(const tm_pose &pose, bool output)
     a.temperature = rec.heat + TM_REC_T;
     a.temperature_stride = TM_REC_HEAT;
     a.source = state->heat_source();
-    a.tool_heat = request.body_type ? tool_heat.loop_write() : nullptr;
+    a.tool_heat = set.body_type ? particles.heat_of_contact() : nullptr;
   }
-  if (state->has(TM_FX_PLASTICITY) && request.shear > 0.0) a.pstrain = s.field[TM_F_PSTRAIN];
-  if (output) {
-    a.tri_force = tri_force.loop_write();
-    a.tri_heat = tri_heat.loop_write();
-    a.tri_count = tri_count.loop_write();
-  }
+  if (state->has(TM_FX_PLASTICITY) && set.shear > 0.0) a.pstrain = s.field[TM_F_PSTRAIN];
+  if (of_triangles) triangles.hand_to(a, tool.mesh().nt);
   return a;
-}
-
-void FixContactTri::start_contact(const tm_contact_args &a, unsigned fx)
-{
-  sums = contact_loop(state->loops(), atom->nlocal, a, fx);
 }
 
 void FixContactTri::post_force(int)
 {
-  const auto timed = state->run_clock.timed(this);
-  const bool output = output_due();
-  if (output) clear_triangles();
-  if (request.body_type) tool_heat.resize(std::max(atom->nmax, 1));
-  const tm_pose pose = motion.pose(clock, state->time_ahead(), state->step_dt());
-  if (!update->setupflag) check_jump(motion.pose(clock, state->step_dt(), state->step_dt()));
-  start_contact(make_args(pose, output), effects(output));
-  unfinished = true;
-  totals_step = -1;
-  if (request.body_type && state->has(TM_FX_CONDUCTION)) heat_body();
+  const auto timed = state->clock().timed(this);
+  const double dt = state->time_step().now();
+  const bool of_triangles = output.needs_values();
+  if (!update->setupflag)
+    checks.jump(motion.pose(dt, dt), motion.by_variable(), dt, model->smallest_spacing());
+  ContactLoops::of(state->loops())
+      .contact(state->loops(), atom->nlocal, contact_args(motion.pose(state->time_step().ahead(), dt), of_triangles),
+               effects(of_triangles), results.begin());
+  if (set.body_type && state->has(TM_FX_CONDUCTION)) particles.take_heat();
   limit_time_step();
 }
 
 // what the sums are for; a GPU is not waited for before the end of the step
 void FixContactTri::finish_contact()
 {
-  if (!unfinished) return;
-  unfinished = false;
-  wait_for_contact();
-  if (state->time_ahead() > 0.0) book(state->step_dt());
-  const double deep = pair->settings_in_use().spacing;
-  if (sums.inner > 0.5 * deep && !warned_deep) {
+  if (!results.finish()) return;
+  if (state->time_step().ahead() > 0.0) results.add_to(state->energy(), state->time_step().now(), set.body_type != 0);
+  const tm_contact_result &sums = results.mine();
+  if (sums.inner > 0.5 * spacing && !warned_deep) {
     warned_deep = true;
     error->warning(FLERR,
-                   "Fix contact/tri {}: a particle's centre lies {:.2f} spacings behind the "
+                   "Fix contact/tri {}: a particle's center lies {:.2f} spacings behind the "
                    "surface; beyond 1 it is no longer pushed out: raise penalty or lower the speed{}",
-                   id, sums.inner / deep, request.overlap_allowed ? ", or start without overlap" : "");
+                   id, sums.inner / spacing, set.overlap_allowed ? ", or start without overlap" : "");
   }
-  state->contact_spring += sums.spring;
-}
-
-// the energy book of the state fix, in its units
-void FixContactTri::book(double dt)
-{
-  FixSPHTM::Ledger &l = state->ledger;
-  l.contact_damping += dt * sums.damping_power;
-  // the tool's share is heat of particles too where it has some, and booked with theirs
-  const double heat = sums.friction_heat + (request.body_type ? sums.heat_tool : 0.0);
-  l.friction += dt * (sums.friction_power - heat);
-  l.friction_heat += dt * heat;
-  l.heat_exchanged += dt * sums.conducted;
-  l.contact_work += dt * sums.particle_power;
-  l.tool_work += dt * sums.tool_power;
+  state->energy().add_spring(sums.spring);
 }
 
 void FixContactTri::final_integrate()
 {
   finish_contact();
-  const double dt = state->step_dt();
-  const tm_pose half = motion.pose(clock, state->time_ahead(), dt);
-  clock += dt;
-  motion.end_of_step();
-  if (request.body_type) place_body(half, pose_now());
+  const double dt = state->time_step().now();
+  const tm_pose half = motion.pose(state->time_step().ahead(), dt);
+  motion.end_of_step(dt);
+  if (set.body_type) particles.move(half, motion.pose_now());
 }
 
 void FixContactTri::end_of_step()
 {
-  if (request.lumped_capacity > 0.0) update_temperature();
-  write_files();
+  if (set.lumped_capacity > 0.0)
+    temperature.absorb(state->time_step().now() * results.heat_into_tool(world), model->units().energy);
+  write_output();
 }
 
-void FixContactTri::update_temperature()
+/* ---------------------------------------------------------------------- values */
+
+void FixContactTri::write_output()
 {
-  double heat;
-  MPI_Allreduce(&sums.heat_tool, &heat, 1, MPI_DOUBLE, MPI_SUM, world);
-  temperature += state->step_dt() * heat / (request.lumped_capacity * pair->units().energy);
+  if (output.needs_values()) triangles.sum_over_ranks(world, model->units().energy);
+  output.write(motion.pose_now(), temperature.now(), triangles);
+  array_local = output.local_rows();
+  if (array_local) size_local_rows = tool.mesh().nt;
+}
+
+// of a set-up or step, or an error: there are no values
+void FixContactTri::check_current() const
+{
+  scene->check_current(state, fmt::format("Fix contact/tri {}", id));
+}
+
+const double *FixContactTri::results_now()
+{
+  check_current();
+  finish_contact();
+  return results.over_ranks(world, model->units(), spacing);
+}
+
+double FixContactTri::compute_vector(int n)
+{
+  if (n < ContactResults::REFERENCE || n >= ContactResults::FRICTION_POWER) return results_now()[n];
+  const tm_pose p = motion.pose_now();
+  const tm_vec3 r = tm_pose_to_world(&p, reference);
+  return n == 6 ? r.x : n == 7 ? r.y : r.z;
+}
+
+double FixContactTri::compute_scalar()
+{
+  if (temperature.now() == 0.0) check_current();
+  return temperature.now();
+}
+
+int FixContactTri::image(int *&kinds, double **&rows)
+{
+  return output.image(motion.pose_now(), kinds, rows);
+}
+
+ToolQuery FixContactTri::query() const
+{
+  return {*atom, groupbit, laws, tool.view(), tool.grid(), motion.pose_now(), spacing, set.two_sided};
+}
+
+void FixContactTri::touched(int i, double radius, std::vector<Surface> &found)
+{
+  const ToolQuery q = query();
+  if (!q.in_contact(i)) return;
+  tm_touch touch[TM_TOUCH_MAX];
+  const int n = q.touch(tm_load3(atom->x[i]), std::min(radius, spacing), touch);
+  for (int k = 0; k < n; k++) {
+    tm_vec3 normal = tm_mat_mul_vec(q.pose.turn, touch[k].normal);
+    if (domain->dimension == 2) normal.z = 0.0;
+    const double length = tm_vec_norm(normal);
+    if (length > 0.0) found.push_back({tm_vec_scale(1.0 / length, normal), touch[k].distance});
+  }
+}
+
+int FixContactTri::pack_forward_comm(int n, int *list, double *buf, int, int *)
+{
+  particles.pack(n, list, buf);
+  return n;
+}
+
+void FixContactTri::unpack_forward_comm(int n, int first, double *buf)
+{
+  particles.unpack(n, first, buf);
+}
+
+double FixContactTri::memory_usage()
+{
+  return tool.bytes() + particles.bytes() + triangles.bytes();
 }

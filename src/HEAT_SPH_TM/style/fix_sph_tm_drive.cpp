@@ -2,11 +2,10 @@
 
    The force is replaced by the one with which the step of fix sph/tm ends at the prescribed velocity,
      v(n+1) = v(n) + dt f/m = V(t(n+1)),
-   so that positions, history and energy book follow as for any other particle. */
+   so that positions, history and energy balance follow as for any other particle. */
 #include "fix_sph_tm_drive.h"
 
-#include "fix_sph_tm.h"
-#include "pair_sph_tm.h"
+#include "heat_loops.h"
 #include "restart_block.h"
 
 #include "atom.h"
@@ -26,7 +25,7 @@ using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
 using namespace FixConst;
 
-FixSPHTMDrive::FixSPHTMDrive(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
+FixSPHTMDrive::FixSPHTMDrive(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg), scene(Scene::of(lmp))
 {
   scalar_flag = 1;
   vector_flag = 1;
@@ -56,7 +55,7 @@ int FixSPHTMDrive::setmask() { return POST_FORCE; }
 
 void FixSPHTMDrive::init()
 {
-  body = FixSPHTM::of(lmp, "Fix sph/tm/drive");
+  state = &scene->state("Fix sph/tm/drive");
   for (auto &v : velocity) v.init();
 }
 
@@ -73,11 +72,11 @@ void FixSPHTMDrive::check_group()
 {
   const int *mask = atom->mask;
   bigint mine = 0, all = 0;
-  for (int i = 0; i < atom->nlocal; i++) mine += (mask[i] & groupbit) && !(mask[i] & body->groupbit);
+  for (int i = 0; i < atom->nlocal; i++) mine += (mask[i] & groupbit) && !(mask[i] & state->group_bit());
   MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   if (all)
     error->all(FLERR, "Fix sph/tm/drive: {} particles of group {} are not in the group of fix sph/tm {}, which "
-                      "moves them; give fix sph/tm the group all", all, group->names[igroup], body->id);
+                      "moves them; give fix sph/tm the group all", all, group->names[igroup], state->id());
 }
 
 void FixSPHTMDrive::warn_of_later_forces()
@@ -102,23 +101,23 @@ void FixSPHTMDrive::warn_of_later_forces()
 void FixSPHTMDrive::drive(const double *target, bool act)
 {
   tm_drive_args a;
-  a.state = body->state();
+  a.state = state->arrays();
   a.group = groupbit;
   for (int k = 0; k < 3; k++) {
     a.given[k] = given[k];
     a.velocity[k] = target[k];
   }
   a.act = act;
-  a.dt = body->step_dt();
-  a.accel_unit = body->pair()->units().force;
-  const tm_drive_result r = body->loops().drive(atom->nlocal, a);
+  a.dt = state->time_step().now();
+  a.accel_unit = scene->model().units().force;
+  const tm_drive_result r = HeatLoops::of(state->loops()).drive(state->loops(), atom->nlocal, a, 0);
   std::copy_n(r.force, 3, sum);
   sum[3] += r.work;
 }
 
 void FixSPHTMDrive::post_force(int)
 {
-  const auto timed = body->run_clock.timed(this);
+  const auto timed = state->clock().timed(this);
   const bool varies = velocity[0].varies() || velocity[1].varies() || velocity[2].varies();
   double target[3] = {0.0, 0.0, 0.0};
   if (varies) modify->clearstep_compute();
@@ -130,7 +129,7 @@ void FixSPHTMDrive::post_force(int)
 
   // bodies without mechanics have no other limit on how far they move in a step
   const double speed = sqrt(target[0] * target[0] + target[1] * target[1] + target[2] * target[2]);
-  if (speed > 0.0) body->limit_dt(0.1 * body->pair()->settings_in_use().spacing / speed, TM_DT_MOTION, this);
+  if (speed > 0.0) state->time_step().limit(0.1 * scene->model().settings_in_use().spacing / speed, TM_DT_MOTION, this);
 }
 
 /* ---------------------------------------------------------------------- output and restart */
@@ -139,11 +138,11 @@ double FixSPHTMDrive::compute_scalar() { return compute_vector(3); }
 
 double FixSPHTMDrive::compute_vector(int n)
 {
-  FixSPHTM::current(lmp, body, fmt::format("Fix sph/tm/drive {}", id));
+  scene->check_current(state, fmt::format("Fix sph/tm/drive {}", id));
   double all = 0.0;
   MPI_Allreduce(&sum[n], &all, 1, MPI_DOUBLE, MPI_SUM, world);
   // force and work were summed in the force unit; work wants the energy unit
-  const UnitScale &u = body->pair()->units();
+  const UnitScale &u = scene->model().units();
   return n == 3 ? all * u.force / u.energy : all;
 }
 

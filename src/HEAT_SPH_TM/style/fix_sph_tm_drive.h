@@ -8,10 +8,9 @@
 #include "fix.h"
 
 #include "equal_value.h"
+#include "scene.h"
 
 namespace LAMMPS_NS {
-
-class FixSPHTM;
 
 class FixSPHTMDrive : public Fix {
  public:
@@ -26,7 +25,8 @@ class FixSPHTMDrive : public Fix {
   void restart(char *) override;
 
  private:
-  FixSPHTM *body = nullptr;
+  std::shared_ptr<SPHTM_NS::Scene> scene;
+  SPHTM_NS::ParticleState *state = nullptr;    // of fix sph/tm
   bool given[3] = {false, false, false};
   SPHTM_NS::EqualValue velocity[3];
   double sum[4] = {0.0, 0.0, 0.0, 0.0};    // of this rank: force on the drive, work of the drive so far

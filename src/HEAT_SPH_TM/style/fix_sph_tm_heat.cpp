@@ -1,10 +1,9 @@
-/* SPH-TM: fix sph/tm/heat. See doc/fix_sph_tm_heat.rst. The physics is in tm_exchange.h. */
+/* SPH-TM: fix sph/tm/heat. See doc/fix_sph_tm_heat.rst. The physics is in tm_surface_flux.h. */
 #include "fix_sph_tm_heat.h"
 
 #include "argument.h"
-#include "fix_sph_tm.h"
+#include "heat_loops.h"
 #include "material_constants.h"
-#include "pair_sph_tm.h"
 #include "restart_block.h"
 
 #include "atom.h"
@@ -28,7 +27,7 @@ static const struct { const char *name; bool strength, surroundings; } MODES[] =
     {"temperature", true, false}, {"flux", true, false}, {"source", true, false},
     {"convection", true, true}, {"radiation", false, true}};
 
-FixSPHTMHeat::FixSPHTMHeat(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
+FixSPHTMHeat::FixSPHTMHeat(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg), scene(Scene::of(lmp))
 {
   scalar_flag = 1;
   vector_flag = 1;
@@ -54,8 +53,8 @@ FixSPHTMHeat::FixSPHTMHeat(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, a
   if (MODES[m].strength) read(strength, strengths[m], k);
   if (MODES[m].surroundings) read(T_inf, "Tinf", k);
   read_keywords(k);
-  body = FixSPHTM::of(lmp);
-  if (body) ask();
+  state = scene->state();
+  if (state) ask();
 }
 
 // a value of the mode
@@ -105,24 +104,24 @@ int FixSPHTMHeat::setmask() { return mode == TEMPERATURE ? END_OF_STEP : POST_FO
 void FixSPHTMHeat::ask()
 {
   const std::string reason = fmt::format("fix {} ({})", id, style);
-  body->need(TM_FX_HEAT, reason);
-  if (on_surface()) body->need(TM_FX_SURFACE, reason);
+  state->need(TM_FX_HEAT, reason);
+  if (on_surface()) state->need(TM_FX_SURFACE, reason);
 }
 
 void FixSPHTMHeat::init()
 {
-  body = FixSPHTM::of(lmp, "Fix sph/tm/heat");
+  state = &scene->state("Fix sph/tm/heat");
   for (const auto &f : modify->get_fix_list()) {
-    if (f == body) break;
-    if (f == this) error->all(FLERR, "Fix sph/tm/heat must stand after fix sph/tm {} in the script", body->id);
+    if (f->id == state->id()) break;
+    if (f == this) error->all(FLERR, "Fix sph/tm/heat must stand after fix sph/tm {} in the script", state->id());
   }
   strength.init();
   T_inf.init();
   ask();
-  if (!body->has(TM_FX_HEAT) || (on_surface() && !body->has(TM_FX_SURFACE)))
+  if (!state->has(TM_FX_HEAT) || (on_surface() && !state->has(TM_FX_SURFACE)))
     error->all(FLERR, "Fix sph/tm/heat {} needs the effect{} of fix sph/tm, which 'effects ... off' forbids",
                MODES[mode].name, on_surface() ? "s heat and surface" : " heat");
-  const PairSPHTM::Settings &set = body->pair()->settings_in_use();
+  const Settings &set = scene->model().settings_in_use();
   surface = tm_surface_make(set.kernel, domain->dimension, set.spacing, set.h, threshold);
   if (mode == RADIATION && !find_style_units(update->unit_style))
     error->all(FLERR, "Fix sph/tm/heat radiation needs units with a known Stefan-Boltzmann constant, not {}; "
@@ -134,10 +133,10 @@ void FixSPHTMHeat::setup(int)
   check_group();
   power = 0.0;
   if (mode == TEMPERATURE) {
-    hold(temperature_now());    // from the start; what that takes belongs to the initial state
+    set_temperature(temperature_now());    // from the start; what that takes belongs to the initial state
     return;
   }
-  exchange();
+  add_flux();
   double all = 0.0;
   MPI_Allreduce(&area, &all, 1, MPI_DOUBLE, MPI_SUM, world);
   if (on_surface() && all == 0.0 && comm->me == 0)
@@ -149,13 +148,13 @@ void FixSPHTMHeat::check_group()
 {
   if (mode != RADIATION || emissivity > 0.0) return;
   int dark = 0, worst = 0;
-  const tm_material *material = body->pair()->materials();
+  const tm_material *material = scene->model().materials();
   for (int i = 0; i < atom->nlocal; i++)
     if ((atom->mask[i] & groupbit) && !(material[atom->type[i]].emissivity > 0.0)) dark = atom->type[i];
   MPI_Allreduce(&dark, &worst, 1, MPI_INT, MPI_MAX, world);
   if (worst)
     error->all(FLERR, "Fix sph/tm/heat radiation: type {} ({}) has no emissivity; add 'emissivity e' to its "
-                      "pair_coeff or to this fix", worst, body->pair()->material_name(worst));
+                      "pair_coeff or to this fix", worst, scene->model().material_name(worst));
 }
 
 /* ---------------------------------------------------------------------- fixed temperature */
@@ -170,32 +169,31 @@ double FixSPHTMHeat::temperature_now()
 }
 
 // returns the heat this took
-double FixSPHTMHeat::hold(double T)
+double FixSPHTMHeat::set_temperature(double T)
 {
-  return body->loops().hold(atom->nlocal, {body->state(), groupbit, T});
+  return HeatLoops::of(state->loops()).dirichlet(state->loops(), atom->nlocal, {state->arrays(), groupbit, T}, 0);
 }
 
 void FixSPHTMHeat::end_of_step()
 {
-  const auto timed = body->run_clock.timed(this);
-  const double heat = hold(temperature_now());
-  power = heat / body->step_dt();
+  const auto timed = state->clock().timed(this);
+  const double heat = set_temperature(temperature_now());
+  power = heat / state->time_step().now();
   energy += heat;
-  body->ledger.heat += heat;
-  body->ledger.heat_exchanged += heat;
+  state->energy().add(EnergyBalance::HEAT, heat);
+  state->energy().add(EnergyBalance::HEAT_EXCHANGED, heat);
 }
 
-/* ---------------------------------------------------------------------- exchange */
+/* ---------------------------------------------------------------------- surface flux and source */
 
-tm_exchange_args FixSPHTMHeat::exchange_args()
+tm_surface_flux_args FixSPHTMHeat::flux_args()
 {
-  static const int modes[] = {0, TM_EXCHANGE_FLUX, TM_EXCHANGE_SOURCE, TM_EXCHANGE_CONVECTION, TM_EXCHANGE_RADIATION};
-  PairSPHTM *pair = body->pair();
-  tm_exchange_args a;
+  static const int modes[] = {0, TM_FLUX_GIVEN, TM_FLUX_SOURCE, TM_FLUX_CONVECTION, TM_FLUX_RADIATION};
+  tm_surface_flux_args a;
   a.mode = modes[mode];
   const bool varies = strength.varies() || T_inf.varies();
   if (varies) modify->clearstep_compute();
-  a.strength = strength.now() * pair->units().energy;
+  a.strength = strength.now() * scene->model().units().energy;
   a.T_inf = T_inf.now();
   if (varies) modify->addstep_compute(update->ntimestep + 1);
   if (mode == RADIATION) {
@@ -207,41 +205,42 @@ tm_exchange_args FixSPHTMHeat::exchange_args()
   a.facing = facing;
   a.d = direction;
   a.area_factor = 1.0;
-  const tm_state s = body->state();
-  const tm_rates_args &rates = pair->rate_args();
+  const tm_state s = state->arrays();
+  const tm_rates_args &rates = scene->results().rate_args();
   a.rec = rates.rec;
   a.normal = rates.surface;
   a.type = s.type;
   a.mask = s.mask;
   a.group = groupbit;
   a.material = s.material;
-  a.source = body->heat_source();
+  a.source = state->heat_source();
   return a;
 }
 
 // power into the particles at the half step, added to their source
-void FixSPHTMHeat::exchange()
+void FixSPHTMHeat::add_flux()
 {
-  tm_exchange_args a = exchange_args();
-  Backend &loops = body->loops();
+  tm_surface_flux_args a = flux_args();
+  Backend &loops = state->loops();
+  const HeatLoops &heat = HeatLoops::of(loops);
   if (known_area > 0.0) {
-    const double found = loops.exchange(atom->nlocal, a, true).area;
+    const double found = heat.surface_area(loops, atom->nlocal, a, 0);
     double all = 0.0;
     MPI_Allreduce(&found, &all, 1, MPI_DOUBLE, MPI_SUM, world);
     a.area_factor = all > 0.0 ? known_area / all : 0.0;
   }
-  const tm_exchange_result r = loops.exchange(atom->nlocal, a, false);
+  const tm_surface_flux_result r = heat.surface_flux(loops, atom->nlocal, a, 0);
   power = r.power;
   area = r.area;
-  if (r.rate > 0.0) body->limit_dt(0.5 / r.rate, TM_DT_CONDUCTION, this);    // as tm_heat_time_step
+  state->time_step().limit(tm_decay_time_step(r.rate), TM_DT_CONDUCTION, this);
 }
 
 void FixSPHTMHeat::post_force(int)
 {
-  const auto timed = body->run_clock.timed(this);
-  exchange();
-  energy += power * body->step_dt();
-  body->ledger.heat_exchanged += power * body->step_dt();
+  const auto timed = state->clock().timed(this);
+  add_flux();
+  energy += power * state->time_step().now();
+  state->energy().add(EnergyBalance::HEAT_EXCHANGED, power * state->time_step().now());
 }
 
 /* ---------------------------------------------------------------------- output and restart */
@@ -250,11 +249,11 @@ double FixSPHTMHeat::compute_scalar() { return compute_vector(0); }
 
 double FixSPHTMHeat::compute_vector(int n)
 {
-  FixSPHTM::current(lmp, body, fmt::format("Fix sph/tm/heat {}", id));
+  scene->check_current(state, fmt::format("Fix sph/tm/heat {}", id));
   const double mine = n == 0 ? power : n == 1 ? energy : area;
   double all = 0.0;
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  return n < 2 ? all / body->pair()->units().energy : all;
+  return n < 2 ? all / scene->model().units().energy : all;
 }
 
 void FixSPHTMHeat::write_restart(FILE *fp) { write_restart_sum(lmp, energy, fp); }

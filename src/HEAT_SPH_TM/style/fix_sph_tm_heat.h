@@ -8,15 +8,14 @@
 #include "fix.h"
 
 #include "equal_value.h"
-#include "tm_exchange.h"
+#include "scene.h"
+#include "tm_surface_flux.h"
 
 namespace SPHTM_NS {
 class Keywords;
 }
 
 namespace LAMMPS_NS {
-
-class FixSPHTM;
 
 class FixSPHTMHeat : public Fix {
  public:
@@ -33,7 +32,8 @@ class FixSPHTMHeat : public Fix {
 
  private:
   enum Mode { TEMPERATURE, FLUX, SOURCE, CONVECTION, RADIATION } mode;
-  FixSPHTM *body = nullptr;
+  std::shared_ptr<SPHTM_NS::Scene> scene;
+  SPHTM_NS::ParticleState *state = nullptr;    // of fix sph/tm
   SPHTM_NS::EqualValue strength, T_inf;    // strength: also the fixed temperature
   double emissivity = -1.0;                // negative: the material's
   double threshold = TM_SURFACE_THRESHOLD;
@@ -51,9 +51,9 @@ class FixSPHTMHeat : public Fix {
   void ask();
   void check_group();
   double temperature_now();
-  double hold(double);
-  tm_exchange_args exchange_args();
-  void exchange();
+  double set_temperature(double);
+  tm_surface_flux_args flux_args();
+  void add_flux();
 };
 
 }    // namespace LAMMPS_NS

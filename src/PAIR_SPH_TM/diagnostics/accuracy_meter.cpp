@@ -1,9 +1,7 @@
 #include "accuracy_meter.h"
 
 #include "all_ranks.h"
-#include "fix_sph_tm.h"
-#include "pair_sph_tm.h"
-#include "run_clock.h"
+#include "scene.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -44,15 +42,15 @@ uint64_t draw(uint64_t tag, uint64_t step)
 }
 }    // namespace
 
-AccuracyMeter::AccuracyMeter(FixSPHTM &f, int every_, int sample_) :
-    force(f.loops()), fix(f), every(every_), sample(sample_)
+AccuracyMeter::AccuracyMeter(LAMMPS *lmp, ParticleState &s, const Scene &sc, int every_, int sample_) :
+    Pointers(lmp), state(s), scene(sc), every(every_), sample(sample_), force(s.loops())
 {
 }
 
 void AccuracyMeter::init()
 {
   if (sizeof(tagint) != sizeof(int))
-    fix.error->all(FLERR, "Fix sph/tm audit: rows sort by tags of 32 bits; build LAMMPS with SMALLBIG");
+    error->all(FLERR, "Fix sph/tm audit: rows sort by tags of 32 bits; build LAMMPS with SMALLBIG");
 }
 
 void AccuracyMeter::restart()
@@ -69,38 +67,37 @@ void AccuracyMeter::restart()
 // effects that are off and that the state of this scene is enough for
 unsigned AccuracyMeter::missing() const
 {
-  const PairSPHTM &pair = *fix.pair();
+  const Model &model = state.model();
   bool solid = false;
-  for (int t = 1; t <= fix.atom->ntypes; t++)
-    solid = solid || (pair.materials()[t].body == TM_BODY_SOLID && pair.materials()[t].strength != TM_STRENGTH_NONE);
+  for (int t = 1; t <= atom->ntypes; t++)
+    solid = solid || (model.materials()[t].body == TM_BODY_SOLID && model.materials()[t].strength != TM_STRENGTH_NONE);
   unsigned can = unsigned(TM_FX_VISCOSITY) | TM_FX_XSPH;
   if (solid) can |= TM_FX_ARTSTRESS;
-  if (!pair.settings_in_use().form_f14) can |= TM_FX_CORRECTION;
-  if (fix.has(TM_FX_HEAT) && pair.largest_conductivity() > 0.0) can |= TM_FX_CONDUCTION;
-  return can & TM_FX_PRESENT & ~fix.effects();
+  if (!model.settings_in_use().form_f14) can |= TM_FX_CORRECTION;
+  if (state.has(TM_FX_HEAT) && model.largest_conductivity() > 0.0) can |= TM_FX_CONDUCTION;
+  return can & TM_FX_PRESENT & ~state.effects();
 }
 
 // owned particles of the sample: of all solid ones those with the smallest numbers drawn
 std::vector<int> AccuracyMeter::choose() const
 {
-  const Atom &atom = *fix.atom;
-  const tm_material *material = fix.pair()->materials();
+  const tm_material *material = state.model().materials();
   bigint mine = 0, all;
-  for (int i = 0; i < atom.nlocal; i++) mine += material[atom.type[i]].body == TM_BODY_SOLID;
-  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, fix.world);
+  for (int i = 0; i < atom->nlocal; i++) mine += material[atom->type[i]].body == TM_BODY_SOLID;
+  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   const size_t wanted = (size_t) std::min((bigint) sample, all);
   for (double more = sample + 6.0 * sqrt(sample) + 16.0;; more *= 2.0) {
     const bool everybody = more >= (double) all;
     const uint64_t limit = everybody ? ~(uint64_t) 0 : (uint64_t) (more / all * 18446744073709549568.0);
     std::vector<std::pair<uint64_t, int>> candidate;
     std::vector<uint64_t> number;
-    for (int i = 0; i < atom.nlocal; i++) {
-      const uint64_t k = draw(atom.tag[i], fix.update->ntimestep);
-      if (k > limit || material[atom.type[i]].body != TM_BODY_SOLID) continue;
+    for (int i = 0; i < atom->nlocal; i++) {
+      const uint64_t k = draw(atom->tag[i], update->ntimestep);
+      if (k > limit || material[atom->type[i]].body != TM_BODY_SOLID) continue;
       candidate.push_back({k, i});
       number.push_back(k);
     }
-    std::vector<uint64_t> numbers = of_all_ranks(number, fix.world);
+    std::vector<uint64_t> numbers = of_all_ranks(number, world);
     if (numbers.size() < wanted && !everybody) continue;
     std::sort(numbers.begin(), numbers.end());
     std::sort(candidate.begin(), candidate.end());
@@ -116,11 +113,10 @@ std::vector<int> AccuracyMeter::choose() const
 // corrections, for the lengths in use, and smoothing lengths by the rule
 std::vector<AccuracyMeter::Around> AccuracyMeter::of_centers(AuditPatch &p, unsigned effects, const SmoothingRule &rule)
 {
-  PairSPHTM &pair = *fix.pair();
-  const Atom &atom = *fix.atom;
-  const int n = p.centers, dim3 = fix.domain->dimension == 3;
+  Model &model = state.model();
+  const int n = p.centers, dim3 = domain->dimension == 3;
   const tm_records rec = p.records();
-  tm_rates_args a = pair.rate_args();
+  tm_rates_args a = scene.results().rate_args();
   a.rows = p.rows();
   a.rec = rec;
   a.which = nullptr;
@@ -130,36 +126,36 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::of_centers(AuditPatch &p, unsi
     a.correction = K.data();
     a.rec.correction = PK.data();
     const double began = RunClock::processor_time();
-    Backend::host().moments(n, a, effects);
+    PairLoops::of(Backend::host()).correction(Backend::host(), n, a, effects);
     if (n) times.moments += (RunClock::processor_time() - began) / n;
   }
 
   std::vector<double> own((size_t) TM_S_COLUMNS * n + 1), rho(n + 1), mass(n + 1);
   std::vector<int> type(n + 1);
-  const double *sizes = fix.has(TM_FX_SMOOTHING) ? fix.field(TM_F_SIZE) : nullptr, *density = fix.field(TM_F_RHO);
+  const double *sizes = state.has(TM_FX_SMOOTHING) ? state.field(TM_F_SIZE) : nullptr, *density = state.field(TM_F_RHO);
   for (int k = 0; k < n; k++) {
     const int i = p.member[k];
-    type[k] = atom.type[i];
+    type[k] = atom->type[i];
     mass[k] = p.main[(size_t) k * TM_REC + TM_REC_M];
     rho[k] = density[i];
     double *s = own.data() + (size_t) k * TM_S_COLUMNS;
     if (sizes) std::copy_n(sizes + (size_t) i * TM_S_COLUMNS, (int) TM_S_COLUMNS, s);
-    else tm_size_initial(s, mass[k], pair.materials()[type[k]].rho0, pair.settings_in_use().ratio, dim3);
+    else tm_size_initial(s, mass[k], model.materials()[type[k]].rho0, model.settings_in_use().ratio, dim3);
   }
   tm_smoothing_args s = {};
   s.state.field[TM_F_SIZE] = own.data();
   s.state.field[TM_F_RHO] = rho.data();
-  s.state.material = pair.materials();
+  s.state.material = model.materials();
   s.state.type = type.data();
   s.rec = rec;
   s.rows = a.rows;
   s.table = rule.table;
   s.least = rule.least;
   s.most = rule.most;
-  const double most = (pair.covered_h() > 0.0 ? pair.covered_h() : pair.settings_in_use().h) +
-      fix.neighbor->skin / tm_kernel_support(pair.settings_in_use().kernel);
+  const double most = (model.covered_h() > 0.0 ? model.covered_h() : model.settings_in_use().h) +
+      neighbor->skin / tm_kernel_support(model.settings_in_use().kernel);
   for (int turn = 0; turn < (rule.table ? PSI_TURNS : 1); turn++) {
-    Backend::host().smoothing(n, s, effects);
+    SearchLoops::of(Backend::host()).smoothing(Backend::host(), n, s, effects);
     for (int k = 0; k < n; k++) {
       double &h = own[(size_t) k * TM_S_COLUMNS + TM_S_H];
       h = std::min(h, most);
@@ -168,7 +164,7 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::of_centers(AuditPatch &p, unsi
 
   std::vector<Around> out(n);
   for (int k = 0; k < n; k++) {
-    out[k].tag = atom.tag[p.member[k]];
+    out[k].tag = atom->tag[p.member[k]];
     std::copy_n(K.data() + 6 * (size_t) k, 6, out[k].K);
     std::copy_n(PK.data() + (size_t) TM_REC_CORRECTION * k, (int) TM_REC_CORRECTION, out[k].PK);
     tm_size_record(own.data() + (size_t) k * TM_S_COLUMNS, mass[k] / p.main[(size_t) k * TM_REC + TM_REC_RHO],
@@ -181,41 +177,37 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::of_centers(AuditPatch &p, unsi
 std::vector<AccuracyMeter::Around> AccuracyMeter::surroundings(AuditSearch &search, const AuditPatch &p,
                                                                unsigned effects)
 {
-  const Atom &atom = *fix.atom;
-  SmoothingRule rule;
-  int dim;
-  for (Fix *f : fix.modify->get_fix_by_style("^adapt/neigh"))
-    if (auto *found = (SmoothingRule *) f->extract(SmoothingRule::NAME, dim)) rule = *found;
+  const SmoothingRule rule = scene.adaptation().smoothing ? *scene.adaptation().smoothing : SmoothingRule();
   if (gradient_factors.empty()) {
     gradient_factors.resize(TM_GRADIENT_ENTRIES);
-    tm_gradient_table(tm_fx_kernel(effects), fix.domain->dimension, gradient_factors.data());
+    tm_gradient_table(tm_fx_kernel(effects), domain->dimension, gradient_factors.data());
   }
 
   std::vector<int> own, asked;
   for (const int i : p.member)
-    if (i < atom.nlocal) own.push_back(i);
-    else asked.push_back(atom.tag[i]);
-  std::vector<int> all = of_all_ranks(asked, fix.world);
+    if (i < atom->nlocal) own.push_back(i);
+    else asked.push_back(atom->tag[i]);
+  std::vector<int> all = of_all_ranks(asked, world);
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   const size_t mine = own.size();
-  for (int i = 0; i < atom.nlocal && !all.empty(); i++)
-    if (std::binary_search(all.begin(), all.end(), (int) atom.tag[i])) own.push_back(i);
+  for (int i = 0; i < atom->nlocal && !all.empty(); i++)
+    if (std::binary_search(all.begin(), all.end(), (int) atom->tag[i])) own.push_back(i);
 
   AuditPatch wider;
   if ((effects & TM_FX_CORRECTION) || rule.table)
     wider = search.around(own, rule.table ? search.farthest : search.reach);
   else wider = search.alone(own);
   std::vector<Around> known = of_centers(wider, effects, rule);
-  std::vector<Around> given = of_all_ranks(std::vector<Around>(known.begin() + mine, known.end()), fix.world);
+  std::vector<Around> given = of_all_ranks(std::vector<Around>(known.begin() + mine, known.end()), world);
   const auto before = [](const Around &a, const Around &b) { return a.tag < b.tag; };
   std::sort(given.begin(), given.end(), before);
   std::vector<Around> out;
   size_t next = 0;
   for (const int i : p.member) {
     Around key = {};
-    key.tag = atom.tag[i];
-    out.push_back(i < atom.nlocal ? known[next++] : *std::lower_bound(given.begin(), given.end(), key, before));
+    key.tag = atom->tag[i];
+    out.push_back(i < atom->nlocal ? known[next++] : *std::lower_bound(given.begin(), given.end(), key, before));
   }
   return out;
 }
@@ -224,21 +216,20 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::surroundings(AuditSearch &sear
 
 AccuracyMeter::Rates AccuracyMeter::rates(AuditPatch &p, const tm_records &rec, unsigned effects, const double *K) const
 {
-  const PairSPHTM &pair = *fix.pair();
-  const PairSPHTM::Settings defaults;
+  const Settings defaults;
   const int n = p.centers;
   const size_t room = n + 1, all = p.member.size() + 1;
-  tm_rates_args a = pair.rate_args();
+  tm_rates_args a = scene.results().rate_args();
   a.rows = p.rows();
   a.rec = rec;
   a.effects = effects;
   a.conductance = nullptr;
   a.which = nullptr;
-  if (!fix.has(TM_FX_VISCOSITY)) {
+  if (!state.has(TM_FX_VISCOSITY)) {
     a.visc_alpha = defaults.visc_alpha;
     a.visc_beta = defaults.visc_beta;
   }
-  if (!fix.has(TM_FX_XSPH)) a.xsph = XSPH_DEFAULT;
+  if (!state.has(TM_FX_XSPH)) a.xsph = XSPH_DEFAULT;
   Rates r;
   r.force.resize(3 * room);
   r.gradient.resize(9 * room);
@@ -256,7 +247,7 @@ AccuracyMeter::Rates AccuracyMeter::rates(AuditPatch &p, const tm_records &rec, 
     a.single.more = part(more);
     a.single.correction = part(correction);
     a.single.size = part(size);
-    Backend::host().round((int) p.member.size(), {rec, a.single}, effects);
+    PairLoops::of(Backend::host()).round_to_single(Backend::host(), (int) p.member.size(), {rec, a.single}, effects);
   }
   a.force = r.force.data();
   a.force_begins = 1;
@@ -269,7 +260,7 @@ AccuracyMeter::Rates AccuracyMeter::rates(AuditPatch &p, const tm_records &rec, 
   r.seconds = 1e300;
   for (int turn = 0; turn < 2; turn++) {    // the second finds its data in the cache
     const double began = RunClock::processor_time();
-    Backend::host().rates(n, a, effects);
+    PairLoops::of(Backend::host()).rates(Backend::host(), n, a, effects);
     r.seconds = std::min(r.seconds, RunClock::processor_time() - began);
   }
   return r;
@@ -277,10 +268,10 @@ AccuracyMeter::Rates AccuracyMeter::rates(AuditPatch &p, const tm_records &rec, 
 
 void AccuracyMeter::audit(const InUse &in_use)
 {
-  fix.host_particles();
-  PairSPHTM &pair = *fix.pair();
-  const unsigned used = fix.effects(), absent = missing(), full = (used | absent) & ~unsigned(TM_FX_MIXED);
-  AuditSearch search(fix, pair.host_records());
+  state.atoms().to_host();
+  Model &model = state.model();
+  const unsigned used = state.effects(), absent = missing(), full = (used | absent) & ~unsigned(TM_FX_MIXED);
+  AuditSearch search(lmp, state, scene.results().host_records());
   AuditPatch p = search.around(choose(), search.farthest);
   const std::vector<Around> around = surroundings(search, p, full);
   const int members = (int) p.member.size(), n = p.centers;
@@ -301,8 +292,8 @@ void AccuracyMeter::audit(const InUse &in_use)
     rec.stress = stress.data();
     tm_predict_args a = {};
     a.rec = rec;
-    a.art_eps = PairSPHTM::Settings().art_eps;
-    a.art_component = pair.settings_in_use().art_component;
+    a.art_eps = Settings().art_eps;
+    a.art_component = model.settings_in_use().art_component;
     const double began = RunClock::processor_time();
     tm_predict_artstress(0, members, &a, full);
     if (members) times.tensile += (RunClock::processor_time() - began) / members;
@@ -328,7 +319,7 @@ void AccuracyMeter::audit(const InUse &in_use)
   take(ALL, sized, full | TM_FX_SMOOTHING);
   if (search.rows) {
     times.rows += search.seconds_of_rows / search.rows;
-    times.sorting += search.seconds_of_sorting / fix.atom->nlocal;
+    times.sorting += search.seconds_of_sorting / atom->nlocal;
   }
   add_differences(p, in_use, from, shown);
 }
@@ -337,7 +328,7 @@ void AccuracyMeter::audit(const InUse &in_use)
 void AccuracyMeter::add_differences(const AuditPatch &p, const InUse &in_use, const Rates *const of[],
                                     const bool shown[])
 {
-  const unsigned used = fix.effects();
+  const unsigned used = state.effects();
   // sums of squares: of the rates in use, of the best ones, of the differences
   double mine[(CAUSES + 2) * QUANTITIES] = {}, sum[(CAUSES + 2) * QUANTITIES];
   const Rates &base = *of[shown[PRECISION] ? PRECISION : ROWS];
@@ -379,7 +370,7 @@ void AccuracyMeter::add_differences(const AuditPatch &p, const InUse &in_use, co
     for (int cause = SMOOTHING; cause < CAUSES; cause++)
       if (shown[cause]) add(cause, computed(*of[cause]), b);
   }
-  MPI_Allreduce(mine, sum, (CAUSES + 2) * QUANTITIES, MPI_DOUBLE, MPI_SUM, fix.world);
+  MPI_Allreduce(mine, sum, (CAUSES + 2) * QUANTITIES, MPI_DOUBLE, MPI_SUM, world);
   for (int cause = 0; cause < CAUSES; cause++) {
     last[cause] = 0.0;
     measured[cause] = measured[cause] || shown[cause];
@@ -404,9 +395,9 @@ std::string AccuracyMeter::report(double rates, double lists, bigint steps)
 {
   if (audits == 0) return "";
   Times all;
-  MPI_Allreduce(&times, &all, sizeof(Times) / sizeof(double), MPI_DOUBLE, MPI_SUM, fix.world);
+  MPI_Allreduce(&times, &all, sizeof(Times) / sizeof(double), MPI_DOUBLE, MPI_SUM, world);
   const double base = all.cause[measured[PRECISION] ? PRECISION : ROWS];
-  const bool keeps = fix.pair()->keeps_rows();
+  const bool keeps = scene.rows().has_tl();
   std::string text = fmt::format(
       "\n  audits: {} of {} particles; root mean square of the difference to a fresh search in double with all "
       "effects\n  {:<26} {:>10} {:>10} {:>10} {:>10} {:>10} {:>10}\n",
@@ -419,12 +410,12 @@ std::string AccuracyMeter::report(double rates, double lists, bigint steps)
     text += timed ? fmt::format(" {:>10.3g}\n", saved) : fmt::format(" {:>10}\n", "-");
   };
   auto more = [&](double time) { return base > 0.0 ? (time / base - 1.0) * rates : 0.0; };
-  const double ranks = fix.comm->nprocs, per_rank = fix.atom->natoms / ranks * steps / (audits * ranks);
-  const bool host = fix.loops().shared();
+  const double ranks = comm->nprocs, per_rank = atom->natoms / ranks * steps / (audits * ranks);
+  const bool host = state.loops().shared();
   line(ROWS, "stale rows", keeps && host,
        (all.cause[ROWS] + all.rows + all.sorting) * per_rank - rates - lists);
   if (measured[PRECISION]) line(PRECISION, "single precision", true, (base / all.cause[ROWS] - 1.0) * rates);
-  line(SMOOTHING, "smoothing length", !fix.has(TM_FX_SMOOTHING), more(all.cause[SMOOTHING]));
+  line(SMOOTHING, "smoothing length", !state.has(TM_FX_SMOOTHING), more(all.cause[SMOOTHING]));
   for (const auto &e : EFFECTS) {
     if (!measured[e.cause]) continue;
     double time = all.cause[e.cause];

@@ -5,44 +5,42 @@
 #define SPHTM_ACCURACY_METER_H
 
 #include "audit_patch.h"
-#include "loop_array.h"
 #include "row_source.h"
+#include "step_audit.h"
 
 #include "lmptype.h"
+#include "pointers.h"
 
 #include <string>
 
-namespace LAMMPS_NS {
-class FixSPHTM;
-}
-
 namespace SPHTM_NS {
 
-class AccuracyMeter {
+class ParticleState;
+class Scene;
+
+class AccuracyMeter : public StepAudit, protected LAMMPS_NS::Pointers {
  public:
   enum Cause { ALL, ROWS, PRECISION, SMOOTHING, VISCOSITY, ARTSTRESS, CORRECTION, XSPH, CONDUCTION, CAUSES };
   enum Quantity { ACCELERATION, GRADIENT, HEAT, MOTION, QUANTITIES };
   static constexpr int EVERY = 1000, SAMPLE = 50;    // of 'audit yes'
 
-  AccuracyMeter(LAMMPS_NS::FixSPHTM &, int every, int sample);
+  AccuracyMeter(LAMMPS_NS::LAMMPS *, ParticleState &, const Scene &, int every, int sample);
   void init();
   void restart();    // a new run
   bool due(LAMMPS_NS::bigint step) const { return step % every == 0; }
 
-  // results of the loops, on the host; nullptr: not in use
-  struct InUse {
-    const double *force, *gradient, *heat, *xsph;
-  };
-  void audit(const InUse &);
-  LoopArray<double> force;    // of the neighbors alone, in a step of an audit
+  void audit(const InUse &) override;
+  LoopArray<double> &pair_force() override { return force; }
 
   double now(int cause) const { return last[cause]; }
   // lines for the end of the run; rates, lists: seconds of the run that went into them
   std::string report(double rates, double lists, LAMMPS_NS::bigint steps);
 
  private:
-  LAMMPS_NS::FixSPHTM &fix;
+  ParticleState &state;
+  const Scene &scene;
   const int every, sample;
+  LoopArray<double> force;    // of the neighbors alone, in a step of an audit
   double last[CAUSES] = {}, largest[CAUSES] = {};
   // sums over the audits of squares: of the rates, and of their differences; of processor times
   double size[QUANTITIES] = {}, difference[CAUSES][QUANTITIES] = {};

@@ -1,8 +1,6 @@
 #include "audit_patch.h"
 
-#include "fix_sph_tm.h"
-#include "pair_sph_tm.h"
-#include "run_clock.h"
+#include "scene.h"
 
 #include "atom.h"
 #include "domain.h"
@@ -28,22 +26,24 @@ tm_records AuditPatch::records()
   return r;
 }
 
-AuditSearch::AuditSearch(FixSPHTM &f, const tm_records &r) : fix(f), rec(r), meets(f.pair()->segments_of_types())
+AuditSearch::AuditSearch(LAMMPS *lmp, const ParticleState &state, const tm_records &r) :
+    Pointers(lmp), rec(r), meets(state.model().segments_of_types(state.has(TM_FX_CONDUCTION)))
 {
   const double began = RunClock::processor_time();
-  const PairSPHTM &pair = *fix.pair();
-  const PairSPHTM::Settings &set = pair.settings_in_use();
-  const Atom &atom = *fix.atom;
-  const int n = atom.nlocal + atom.nghost, dim = fix.domain->dimension;
-  reach = tm_kernel_support(set.kernel) * std::max(set.h, pair.covered_h()) * (1.0 + 1e-9);
-  farthest = reach + fix.neighbor->skin;
+  const Model &model = state.model();
+  const Settings &set = model.settings_in_use();
+  const Atom &atoms = *atom;
+  const int n = atoms.nlocal + atoms.nghost, dim = domain->dimension;
+  reach = tm_kernel_support(set.kernel) * std::max(set.h, model.covered_h()) * (1.0 + 1e-9);
+  farthest = reach + neighbor->skin;
   x.resize(3 * (size_t) n);
   for (int i = 0; i < n; i++) std::copy_n(rec.main + (size_t) i * TM_REC, 3, x.data() + 3 * (size_t) i);
   Backend &host = Backend::host();
+  const SearchLoops &loops = SearchLoops::of(host);
   tm_cells &c = args.cells;
   c.n = n;
   c.x = x.data();
-  tm_cells_make(&c, host.bounds(n, c.x), farthest, farthest, dim == 3, 4 * n + 4096);
+  tm_cells_make(&c, loops.bounds(host, n, {c.x}, 0u), farthest, farthest, dim == 3, 4 * n + 4096);
   cell.resize(n);
   begin.resize(tm_cells_number(&c) + 1);
   index.resize(n + TM_COLUMN_MOST);
@@ -54,18 +54,18 @@ AuditSearch::AuditSearch(FixSPHTM &f, const tm_records &r) : fix(f), rec(r), mee
   c.cell = cell.data();
   c.begin = begin.data();
   c.index = index.data();
-  host.bin(c);
+  loops.sort_into_cells(host, c);
 
   args.meets = meets.data();
   args.segments = TM_MEETS_MECHANICAL;
-  args.type = atom.type;
-  args.tag = (const int *) atom.tag;
-  args.ntypes = atom.ntypes;
+  args.type = atoms.type;
+  args.tag = (const int *) atoms.tag;
+  args.ntypes = atoms.ntypes;
   args.stride = 1;
-  first.resize(atom.nlocal);
-  count.resize(atom.nlocal);
+  first.resize(atoms.nlocal);
+  count.resize(atoms.nlocal);
   place.assign(n, -1);
-  const double cut = farthest / pair.smallest_spacing();
+  const double cut = farthest / model.smallest_spacing();
   const double lattice = dim == 3 ? 4.0 / 3.0 * TM_PI * cut * cut * cut : TM_PI * cut * cut;
   room = std::min((int) TM_SEARCH_MOST, (int) ceil(2.0 * lattice) + 8);
   seconds_of_sorting = RunClock::processor_time() - began;
@@ -85,10 +85,10 @@ AuditPatch AuditSearch::around(const std::vector<int> &centers, double within)
     args.index = found.data();
     args.first = first.data();
     args.count[0] = count.data();
-    const int longest = Backend::host().search(n, args);
+    const int longest = SearchLoops::of(Backend::host()).search(Backend::host(), n, args, 0u);
     if (longest <= room) break;
     if (longest > TM_SEARCH_MOST)
-      fix.error->one(FLERR, "Fix sph/tm audit: a particle has at least {} neighbors", longest);
+      error->one(FLERR, "Fix sph/tm audit: a particle has at least {} neighbors", longest);
     room = longest;
   }
   seconds_of_rows += RunClock::processor_time() - began;

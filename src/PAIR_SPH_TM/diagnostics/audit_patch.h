@@ -3,15 +3,15 @@
 #ifndef SPHTM_AUDIT_PATCH_H
 #define SPHTM_AUDIT_PATCH_H
 
-#include "backend.h"
+#include "search_loops.h"
+
+#include "pointers.h"
 
 #include <vector>
 
-namespace LAMMPS_NS {
-class FixSPHTM;
-}
-
 namespace SPHTM_NS {
+
+class ParticleState;
 
 struct AuditPatch {
   std::vector<int> member;    // places in the arrays of the run: the centers first, then their neighbors
@@ -25,9 +25,9 @@ struct AuditPatch {
 };
 
 // all particles in cells, to find the mechanical neighbors of some owned ones
-class AuditSearch {
+class AuditSearch : protected LAMMPS_NS::Pointers {
  public:
-  AuditSearch(LAMMPS_NS::FixSPHTM &, const tm_records &);
+  AuditSearch(LAMMPS_NS::LAMMPS *, const ParticleState &, const tm_records &);
   AuditPatch around(const std::vector<int> &centers, double within);
   AuditPatch alone(const std::vector<int> &centers) const;    // without neighbors
   double seconds_of_sorting = 0.0, seconds_of_rows = 0.0;    // processor time
@@ -36,7 +36,6 @@ class AuditSearch {
 
  private:
   void gather(AuditPatch &) const;
-  LAMMPS_NS::FixSPHTM &fix;
   tm_records rec;
   tm_search_args args = {};
   std::vector<unsigned char> meets;

@@ -1,13 +1,11 @@
 #include "effect_probe.h"
 
 #include "effect_plan.h"
-#include "fix_sph_tm.h"
-#include "pair_sph_tm.h"
+#include "scene.h"
+#include "step_args.h"
 #include "run_clock.h"
 
 #include <algorithm>
-
-using LAMMPS_NS::FixSPHTM;
 
 namespace SPHTM_NS {
 
@@ -17,9 +15,10 @@ static double probe_time(const Backend &loops)
   return loops.shared() ? RunClock::processor_time() : RunClock::now();
 }
 
-EffectProbe::EffectProbe(FixSPHTM &f, int particles) : fix(f), loops(f.loops()), n(particles)
+EffectProbe::EffectProbe(ParticleState &s, StepResults &r, int particles) :
+    particles_state(s), results(r), loops(s.loops()), n(particles)
 {
-  const unsigned fx = fix.effects();
+  const unsigned fx = particles_state.effects();
   const size_t block = loops.block(), rows = (n + block - 1) / block * block;    // whole blocks are copied
   auto room = [&](LoopArray<double> &a, bool wanted, int columns, int together = 1) {
     a.live_in(loops, columns, together);
@@ -30,7 +29,7 @@ EffectProbe::EffectProbe(FixSPHTM &f, int particles) : fix(f), loops(f.loops()),
     if (wanted) a.resize((size_t) n * columns);
   };
   for (int id = 0; id < TM_F_COUNT; id++)
-    room(state[id], fix.state().field[id] != nullptr, tm_field_table[id].columns);
+    room(state[id], particles_state.arrays().field[id] != nullptr, tm_field_table[id].columns);
   room(main, true, TM_REC, 2);
   room(stress, fx & TM_FX_ARTSTRESS, TM_REC_STRESS, 2);
   plain(size, fx & TM_FX_SMOOTHING, TM_REC_SIZE);
@@ -43,13 +42,13 @@ EffectProbe::EffectProbe(FixSPHTM &f, int particles) : fix(f), loops(f.loops()),
   plain(heat, fx & TM_FX_CONDUCTION, 1);
   plain(xsph_v, fx & TM_FX_XSPH, 3);
   plain(surface, fx & TM_FX_SURFACE, 3);
-  plain(artificial, fix.pair()->rate_args().artificial != nullptr, 1);
+  plain(artificial, results.rate_args().artificial != nullptr, 1);
 }
 
 // seconds of one step of the sample with these effects, from the same state every time
 double EffectProbe::step(unsigned fx)
 {
-  tm_rates_args r = fix.pair()->rate_args();
+  tm_rates_args r = results.rate_args();
   r.effects = fx;
   r.force = force.loop_write();
   r.gradient = gradient.loop_write();
@@ -58,12 +57,12 @@ double EffectProbe::step(unsigned fx)
   r.surface = surface.loop_write();
   r.artificial = artificial.loop_write();
 
-  const tm_state now = fix.state();
-  tm_predict_args p = fix.pair()->predict_args(now);
+  const tm_state now = particles_state.arrays();
+  tm_predict_args p = results.predict_args(particles_state, now);
   p.rec = {main.loop_write(), stress.loop_write(), heat_record.loop_write(), nullptr, size.loop_write(),
            hourglass.loop_write()};
 
-  tm_update_args u = fix.update_args();
+  tm_update_args u = update_args(particles_state, results);
   for (int id = 0; id < TM_F_COUNT; id++) {
     if (state[id].empty()) continue;
     u.state.field[id] = state[id].loop_write();
@@ -77,9 +76,10 @@ double EffectProbe::step(unsigned fx)
 
   loops.wait();
   const double begin = probe_time(loops);
-  loops.predict(n, p, fx);
-  loops.rates(n, r, fx);
-  loops.update(n, u, fx);
+  const PairLoops &run = PairLoops::of(loops);
+  run.predict(loops, n, p, fx);
+  run.rates(loops, n, r, fx);
+  run.update(loops, n, u, fx);
   loops.wait();
   return probe_time(loops) - begin;
 }
@@ -87,7 +87,7 @@ double EffectProbe::step(unsigned fx)
 std::map<unsigned, double> EffectProbe::shares(int rounds)
 {
   // an effect is taken away after those that need it
-  const unsigned all = fix.effects();
+  const unsigned all = particles_state.effects();
   std::map<unsigned, std::pair<unsigned, unsigned>> sets;    // effect -> with, without
   std::map<unsigned, double> least = {{all, 1e300}};
   for (const unsigned bit : effects_in_loops()) {

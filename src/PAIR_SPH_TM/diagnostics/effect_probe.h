@@ -3,24 +3,26 @@
 #ifndef SPHTM_EFFECT_PROBE_H
 #define SPHTM_EFFECT_PROBE_H
 
+#include "tm_fields.h"
 #include "loop_array.h"
+#include "tm_fields.h"
 
 #include <map>
 
-namespace LAMMPS_NS {
-class FixSPHTM;
-}
-
 namespace SPHTM_NS {
+
+class ParticleState;
+class StepResults;
 
 class EffectProbe {
  public:
-  EffectProbe(LAMMPS_NS::FixSPHTM &fix, int particles);
+  EffectProbe(ParticleState &, StepResults &, int particles);
   // effect -> its share of the time of prediction, rates and update; the fastest of so many rounds
   std::map<unsigned, double> shares(int rounds);
 
  private:
-  LAMMPS_NS::FixSPHTM &fix;
+  ParticleState &particles_state;
+  StepResults &results;
   Backend &loops;
   int n;
   LoopArray<double> state[TM_F_COUNT], x, v;                      // copies the update changes

@@ -7,6 +7,7 @@
 #include "input.h"
 #include "lammps.h"
 #include "update.h"
+#include "utils.h"
 
 #include <algorithm>
 #include <cstring>
@@ -73,9 +74,7 @@ std::string command(LAMMPS *lmp, const char *style)
 void warn_of_units(LAMMPS *lmp, const char *style, const tm_material &m)
 {
   const StyleUnits *units = find_style_units(lmp->update->unit_style);
-  const bool johnson_cook = m.strength == TM_STRENGTH_JOHNSON_COOK;
-  if (!units || lmp->comm->me || m.body != TM_BODY_SOLID) return;
-  if (!johnson_cook && m.strength != TM_STRENGTH_PLASTIC) return;
+  if (!units || lmp->comm->me || m.body != TM_BODY_SOLID || tm_strength_flow(m.strength) == TM_FLOW_NONE) return;
   const MetalCheck check(lmp, command(lmp, style), *units);
 
   // mass scaling: the heat of a volume stays
@@ -84,9 +83,17 @@ void warn_of_units(LAMMPS *lmp, const char *style, const tm_material &m)
   if (!scaled) check.expect("density", DENSITY, m.rho0, 100.0, 25000.0);
   check.expect("young", STRESS, m.young, 1e8, 1e13);
   const double young = check.si(STRESS, m.young), most = young >= 1e8 && young <= 1e13 ? 0.1 * young : 1e10;
-  if (johnson_cook) check.expect("jc_a + jc_b", STRESS, m.jc_a + m.jc_b, 1e4, most);
-  else check.expect("yield", STRESS, m.yield, 1e4, most);
-  if (johnson_cook) check.expect("t_melt", TEMPERATURE, m.t_melt, 200.0, 1e300);
+  // the stresses of the law together: the flow stress at a strain of about 1, cold
+  std::vector<std::string> names;
+  double flow = 0.0;
+  for (const std::string &id : strength_of(m).constants) {
+    const Constant &c = *find_constant(id);
+    if (c.unit != STRESS || id == "hardening") continue;    // a slope
+    names.push_back(id);
+    flow += m.*c.number;
+  }
+  check.expect(utils::join_words(names, " + "), STRESS, flow, 1e4, most);
+  if (tm_strength_flow(m.strength) == TM_FLOW_THERMAL) check.expect("t_melt", TEMPERATURE, m.t_melt, 200.0, 1e300);
   if (!m.heat) return;
   if (!scaled) {
     check.expect("capacity", CAPACITY, least(m.capacity), 10.0, 1e5);

@@ -1,6 +1,12 @@
 /* SPH-TM: the constants of a material by name: unit, range, and the keyword that they follow. */
 #include "material_constants.h"
 
+#include "utils.h"
+
+#include <algorithm>
+
+using namespace LAMMPS_NS;
+
 namespace SPHTM_NS {
 
 static constexpr double MOL = 1.0 / 6.02214129e23;    // as in LAMMPS
@@ -41,7 +47,7 @@ double si_value(Unit unit, const StyleUnits &u)
 
 const char *si_name(Unit unit)
 {
-  static const char *const NAME[] = {"", "kg/m3", "Pa", "m/s", "1/s", "K", "W/(m K)", "J/(kg K)"};
+  static const char *const NAME[] = {"", "kg/m3", "Pa", "m/s", "1/s", "K", "1/K", "W/(m K)", "J/(kg K)"};
   return NAME[unit];
 }
 
@@ -81,16 +87,9 @@ static const std::vector<Constant> CONSTANTS = {
     {"eos_s", &M::eos_s, nullptr, PLAIN, NOT_NEGATIVE},
     {"eos_gamma", &M::eos_gamma, nullptr, PLAIN, NOT_NEGATIVE},
     {"eos_n", &M::eos_n, nullptr, PLAIN, POSITIVE},
-    {"yield", &M::yield, nullptr, STRESS, NOT_NEGATIVE},
-    {"hardening", &M::hardening, nullptr, STRESS, NOT_NEGATIVE},
-    {"jc_a", &M::jc_a, nullptr, STRESS, NOT_NEGATIVE},
-    {"jc_b", &M::jc_b, nullptr, STRESS, NOT_NEGATIVE},
-    {"jc_n", &M::jc_n, nullptr, PLAIN, NOT_NEGATIVE},
-    {"jc_c", &M::jc_c, nullptr, PLAIN, NOT_NEGATIVE},
-    {"jc_m", &M::jc_m, nullptr, PLAIN, POSITIVE},
-    {"t_ref", &M::t_ref, nullptr, TEMPERATURE, NOT_NEGATIVE},
-    {"t_melt", &M::t_melt, nullptr, TEMPERATURE, POSITIVE},
-    {"jc_rate0", &M::jc_rate0, nullptr, RATE, POSITIVE},
+#define TM_CONSTANT(name, unit, range) {#name, &M::name, nullptr, unit, range},
+    TM_STRENGTH_CONSTANTS(TM_CONSTANT)
+#undef TM_CONSTANT
     {"d1", &M::d1, nullptr, PLAIN, ANY},
     {"d2", &M::d2, nullptr, PLAIN, ANY},
     {"d3", &M::d3, nullptr, PLAIN, ANY},
@@ -109,11 +108,9 @@ static const std::vector<Group> GROUPS = {
     {"eos", "linear", &M::eos, TM_EOS_LINEAR, {}},
     {"eos", "shock", &M::eos, TM_EOS_SHOCK, {"eos_c0", "eos_s", "eos_gamma"}},
     {"eos", "tait", &M::eos, TM_EOS_TAIT, {"eos_n"}},
-    {"strength", "elastic", &M::strength, TM_STRENGTH_ELASTIC, {}},
-    {"strength", "plastic", &M::strength, TM_STRENGTH_PLASTIC, {"yield", "hardening"}},
-    {"strength", "johnson/cook", &M::strength, TM_STRENGTH_JOHNSON_COOK,
-     {"jc_a", "jc_b", "jc_n", "jc_c", "jc_m", "t_ref", "t_melt", "jc_rate0"}},
-    {"strength", "none", &M::strength, TM_STRENGTH_NONE, {}},
+#define TM_LAW(id, number, name, flow, names) {"strength", name, &M::strength, id, utils::split_words(names)},
+    TM_STRENGTH_LAWS(TM_LAW)
+#undef TM_LAW
     {"damage", "johnson/cook", &M::damage, TM_DAMAGE_JOHNSON_COOK, {"d1", "d2", "d3", "d4", "d5"}},
     {"damage", "strain", &M::damage, TM_DAMAGE_STRAIN, {"strain_max"}},
     {"damage", "none", &M::damage, TM_DAMAGE_NONE, {}},
@@ -125,6 +122,18 @@ static const std::vector<Group> GROUPS = {
 
 const std::vector<Constant> &constants() { return CONSTANTS; }
 const std::vector<Group> &groups() { return GROUPS; }
+
+const Group &strength_of(const tm_material &m)
+{
+  for (const Group &g : GROUPS)
+    if (g.selector == &M::strength && g.choice == m.strength) return g;
+  return GROUPS.front();    // no such law
+}
+
+bool uses(const Group &g, const std::string &constant)
+{
+  return std::find(g.constants.begin(), g.constants.end(), constant) != g.constants.end();
+}
 
 const Constant *find_constant(const std::string &name)
 {
@@ -171,6 +180,14 @@ std::string known_constants()
 {
   std::vector<std::string> words;
   for (const Constant &c : CONSTANTS) words.emplace_back(c.name);
+  return join(words);
+}
+
+std::string known_flow_laws()
+{
+  std::vector<std::string> words;
+  for (const Group &g : GROUPS)
+    if (g.selector == &M::strength && tm_strength_flow(g.choice) != TM_FLOW_NONE) words.emplace_back(g.option);
   return join(words);
 }
 

@@ -19,7 +19,7 @@ const StyleUnits *find_style_units(const std::string &style);    // nullptr: lj 
 
 namespace Material {
 
-enum Unit { PLAIN, DENSITY, STRESS, SPEED, RATE, TEMPERATURE, CONDUCTIVITY, CAPACITY };
+enum Unit { PLAIN, DENSITY, STRESS, SPEED, RATE, TEMPERATURE, PER_TEMPERATURE, CONDUCTIVITY, CAPACITY };
 
 double si_value(Unit unit, const StyleUnits &u);
 const char *si_name(Unit unit);
@@ -45,9 +45,11 @@ struct Group {
   const char *keyword, *option;
   int tm_material::*selector;
   int choice;
-  std::vector<const char *> constants;
+  std::vector<std::string> constants;
 };
 const std::vector<Group> &groups();
+const Group &strength_of(const tm_material &);
+bool uses(const Group &, const std::string &constant);
 bool is_keyword(const std::string &word);    // of a group, or 'set'
 
 // lists for messages
@@ -55,6 +57,7 @@ std::string join(const std::vector<std::string> &words);
 std::string known_keywords();
 std::string known_options(const std::string &keyword);
 std::string known_constants();
+std::string known_flow_laws();    // the laws of strength with plastic flow
 
 }    // namespace Material
 }    // namespace SPHTM_NS

@@ -132,7 +132,7 @@ void MaterialReader::group(Words &w)
   ever.insert(g.keyword);
   if (g.selector) m.*g.selector = g.choice;
   int k = 0;
-  for (const char *id : g.constants) {
+  for (const std::string &id : g.constants) {
     const Constant &c = *find_constant(id);
     const std::string what =
         fmt::format("{} value {} of {} ({})", name, ++k, g.constants.size(), c.name);
@@ -188,12 +188,11 @@ void MaterialReader::apply_changes()
   for (const Change &x : changes) {
     const Group *owner = nullptr;
     bool active = false;
-    for (const Group &g : groups())
-      for (const char *id : g.constants)
-        if (!strcmp(id, x.constant->name)) {
-          owner = &g;
-          active = g.selector ? m.*g.selector == g.choice : ever.count(g.keyword) > 0;
-        }
+    for (const Group &g : groups()) {    // laws may share a constant
+      if (active || !uses(g, x.constant->name)) continue;
+      if (!owner) owner = &g;
+      active = g.selector ? m.*g.selector == g.choice : ever.count(g.keyword) > 0;
+    }
     if (!active)
       error->all(FLERR, "{}: set {} needs {}{}{}, which this material does not have", where,
                  x.constant->name, owner->keyword, owner->option ? " " : "",
@@ -237,14 +236,13 @@ tm_material MaterialReader::finish(const std::string &source)
   if (!solid && !m.heat) error->all(FLERR, "{}: body heat needs 'heat k cp chi'", where);
   if (m.emissivity > 0.0 && !m.heat)
     error->all(FLERR, "{}: emissivity needs 'heat k cp chi'", where);
-  if (m.strength == TM_STRENGTH_JOHNSON_COOK && !(m.t_melt > m.t_ref))
-    error->all(FLERR, "{}: strength johnson/cook needs t_melt above t_ref, got {} and {}", where,
-               m.t_melt, m.t_ref);
-  if (m.damage != TM_DAMAGE_NONE && m.strength != TM_STRENGTH_PLASTIC &&
-      m.strength != TM_STRENGTH_JOHNSON_COOK)
-    error->all(FLERR, "{}: damage needs strength plastic or johnson/cook", where);
-  if (m.damage == TM_DAMAGE_JOHNSON_COOK && m.strength != TM_STRENGTH_JOHNSON_COOK &&
-      (m.d4 != 0.0 || m.d5 != 0.0))
+  const Group &strength = strength_of(m);
+  if (uses(strength, "t_ref") && !(m.t_melt > m.t_ref))
+    error->all(FLERR, "{}: strength {} needs t_melt above t_ref, got {} and {}", where, strength.option, m.t_melt,
+               m.t_ref);
+  if (m.damage != TM_DAMAGE_NONE && tm_strength_flow(m.strength) == TM_FLOW_NONE)
+    error->all(FLERR, "{}: damage needs a strength with plastic flow: {}", where, known_flow_laws());
+  if (m.damage == TM_DAMAGE_JOHNSON_COOK && !uses(strength, "jc_rate0") && (m.d4 != 0.0 || m.d5 != 0.0))
     error->all(FLERR, "{}: damage johnson/cook with d4 or d5 needs the reference rate and the "
                "temperatures of strength johnson/cook; use 0 for both", where);
   check_damage();

@@ -2,8 +2,7 @@
 
    Inline, in the units of the run:
      density rho | elastic E nu | eos linear | eos shock c0 s gamma | eos tait n |
-     strength elastic | strength plastic Y H | strength johnson/cook A B n C m Tref Tmelt rate0 |
-     strength none | damage johnson/cook D1 D2 D3 D4 D5 | damage strain emax | damage none |
+     strength <law> with the constants of the law, see TM_STRENGTH_LAWS in tm_material.h | damage johnson/cook D1 D2 D3 D4 D5 | damage strain emax | damage none |
      heat k cp chi | emissivity e | body solid | body heat
    in any order; k and cp may be 'table/N T1 y1 ... TN yN'. Then, or after the name of a card,
    'set <constant> <value>' changes one constant. Cards are in SI: see material_card.h. */

@@ -1,6 +1,6 @@
 #include "restart_block.h"
 
-#include "pair_sph_tm.h"
+#include "scene.h"
 
 #include "comm.h"
 #include "error.h"
@@ -30,8 +30,8 @@ uint64_t hash_bytes(const void *data, size_t bytes, uint64_t seed)
 
 std::string restart_file_name(LAMMPS *lmp)
 {
-  const auto *pair = dynamic_cast<PairSPHTM *>(lmp->force->pair_match("^sph/tm", 0));
-  const std::string name = pair ? pair->restart_file() : "";
+  const auto scene = Scene::of(lmp);
+  const std::string name = scene->has_pair() ? scene->model().restart_file() : "";
   return name.empty() ? "restart file" : "restart file " + name;
 }
 

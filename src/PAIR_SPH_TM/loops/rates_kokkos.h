@@ -6,7 +6,8 @@
 #ifndef SPHTM_RATES_KOKKOS_H
 #define SPHTM_RATES_KOKKOS_H
 
-#include "rate_loop_sets.h"
+#include "effect_sets.h"
+#include "tm_rates.h"
 
 namespace SPHTM_NS {
 

@@ -30,10 +30,10 @@ template <unsigned EFFECTS> void run(int n, const tm_rates_args &a)
 
 typedef void (*device_rate_loop_t)(int, const tm_rates_args &);
 
-// the loop of set number `index` of few_rate_loop_effects()
+// the loop of set number `index` of few_rate_set()
 template <int... INDEX> device_rate_loop_t find(int index, std::integer_sequence<int, INDEX...>)
 {
-  static const device_rate_loop_t table[] = {run<few_rate_loop_effects(INDEX)>...};
+  static const device_rate_loop_t table[] = {run<few_rate_set(INDEX)>...};
   return table[index];
 }
 

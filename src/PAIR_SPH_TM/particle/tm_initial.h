@@ -71,14 +71,11 @@ TM_FN tm_update_result tm_initial_limits(int i, const tm_update_args *a, unsigne
     const double *f = s->force + 3 * (ptrdiff_t) i;
     const tm_real acc =
         a->accel_unit / tm_particle_mass(s, i) * sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
-    if (acc > 0.0 && (s->mask[i] & a->group)) out.dt[TM_DT_FORCE] = sqrt(h / acc);
+    if (s->mask[i] & a->group) out.dt[TM_DT_FORCE] = tm_force_time_step(h, acc);
   }
-  if (effects & TM_FX_CONDUCTION) {
-    const tm_real T = tm_field_row(s, TM_F_TEMP, i)[0], k = tm_conductivity(m, T);
-    if (k > 0.0)
-      out.dt[TM_DT_CONDUCTION] = tm_heat_time_step(*tm_field_row(s, TM_F_RHO, i), tm_capacity(m, T),
-                                                   h, k, a->k_max, a->heat_rate);
-  }
+  if (effects & TM_FX_CONDUCTION)
+    out.dt[TM_DT_CONDUCTION] = tm_conduction_time_step(m, *tm_field_row(s, TM_F_RHO, i),
+                                                       tm_field_row(s, TM_F_TEMP, i)[0], h, a->k_max, a->heat_rate);
   return out;
 }
 

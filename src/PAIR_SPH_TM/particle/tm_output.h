@@ -4,7 +4,6 @@
 
 #include "tm_damage.h"
 #include "tm_eos.h"
-#include "tm_kept.h"
 #include "tm_state.h"
 #include "tm_surface.h"
 
@@ -47,7 +46,8 @@ typedef struct {
   const tm_real *main;        /* records, with surface */
   const tm_real *surface;     /* 3 per particle, or NULL */
   const tm_real *neighbors;   /* number of neighbors of each, or NULL */
-  const tm_real *lists;       /* memory of adaptive lists (tm_kept.h), or NULL: searched in every step */
+  const tm_real *lists;       /* history of total-Lagrangian lists, or NULL: all particles are updated-Lagrangian */
+  int lists_columns, was_ul, ul_steps;    /* columns of the history, and which are shown */
   tm_surface measure;
   tm_real temperature, h;     /* of all, where they are no state */
   tm_real stress, density, energy;   /* unit of the run -> mass, length, time */
@@ -104,8 +104,8 @@ TM_FN tm_real tm_output_value(int which, int i, const tm_output_args *a)
                                                            tm_output_state(i, a, TM_F_ENERGY, 0, 0.0)) : 0.0;
     case TM_OUT_H: return tm_output_state(i, a, TM_F_SIZE, TM_S_H, a->h);
     case TM_OUT_NEIGHBORS: return a->neighbors ? a->neighbors[i] : 0.0;
-    case TM_OUT_ADAPTNODE: return a->lists ? a->lists[(ptrdiff_t) i * TM_K + TM_K_MARK] : 1.0;
-    case TM_OUT_SEARCHES: return a->lists ? a->lists[(ptrdiff_t) i * TM_K + TM_K_SEARCHES] : 0.0;
+    case TM_OUT_ADAPTNODE: return a->lists ? a->lists[(ptrdiff_t) i * a->lists_columns + a->was_ul] : 1.0;
+    case TM_OUT_SEARCHES: return a->lists ? a->lists[(ptrdiff_t) i * a->lists_columns + a->ul_steps] : 0.0;
     case TM_OUT_AREA: return tm_output_area(i, a);
     case TM_OUT_HOURGLASS:
       return tm_vec_norm(tm_vec(tm_output_state(i, a, TM_F_HOURGLASS, TM_G_W, 0.0),

@@ -33,14 +33,13 @@ typedef struct {
 /* Velocity of particle i at the force point. */
 TM_FN tm_vec3 tm_predict_velocity(int i, const tm_predict_args *a)
 {
-  const tm_real c1 = (1.0 + 2.0 * TM_PREDICT_BETA) * a->dt_ahead;
-  const tm_real c2 = -2.0 * TM_PREDICT_BETA * a->dt_ahead;
+  const tm_predict_weights w = tm_predict_weights_at(a->dt_ahead);
   const double *v = a->state.v + 3 * (ptrdiff_t) i;
   const tm_real *h1 = tm_field_row(&a->state, TM_F_HISTORY, i), *h2 = h1 + tm_column(TM_H_STEP);
   tm_real p[3];
   for (int k = 0; k < 3; k++) {
     const int c = tm_column(TM_H_V + k);
-    p[k] = v[k] + c1 * h1[c] + c2 * h2[c];
+    p[k] = v[k] + w.last * h1[c] + w.older * h2[c];
   }
   return tm_vec(p[0], p[1], p[2]);
 }
@@ -51,16 +50,15 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
   effects &= TM_FX_PRESENT;
   const tm_state *s = &a->state;
   const tm_material *m = s->material + s->type[i];
-  const tm_real c1 = (1.0 + 2.0 * TM_PREDICT_BETA) * a->dt_ahead;
-  const tm_real c2 = -2.0 * TM_PREDICT_BETA * a->dt_ahead;
+  const tm_predict_weights w = tm_predict_weights_at(a->dt_ahead);
   const tm_real *h1 = tm_field_row(s, TM_F_HISTORY, i), *h2 = h1 + tm_column(TM_H_STEP);
 
   const tm_vec3 v = tm_predict_velocity(i, a);
-  const tm_real rho = *tm_field_row(s, TM_F_RHO, i) + c1 * h1[tm_column(TM_H_RHO)] +
-      c2 * h2[tm_column(TM_H_RHO)];
+  const tm_real rho = *tm_field_row(s, TM_F_RHO, i) + w.last * h1[tm_column(TM_H_RHO)] +
+      w.older * h2[tm_column(TM_H_RHO)];
   tm_sym3 dev = tm_sym_from_row(tm_field_row(s, TM_F_STRESS, i));
-  dev = tm_sym_axpy(dev, c1, tm_sym_from_row(h1 + tm_column(TM_H_S)));
-  dev = tm_sym_axpy(dev, c2, tm_sym_from_row(h2 + tm_column(TM_H_S)));
+  dev = tm_sym_axpy(dev, w.last, tm_sym_from_row(h1 + tm_column(TM_H_S)));
+  dev = tm_sym_axpy(dev, w.older, tm_sym_from_row(h2 + tm_column(TM_H_S)));
 
   tm_real e = 0.0, p = 0.0, c = 0.0;
   if (effects & TM_FX_ENERGY) e = *tm_field_row(s, TM_F_ENERGY, i);
@@ -103,7 +101,7 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
   }
   if (effects & TM_FX_HEAT) {
     const tm_real *t = tm_field_row(s, TM_F_TEMP, i);
-    const tm_real T = t[0] + c1 * t[tm_column(1)] + c2 * t[tm_column(2)];
+    const tm_real T = t[0] + w.last * t[tm_column(1)] + w.older * t[tm_column(2)];
     tm_real *rt = tm_heat_record(&a->rec, i);
     rt[tm_part(TM_REC_T)] = T;
     rt[tm_part(TM_REC_K)] = tm_conductivity(m, T);

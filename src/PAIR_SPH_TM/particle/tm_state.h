@@ -15,6 +15,19 @@
    (viscosity, conduction) up to 2/3. */
 #define TM_PREDICT_BETA 0.25
 
+/* The same for a time dt_ahead from the state, dt/2: y + last r1 + older r2. */
+typedef struct {
+  tm_real last, older;
+} tm_predict_weights;
+
+TM_FN tm_predict_weights tm_predict_weights_at(tm_real dt_ahead)
+{
+  tm_predict_weights w;
+  w.last = (1.0 + 2.0 * TM_PREDICT_BETA) * dt_ahead;
+  w.older = -2.0 * TM_PREDICT_BETA * dt_ahead;
+  return w;
+}
+
 typedef struct {
   /* per particle, see tm_fields.h; NULL when the field is off */
   tm_real *field[TM_F_COUNT];

@@ -19,6 +19,7 @@
 #include "tm_hourglass.h"
 #include "tm_state.h"
 #include "tm_strength.h"
+#include "tm_time_step.h"
 
 #include <limits.h>
 
@@ -33,10 +34,6 @@ enum tm_status {
   TM_BAD_STRAIN = 7        /* more plastic strain in a step than TM_STRAIN_STEP */
 };
 #define TM_STRAIN_STEP 1.0
-enum tm_dt_cause {
-  TM_DT_SOUND = 0, TM_DT_FORCE = 1, TM_DT_CONDUCTION = 2, TM_DT_CONTACT = 3, TM_DT_MOTION = 4,
-  TM_DT_MAXIMUM = 5, TM_DT_CAUSES = 6
-};
 
 typedef struct {
   tm_state state;
@@ -71,7 +68,7 @@ TM_FN tm_update_result tm_update_nothing(void)
   tm_update_result r;
   r.status = TM_OK;
   r.particle = r.melted = INT_MAX;
-  r.dt[0] = r.dt[1] = r.dt[2] = 1e300;
+  r.dt[0] = r.dt[1] = r.dt[2] = TM_DT_NO_LIMIT;
   r.elastic = r.plastic = r.plastic_heat = r.artificial = 0.0;
   r.kinetic_work = r.internal_work = r.heat = 0.0;
   return r;
@@ -100,17 +97,6 @@ typedef struct {
   tm_sym3 s;
   tm_real p, rho, d_eps, yield;
 } tm_point;
-
-/* h/c, less what correction and viscosity take. The shortest waves of a lattice turn by 1.1 (most
-   kernels; C4 1.3) in h/c, with corrected gradients at free corners by 2.2 (C4 2.6), and viscosity
-   damps them by 2 alpha; the hourglass resistance adds at most 3.6 xi to the square of the turn (the kernel C4 in two
-   dimensions; most below 2.8); tm_state.h bears turns of 0.77 and damping of 0.67 per step. */
-TM_FN tm_real tm_sound_time_step(tm_real h, tm_real c, tm_real visc_alpha, tm_real hourglass, unsigned effects)
-{
-  tm_real turn = (effects & TM_FX_CORRECTION) ? 2.2 : 1.0;
-  if (effects & TM_FX_HOURGLASS) turn = sqrt(turn * turn + 3.0 * hourglass);
-  return h / (c * tm_max(turn, 2.0 * visc_alpha));
-}
 
 /* Density, pressure and deviator at the end of a step with velocity gradient L. */
 TM_FN tm_point tm_constitutive(const tm_material *m, tm_real rho, tm_real rho_half, tm_sym3 s,
@@ -230,6 +216,43 @@ TM_FN tm_real tm_update_artificial(int i, const tm_update_args *a, tm_mat3 L, un
   return power;
 }
 
+/* The rates of the step become the newer history, those of the last one the older. */
+TM_FN void tm_update_history(tm_real *h1, tm_real *h2, const tm_real *last, tm_vec3 acc, tm_real rho_rate,
+                             tm_sym3 stress_rate, int dim3)
+{
+  for (int k = 0; k < TM_H_STEP; k++) h2[tm_column(k)] = last[k];
+  h1[tm_column(TM_H_V)] = acc.x;
+  h1[tm_column(TM_H_V + 1)] = acc.y;
+  h1[tm_column(TM_H_V + 2)] = dim3 ? acc.z : 0.0;
+  h1[tm_column(TM_H_RHO)] = rho_rate;
+  tm_sym_to_row(h1 + tm_column(TM_H_S), stress_rate);
+}
+
+/* The shear switch of the viscosity, Balsara 1995, for the next step. */
+TM_FN void tm_update_balsara(int i, const tm_state *s, tm_mat3 L, tm_real sound, tm_real h)
+{
+  const tm_vec3 curl = tm_vec(L.zy - L.yz, L.xz - L.zx, L.yx - L.xy);
+  *tm_field_row(s, TM_F_BALSARA, i) = tm_balsara(tm_mat_trace(L), tm_vec_norm(curl), sound, h);
+}
+
+/* What of a solid particle cannot go on, enum tm_status; v2: its speed squared, others: a sum of its other fields. */
+TM_FN int tm_update_status(const tm_update_args *a, const tm_material *m, const tm_point *q, tm_real v2, tm_real sound,
+                           tm_real others, int failed)
+{
+  const tm_real check = q->rho + q->s.xx + q->s.yy + q->s.xy + q->s.xz + q->s.yz + v2 + others;
+  if (!(check - check == 0.0)) return TM_BAD_NAN;
+  if (!(q->rho > 0.0)) return TM_BAD_DENSITY;
+  if (q->d_eps > TM_STRAIN_STEP) return TM_BAD_STRAIN;
+  if (q->rho > a->densest * m->rho0 || (!failed && q->rho * a->densest < m->rho0)) return TM_BAD_VOLUME;
+  return v2 > 100.0 * sound * sound ? TM_BAD_VELOCITY : TM_OK;
+}
+TM_FN int tm_update_heat_status(const tm_update_args *a, tm_real T)
+{
+  if (!(T - T == 0.0)) return TM_BAD_NAN;
+  if (!(T > 0.0)) return TM_BAD_TEMPERATURE;
+  return T > a->hottest ? TM_BAD_HEAT : TM_OK;
+}
+
 TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effects)
 {
   effects &= TM_FX_PRESENT;
@@ -267,10 +290,9 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     tm_real *e = (effects & TM_FX_ENERGY) ? tm_field_row(s, TM_F_ENERGY, i) : NULL;
     const tm_real T =
         (effects & TM_FX_HEAT) ? tm_field_row(s, TM_F_TEMP, i)[0] : a->temperature;
-    const tm_real c1 = (1.0 + 2.0 * TM_PREDICT_BETA) * 0.5 * a->dt;
-    const tm_real c2 = -2.0 * TM_PREDICT_BETA * 0.5 * a->dt;
+    const tm_predict_weights w = tm_predict_weights_at(0.5 * a->dt);
     const tm_real rho_half = lz ? rec[tm_part(TM_REC_RHO)] / *lz : rec[tm_part(TM_REC_RHO)];
-    const tm_sym3 s_half = tm_sym_axpy(tm_sym_axpy(s0, c1, tm_sym_load(rate + TM_H_S)), c2, older);
+    const tm_sym3 s_half = tm_sym_axpy(tm_sym_axpy(s0, w.last, tm_sym_load(rate + TM_H_S)), w.older, older);
     const tm_real eps_p = pl ? pl[0] : 0.0, energy = e ? *e : 0.0;
     const int failed = dmg && dmg[tm_column(1)] > 0.5;
 
@@ -288,13 +310,9 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     const tm_real work = a->dt / rho_half * tm_sym_ddot(sigma, tm_mat_symmetric(L));
     const tm_real plastic = q.yield * q.d_eps / q.rho;
 
-    for (int k = 0; k < TM_H_STEP; k++) h2[tm_column(k)] = rate[k];
     const tm_real inv_dt = 1.0 / a->dt;
-    h1[tm_column(TM_H_V)] = acc.x;
-    h1[tm_column(TM_H_V + 1)] = acc.y;
-    h1[tm_column(TM_H_V + 2)] = dim3 ? acc.z : 0.0;
-    h1[tm_column(TM_H_RHO)] = (q.rho - *rho) * inv_dt;
-    tm_sym_to_row(h1 + tm_column(TM_H_S), tm_sym_scale(inv_dt, tm_sym_axpy(q.s, -1.0, s0)));
+    tm_update_history(h1, h2, rate, acc, (q.rho - *rho) * inv_dt, tm_sym_scale(inv_dt, tm_sym_axpy(q.s, -1.0, s0)),
+                      dim3);
     *rho = q.rho;
     tm_sym_to_row(dev, q.s);
     if (lz) *lz += a->dt * *lz * L.zz;
@@ -310,11 +328,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       dmg[0] += tm_damage_increment(m, -p, tm_sym_mises(q.s), q.d_eps, q.d_eps * inv_dt, T);
       dmg[tm_column(1)] = tm_damage_failed(m, dmg[0], pl ? pl[0] : 0.0) ? 1.0 : 0.0;
     }
-    if (effects & TM_FX_BALSARA) {
-      const tm_vec3 curl = tm_vec(L.zy - L.yz, L.xz - L.zx, L.yx - L.xy);
-      *tm_field_row(s, TM_F_BALSARA, i) =
-          tm_balsara(tm_mat_trace(L), tm_vec_norm(curl), rec[tm_part(TM_REC_C)], h);
-    }
+    if (effects & TM_FX_BALSARA) tm_update_balsara(i, s, L, rec[tm_part(TM_REC_C)], h);
     if (effects & TM_FX_HOURGLASS)
       tm_hourglass_step(tm_field_row(s, TM_F_HOURGLASS, i), a->hourglass_rate + 3 * (ptrdiff_t) i, L, a->dt,
                         failed || m->strength == TM_STRENGTH_NONE);
@@ -328,34 +342,21 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     }
 
     out.dt[TM_DT_SOUND] = tm_sound_time_step(h, rec[tm_part(TM_REC_C)], a->visc_alpha, a->hourglass, effects);
-    const tm_real a2 = tm_vec_dot(acc, acc);
-    if (a2 > 0.0) out.dt[TM_DT_FORCE] = sqrt(h / sqrt(a2));
+    out.dt[TM_DT_FORCE] = tm_force_time_step(h, sqrt(tm_vec_dot(acc, acc)));
     const double *v = s->v + 3 * (ptrdiff_t) i;
     const tm_real v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-    tm_real check = q.rho + q.s.xx + q.s.yy + q.s.xy + q.s.xz + q.s.yz + v2;
-    if (pl) check += pl[0];
-    if (e) check += *e;
-    if (dmg) check += dmg[0] + dmg[1];
-    if (!(check - check == 0.0)) out.status = TM_BAD_NAN;
-    else if (!(q.rho > 0.0)) out.status = TM_BAD_DENSITY;
-    else if (q.d_eps > TM_STRAIN_STEP) out.status = TM_BAD_STRAIN;
-    else if (q.rho > a->densest * m->rho0 || (!failed && q.rho * a->densest < m->rho0)) out.status = TM_BAD_VOLUME;
-    else if (v2 > 100.0 * rec[tm_part(TM_REC_C)] * rec[tm_part(TM_REC_C)]) out.status = TM_BAD_VELOCITY;
+    const tm_real others = (pl ? pl[0] : 0.0) + (e ? *e : 0.0) + (dmg ? dmg[0] + dmg[tm_column(1)] : 0.0);
+    out.status = tm_update_status(a, m, &q, v2, rec[tm_part(TM_REC_C)], others, failed);
   } else if (effects & TM_FX_HEAT) {
     out.heat = tm_update_temperature(i, a, m, m->rho0, 0.0, effects);
   }
   if (effects & TM_FX_HEAT) {
     const tm_real T = tm_field_row(s, TM_F_TEMP, i)[0];
-    if (effects & TM_FX_CONDUCTION) {
-      const tm_real k = tm_conductivity(m, T);
-      if (k > 0.0)
-        out.dt[TM_DT_CONDUCTION] = tm_heat_time_step(*tm_field_row(s, TM_F_RHO, i), tm_capacity(m, T),
-                                                     h, k, a->k_max, a->heat_rate);
-    }
-    if (out.status == TM_OK && !(T - T == 0.0)) out.status = TM_BAD_NAN;
-    else if (out.status == TM_OK && !(T > 0.0)) out.status = TM_BAD_TEMPERATURE;
-    else if (out.status == TM_OK && T > a->hottest) out.status = TM_BAD_HEAT;
-    if (a->watch_melt && m->strength == TM_STRENGTH_JOHNSON_COOK && T > m->t_melt) out.melted = i;
+    if (effects & TM_FX_CONDUCTION)
+      out.dt[TM_DT_CONDUCTION] =
+          tm_conduction_time_step(m, *tm_field_row(s, TM_F_RHO, i), T, h, a->k_max, a->heat_rate);
+    if (out.status == TM_OK) out.status = tm_update_heat_status(a, T);
+    if (a->watch_melt && tm_strength_flow(m->strength) == TM_FLOW_THERMAL && T > m->t_melt) out.melted = i;
   }
   return out;
 }

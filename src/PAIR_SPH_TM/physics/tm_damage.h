@@ -44,11 +44,7 @@ TM_FN int tm_damage_failed(const tm_material *m, tm_real D, tm_real eps_p)
   return m->damage == TM_DAMAGE_JOHNSON_COOK && D >= 1.0;
 }
 
-/* Pressure and deviator that a possibly failed material carries. */
+/* Pressure that a possibly failed material carries; its deviator is 0. */
 TM_FN tm_real tm_damage_pressure(tm_real p, int failed) { return failed ? tm_max(p, 0.0) : p; }
-TM_FN tm_sym3 tm_damage_deviator(tm_sym3 s, int failed)
-{
-  return failed ? tm_sym(0, 0, 0, 0, 0, 0) : s;
-}
 
 #endif

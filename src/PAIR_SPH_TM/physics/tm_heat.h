@@ -1,4 +1,4 @@
-/* SPH-TM: heat conduction, surface exchange and plastic heating.
+/* SPH-TM: heat conduction and heat flux through surfaces.
 
    Conduction, F15 (6) after Jubelgas 2007: particle i receives, as power per volume,
      k laplace T = sum_j m_j/rho_j 4 k_i k_j/(k_i + k_j) (T_i - T_j) (x_ij . gradW)/r^2
@@ -35,6 +35,10 @@ TM_FN tm_real tm_conductivity(const tm_material *m, tm_real T)
 
 /* c_p(T), energy/(mass temperature) */
 TM_FN tm_real tm_capacity(const tm_material *m, tm_real T) { return tm_table_at(&m->capacity, T); }
+
+/* sqrt(k rho c_p), power time^(1/2)/(area temperature). Two half-spaces that are brought together share the heat of
+   friction by it, and meet at the mean of their temperatures weighted by it. */
+TM_FN tm_real tm_effusivity(tm_real k, tm_real rho, tm_real cp) { return sqrt(k * rho * cp); }
 
 /* [hot] W'/r as conduction takes it, from g = W'/r at q = r/h; kernel is a literal. The hyperbolic kernel alone has a
    slope at r = 0, so its W'/r has no bound. Tension can draw particles together; at 1e-3 of their spacing, with a step
@@ -78,12 +82,6 @@ TM_FN tm_real tm_interface_conductance(tm_real hc, int dim)
   return hc * (dim == 3 ? 2.0 / 3.0 : dim == 2 ? 0.25 * TM_PI : 1.0);
 }
 
-/* Heat from plastic work, power per volume: chi Y d_eps/dt. */
-TM_FN tm_real tm_plastic_heating(const tm_material *m, tm_real yield, tm_real rate)
-{
-  return m->taylor_quinney * yield * rate;
-}
-
 /* Heat flux into the body by convection, power per area; h_c in power/(area temperature). */
 TM_FN tm_real tm_convection(tm_real h_c, tm_real T, tm_real T_inf) { return h_c * (T_inf - T); }
 
@@ -104,15 +102,6 @@ TM_FN tm_real tm_heat_rise(const tm_material *m, tm_real T, tm_real heat)
   if (m->capacity.n)
     for (int it = 0; it < 3; it++) rise = heat / tm_capacity(m, T + 0.5 * rise);
   return rise;
-}
-
-/* Time step of explicit conduction, 3/4 of the limit 2/3 of the predictor in tm_state.h over the
-   fastest decay rate k/(rho c_p h^2) (tm_lattice.h). A pair conducts with the harmonic mean of its
-   sides, up to twice its own k where the other side has k_max, the largest in the scene; k > 0. */
-TM_FN tm_real tm_heat_time_step(tm_real rho, tm_real cp, tm_real h, tm_real k, tm_real k_max,
-                                tm_real rate)
-{
-  return 0.5 * rho * cp * h * h / (rate * 2.0 * k * k_max / (k + k_max));
 }
 
 #endif

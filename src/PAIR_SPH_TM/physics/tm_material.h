@@ -9,12 +9,71 @@
 #include "tm_real.h"
 
 enum tm_eos { TM_EOS_LINEAR = 0, TM_EOS_SHOCK = 1, TM_EOS_TAIT = 2 };
-enum tm_strength {
-  TM_STRENGTH_ELASTIC = 0,
-  TM_STRENGTH_PLASTIC = 1,      /* perfectly plastic or bilinear isotropic hardening */
-  TM_STRENGTH_JOHNSON_COOK = 2,
-  TM_STRENGTH_NONE = 3          /* no deviatoric stress: a fluid */
+
+/* The laws of strength: number, name in 'strength <name>', what the flow stress depends on, the constants that follow
+   the name. A law stands here and in tm_flow_stress; parsing, cards, units, restart files, messages and the choice of
+   effects follow. The numbers are in restart files. */
+enum tm_flow_kind {
+  TM_FLOW_NONE = 0,             /* no plastic flow */
+  TM_FLOW_STRAIN = 1,           /* on plastic strain */
+  TM_FLOW_THERMAL = 2           /* on plastic strain, its rate and temperature, up to the constant t_melt */
 };
+#define TM_STRENGTH_LAWS(LAW)                                                                                      \
+  LAW(TM_STRENGTH_ELASTIC, 0, "elastic", TM_FLOW_NONE, "")                                                         \
+  LAW(TM_STRENGTH_PLASTIC, 1, "plastic", TM_FLOW_STRAIN, "yield hardening")                                        \
+  LAW(TM_STRENGTH_JOHNSON_COOK, 2, "johnson/cook", TM_FLOW_THERMAL,                                                \
+      "jc_a jc_b jc_n jc_c jc_m t_ref t_melt jc_rate0")                                                            \
+  LAW(TM_STRENGTH_JOHNSON_COOK_TANH, 4, "johnson/cook/tanh", TM_FLOW_THERMAL,                                      \
+      "jc_a jc_b jc_n jc_c jc_m t_ref t_melt jc_rate0 tanh_a tanh_b tanh_d tanh_r tanh_s")                         \
+  LAW(TM_STRENGTH_ZERILLI_ARMSTRONG, 5, "zerilli/armstrong", TM_FLOW_THERMAL,                                      \
+      "za_c0 za_c1 za_c2 za_c3 za_c4 za_c5 za_n za_rate0 t_melt")                                                  \
+  LAW(TM_STRENGTH_NONE, 3, "none", TM_FLOW_NONE, "")   /* no deviatoric stress: a fluid */
+
+/* Their constants: name for 'set' and messages, unit and range (material_constants.h). Laws may share constants. */
+#define TM_STRENGTH_CONSTANTS(CONSTANT)                                                                            \
+  /* plastic: Y = yield + hardening eps_p, hardening = E Et/(E - Et) */                                            \
+  CONSTANT(yield, STRESS, NOT_NEGATIVE)                                                                            \
+  CONSTANT(hardening, STRESS, NOT_NEGATIVE)                                                                        \
+  /* Johnson-Cook: Y = (A + B eps^n)(1 + C ln rate*)(1 - T*^m), T* = (T - t_ref)/(t_melt - t_ref) in [0, 1] */     \
+  CONSTANT(jc_a, STRESS, NOT_NEGATIVE)                                                                             \
+  CONSTANT(jc_b, STRESS, NOT_NEGATIVE)                                                                             \
+  CONSTANT(jc_n, PLAIN, NOT_NEGATIVE)                                                                              \
+  CONSTANT(jc_c, PLAIN, NOT_NEGATIVE)                                                                              \
+  CONSTANT(jc_m, PLAIN, POSITIVE)                                                                                  \
+  CONSTANT(jc_rate0, RATE, POSITIVE)                                                                               \
+  CONSTANT(t_ref, TEMPERATURE, NOT_NEGATIVE)                                                                       \
+  CONSTANT(t_melt, TEMPERATURE, POSITIVE)                                                                          \
+  /* Johnson-Cook TANH, exponents of the softening: tm_flow_tanh */                                                \
+  CONSTANT(tanh_a, PLAIN, NOT_NEGATIVE)                                                                            \
+  CONSTANT(tanh_b, PLAIN, NOT_NEGATIVE)                                                                            \
+  CONSTANT(tanh_d, PLAIN, NOT_NEGATIVE)                                                                            \
+  CONSTANT(tanh_r, PLAIN, NOT_NEGATIVE)                                                                            \
+  CONSTANT(tanh_s, PLAIN, NOT_NEGATIVE)                                                                            \
+  /* Zerilli-Armstrong: tm_flow_zerilli_armstrong */                                                               \
+  CONSTANT(za_c0, STRESS, NOT_NEGATIVE)                                                                            \
+  CONSTANT(za_c1, STRESS, NOT_NEGATIVE)                                                                            \
+  CONSTANT(za_c2, STRESS, NOT_NEGATIVE)                                                                            \
+  CONSTANT(za_c3, PER_TEMPERATURE, NOT_NEGATIVE)                                                                   \
+  CONSTANT(za_c4, PER_TEMPERATURE, NOT_NEGATIVE)                                                                   \
+  CONSTANT(za_c5, STRESS, NOT_NEGATIVE)                                                                            \
+  CONSTANT(za_n, PLAIN, NOT_NEGATIVE)                                                                              \
+  CONSTANT(za_rate0, RATE, POSITIVE)
+
+#define TM_LAW(id, number, name, flow, constants) id = number,
+enum tm_strength { TM_STRENGTH_LAWS(TM_LAW) TM_STRENGTH_LAST };
+#undef TM_LAW
+
+/* enum tm_flow_kind of a law */
+#define TM_LAW(id, number, name, flow, constants) case id: return flow;
+TM_FN int tm_strength_flow(int strength)
+{
+  switch (strength) {
+    TM_STRENGTH_LAWS(TM_LAW)
+    default: return TM_FLOW_NONE;
+  }
+}
+#undef TM_LAW
+
 enum tm_damage { TM_DAMAGE_NONE = 0, TM_DAMAGE_STRAIN = 1, TM_DAMAGE_JOHNSON_COOK = 2 };
 
 /* What a body of this type takes part in. */
@@ -49,11 +108,9 @@ typedef struct {
 
   /* strength */
   int strength;                 /* enum tm_strength */
-  tm_real yield, hardening;     /* plastic: Y = yield + hardening * eps_p, H = E Et/(E-Et) */
-  tm_real jc_a, jc_b, jc_n;     /* Johnson-Cook Y = (A+B eps^n)(1+C ln rate*)(1-T*^m) */
-  tm_real jc_c, jc_m;
-  tm_real jc_rate0;             /* reference plastic strain rate (1/time) */
-  tm_real t_ref, t_melt;        /* T* = (T-t_ref)/(t_melt-t_ref), clamped to [0,1] */
+#define TM_MEMBER(name, unit, range) tm_real name;
+  TM_STRENGTH_CONSTANTS(TM_MEMBER)
+#undef TM_MEMBER
 
   /* damage */
   int damage;                   /* enum tm_damage */

@@ -6,6 +6,8 @@
                     material is not softer (and ln never diverges); C = 0 takes no logarithm
                     T* = (T - Tref)/(Tmelt - Tref) clamped to [0, 1]: no softening below Tref, no
                     strength at and above Tmelt
+     johnson/cook/tanh   with strain softening, tm_flow_tanh             Calamaz et al. 2008, Sima and Ozel 2010
+     zerilli/armstrong   tm_flow_zerilli_armstrong                       Zerilli and Armstrong 1987
    Y is never negative. Jaumann rate F14 (9), radial return F14 (11)-(14), solved here for the
    hardening, rate and temperature of the end of the step. */
 #ifndef TM_STRENGTH_H
@@ -47,6 +49,48 @@ TM_FN tm_real tm_hardening_power(tm_real eps, tm_real n)
   return eps > 0.0 ? pow(eps, n) : (n == 0.0 ? 1.0 : 0.0);
 }
 
+/* The flow stress of Johnson and Cook is hardening times rate factor times tm_thermal_softening.
+   A + B eps^n, eps >= 0; the power eps^n is what its slope needs. The constants are read before the power is
+   taken: the order that the compiler sees decides where it contracts to fused multiply-adds. */
+TM_FN tm_real tm_johnson_cook_hardening(const tm_material *m, tm_real eps, tm_real *power)
+{
+  const tm_real a = m->jc_a, b = m->jc_b;
+  *power = tm_hardening_power(eps, m->jc_n);
+  return a + b * *power;
+}
+/* 1 + C ln rate* */
+TM_FN tm_real tm_johnson_cook_rate(const tm_material *m, tm_real log_rate) { return 1.0 + m->jc_c * log_rate; }
+
+/* Johnson-Cook TANH, with strain softening above a critical strain that falls with temperature:
+     Y = (A + B eps^n exp(-eps^a)) (1 + C ln rate*) (1 - T*^m) (D + (1 - D) tanh((eps + S)^-r)^s)
+     D = 1 - (T/Tmelt)^d,  S = (T/Tmelt)^b
+   s = 1: Calamaz, Coupard, Girot 2008; any s: Sima and Ozel 2010. D and S take the ratio of absolute temperatures,
+   between 0 and 1; T* and rate* are those of Johnson and Cook. a = 0 leaves out exp, s = 0 leaves out tanh; without
+   both it is Johnson-Cook. */
+TM_CALLED_FN tm_real tm_flow_tanh(const tm_material *m, tm_real eps, tm_real rate, tm_real T)
+{
+  const tm_real hot = tm_clamp(T / m->t_melt, 0.0, 1.0), D = 1.0 - pow(hot, m->tanh_d);
+  const tm_real decay = m->tanh_a > 0.0 ? exp(-pow(eps, m->tanh_a)) : 1.0;
+  const tm_real hard = m->jc_a + m->jc_b * tm_hardening_power(eps, m->jc_n) * decay;
+  const tm_real fast = m->jc_c == 0.0 ? 1.0 : tm_johnson_cook_rate(m, tm_log_rate(m, rate));
+  const tm_real bend = tanh(pow(eps + pow(hot, m->tanh_b), -m->tanh_r));
+  return hard * fast * tm_thermal_softening(m, T) * (D + (1.0 - D) * pow(bend, m->tanh_s));
+}
+
+/* Zerilli-Armstrong, both forms in one:
+     Y = C0 + (C1 + C2 sqrt(eps)) exp(-C3 T + C4 T ln(rate/rate0)) + C5 eps^n
+   C2 = 0: body-centered cubic; C1 = C5 = 0: face-centered cubic. T is absolute, rate0 the unit of rate of the fit,
+   1/s in the paper. The paper's exponential vanishes at no rate; rates below TM_ZA_SLOWEST rate0, slower than any
+   test, count as that. It knows no melting; at and above Tmelt there is no strength here, as with the other laws. */
+#define TM_ZA_SLOWEST 1e-4
+TM_CALLED_FN tm_real tm_flow_zerilli_armstrong(const tm_material *m, tm_real eps, tm_real rate, tm_real T)
+{
+  if (T >= m->t_melt) return 0.0;
+  const tm_real ln_rate = log(tm_max(rate / m->za_rate0, TM_ZA_SLOWEST));
+  const tm_real thermal = exp(T * (m->za_c4 * ln_rate - m->za_c3));
+  return m->za_c0 + (m->za_c1 + m->za_c2 * sqrt(eps)) * thermal + m->za_c5 * tm_hardening_power(eps, m->za_n);
+}
+
 /* Flow stress at plastic strain eps_p, plastic strain rate and temperature. */
 TM_FN tm_real tm_flow_stress(const tm_material *m, tm_real eps_p, tm_real rate, tm_real T)
 {
@@ -54,8 +98,11 @@ TM_FN tm_real tm_flow_stress(const tm_material *m, tm_real eps_p, tm_real rate, 
   if (m->strength == TM_STRENGTH_ELASTIC) return TM_STRENGTH_INFINITE;
   if (m->strength == TM_STRENGTH_NONE) return 0.0;
   if (m->strength == TM_STRENGTH_PLASTIC) return tm_max(m->yield + m->hardening * eps, 0.0);
-  const tm_real y = m->jc_a + m->jc_b * tm_hardening_power(eps, m->jc_n);
-  const tm_real r = m->jc_c == 0.0 ? 1.0 : 1.0 + m->jc_c * tm_log_rate(m, rate);
+  if (m->strength == TM_STRENGTH_JOHNSON_COOK_TANH) return tm_max(tm_flow_tanh(m, eps, rate, T), 0.0);
+  if (m->strength == TM_STRENGTH_ZERILLI_ARMSTRONG) return tm_max(tm_flow_zerilli_armstrong(m, eps, rate, T), 0.0);
+  tm_real power;
+  const tm_real y = tm_johnson_cook_hardening(m, eps, &power);
+  const tm_real r = m->jc_c == 0.0 ? 1.0 : tm_johnson_cook_rate(m, tm_log_rate(m, rate));
   return tm_max(y * r * tm_thermal_softening(m, T), 0.0);
 }
 
@@ -102,10 +149,10 @@ TM_FN tm_real tm_return_johnson_cook(const tm_material *m, tm_real trial, tm_rea
   tm_real lo = 0.0, hi = trial / g3, d = tm_min((trial - first) / g3, hi);
   if (rated) d = tm_min(d, d0 * exp(tm_min((trial / first - 1.0) / C, 500.0)));
   for (int it = 1; it <= TM_RETURN_ITERATIONS; it++) {
-    const tm_real e = eps + d, power = tm_hardening_power(e, n);
-    const tm_real hard = soft * (m->jc_a + m->jc_b * power);
+    tm_real power;
+    const tm_real e = eps + d, hard = soft * tm_johnson_cook_hardening(m, e, &power);
     const int fast = rated && d > d0;
-    const tm_real rate = fast ? 1.0 + C * log(d / d0) : 1.0, rate1 = fast ? C / d : 0.0;
+    const tm_real rate = fast ? tm_johnson_cook_rate(m, log(d / d0)) : 1.0, rate1 = fast ? C / d : 0.0;
     const tm_real y = hard * rate, f = trial - g3 * d - y;
     *iterations = it;
     if (fabs(f) <= TM_RETURN_TOLERANCE * y + 4e-16 * trial) break;
@@ -119,6 +166,45 @@ TM_FN tm_real tm_return_johnson_cook(const tm_material *m, tm_real trial, tm_rea
     if (!(d > lo && d < hi)) break;  /* the bracket is as narrow as the arithmetic allows */
   }
   return d;
+}
+
+typedef struct {
+  tm_real d_eps;
+  int iterations;
+} tm_return_root;
+
+/* The increment for any law that gives its flow stress alone: root of f(d) = trial - 3G d - Y(eps + d, d/dt, T),
+   f(0) > 0 >= f(trial/3G). Secants through the last two points, in ln d where these are far apart, since the rate acts
+   by its logarithm; the first step takes the flow stress as constant. A step that leaves the bracket is replaced by the
+   bracket's middle in ln d, by hi/100 while nothing is known from below, and from turn 12 on every other one is.
+   A law that hardens, or softens by less than 3G per plastic strain, has one root. With more the stress jumps; then
+   the search starts below the first root, at (trial - first)/3G, and takes one that its steps bracket. */
+TM_CALLED_FN tm_return_root tm_return_search(const tm_material *m, tm_real trial, tm_real eps, tm_real T,
+                                             tm_real first, tm_real dt)
+{
+  tm_return_root out;
+  const tm_real g3 = 3.0 * m->shear, inv_dt = dt > 0.0 ? 1.0 / dt : 0.0;
+  tm_real lo = 0.0, hi = trial / g3, d = tm_min((trial - first) / g3, hi), old = 0.0, f_old = 0.0;
+  for (int it = 1; it <= TM_RETURN_ITERATIONS; it++) {
+    const tm_real y = tm_flow_stress(m, eps + d, d * inv_dt, T), f = trial - g3 * d - y;
+    out.iterations = it;
+    if (fabs(f) <= TM_RETURN_TOLERANCE * y + 4e-16 * trial) break;
+    if (f > 0.0) lo = d;
+    else hi = d;
+    tm_real next = (trial - y) / g3;
+    if (old > 0.0 && f != f_old) {
+      const tm_real ratio = old / d;
+      if (ratio > 0.25 && ratio < 4.0) next = d - f * (old - d) / (f_old - f);
+      else next = d * exp(-f * log(ratio) / (f_old - f));
+    }
+    if (!(next > lo && next < hi) || (it >= 12 && it % 2)) next = lo > 0.0 ? sqrt(lo) * sqrt(hi) : 0.01 * hi;
+    old = d;
+    f_old = f;
+    d = next;
+    if (!(d > lo && d < hi)) break;  /* the bracket is as narrow as the arithmetic allows */
+  }
+  out.d_eps = d;
+  return out;
 }
 
 /* Deviator s_trial brought back to the yield surface of the end of the step of length dt. */
@@ -135,8 +221,8 @@ TM_FN tm_return_result tm_radial_return(const tm_material *m, tm_sym3 s_trial, t
   const tm_real trial = tm_sym_mises(s_trial), g3 = 3.0 * m->shear, eps = tm_max(eps_p, 0.0);
   const int jc = m->strength == TM_STRENGTH_JOHNSON_COOK;
   const tm_real soft = jc ? tm_thermal_softening(m, T) : 1.0;
-  tm_real first = 0.0;  /* flow stress before the step, at no rate */
-  if (jc) first = tm_max(soft * (m->jc_a + m->jc_b * tm_hardening_power(eps, m->jc_n)), 0.0);
+  tm_real power, first = 0.0;  /* flow stress before the step, at no rate */
+  if (jc) first = tm_max(soft * tm_johnson_cook_hardening(m, eps, &power), 0.0);
   else first = tm_flow_stress(m, eps, 0.0, T);
   out.yield = first;
   if (!(trial > first)) return out;
@@ -145,7 +231,11 @@ TM_FN tm_return_result tm_radial_return(const tm_material *m, tm_sym3 s_trial, t
     out.d_eps = tm_return_johnson_cook(m, trial, eps, soft, first, dt, &out.iterations);
   else if (m->strength == TM_STRENGTH_PLASTIC)
     out.d_eps = tm_min((trial - first) / (g3 + m->hardening), trial / g3);
-  else
+  else if (!jc && g3 > 0.0 && tm_strength_flow(m->strength) == TM_FLOW_THERMAL) {
+    const tm_return_root root = tm_return_search(m, trial, eps, T, first, dt);
+    out.d_eps = root.d_eps;
+    out.iterations = root.iterations;
+  } else
     out.d_eps = g3 > 0.0 ? (trial - first) / g3 : 0.0;
   out.yield = tm_max(trial - g3 * out.d_eps, 0.0);
   if (g3 <= 0.0) out.yield = first;

@@ -1,10 +1,8 @@
 #include "effect_plan.h"
 
-#include "pair_sph_tm.h"
+#include "model.h"
 
 #include <map>
-
-using LAMMPS_NS::PairSPHTM;
 
 namespace SPHTM_NS {
 
@@ -71,15 +69,14 @@ const std::vector<unsigned> &effects_in_loops()
 namespace {
 // why effects are on; the first reason counts
 struct Reasons {
-  const PairSPHTM &pair;
-  const int ntypes;
+  const Model &model;
   std::map<unsigned, std::string> why = {};
   bool mechanics = false, solid = false, softens = false;
   std::string conducts = {};    // the first material that does
 
   void on(unsigned bit, const std::string &reason) { why.emplace(bit, reason); }
   bool has(unsigned bit) const { return why.count(bit) > 0; }
-  std::string of_type(int t) const { return "type " + std::to_string(t) + " (" + pair.material_name(t) + ")"; }
+  std::string of_type(int t) const { return "type " + std::to_string(t) + " (" + model.material_name(t) + ")"; }
   void materials();
   void contacts();
   void settings();
@@ -87,22 +84,20 @@ struct Reasons {
 
 void Reasons::materials()
 {
-  for (int t = 1; t <= ntypes; t++) {
-    const tm_material &m = pair.materials()[t];
+  for (int t = 1; t <= model.types(); t++) {
+    const tm_material &m = model.materials()[t];
     if (m.body == TM_BODY_HEAT) on(TM_FX_HEAT, of_type(t) + " is a heat body");
     if (m.heat && (m.conductivity.n || m.conductivity.value > 0.0) && conducts.empty())
       conducts = of_type(t) + " has a conductivity";
     if (m.body != TM_BODY_SOLID) continue;
     mechanics = true;
     solid = solid || m.strength != TM_STRENGTH_NONE;
-    const bool jc = m.strength == TM_STRENGTH_JOHNSON_COOK;
-    if (jc || m.strength == TM_STRENGTH_PLASTIC)
-      on(TM_FX_PLASTICITY, of_type(t) + " yields");
-    if (m.heat && m.taylor_quinney > 0.0 && jc)
-      on(TM_FX_HEAT, of_type(t) + " heats by plastic work and softens with temperature");
-    else if (m.heat && m.taylor_quinney > 0.0 && m.strength == TM_STRENGTH_PLASTIC)
-      on(TM_FX_HEAT, of_type(t) + " heats by plastic work");
-    if (jc && m.jc_m > 0.0) softens = true;
+    const int flow = tm_strength_flow(m.strength);
+    if (flow != TM_FLOW_NONE) on(TM_FX_PLASTICITY, of_type(t) + " yields");
+    if (m.heat && m.taylor_quinney > 0.0 && flow != TM_FLOW_NONE)
+      on(TM_FX_HEAT, of_type(t) + (flow == TM_FLOW_THERMAL ? " heats by plastic work and softens with temperature"
+                                                           : " heats by plastic work"));
+    softens = softens || flow == TM_FLOW_THERMAL;
     if (m.damage != TM_DAMAGE_NONE) on(TM_FX_DAMAGE, of_type(t) + " has a damage law");
     if (m.eos == TM_EOS_SHOCK) on(TM_FX_ENERGY, of_type(t) + " has a shock equation of state");
   }
@@ -111,12 +106,12 @@ void Reasons::materials()
 // friction and conduction between bodies, where all materials have heat constants
 void Reasons::contacts()
 {
-  for (int t = 1; t <= ntypes; t++)
-    if (!pair.materials()[t].heat) return;
-  for (int i = 1; i <= ntypes; i++)
-    for (int j = i + 1; j <= ntypes; j++) {
-      const PairSPHTM::PairLaw &l = pair.law(i, j);
-      if (l.meeting != PairSPHTM::CONTACT || !(l.contact.friction > 0.0 || l.conductance >= 0.0)) continue;
+  for (int t = 1; t <= model.types(); t++)
+    if (!model.materials()[t].heat) return;
+  for (int i = 1; i <= model.types(); i++)
+    for (int j = i + 1; j <= model.types(); j++) {
+      const PairLaw &l = model.law(i, j);
+      if (l.meeting != CONTACT || !(l.contact.friction > 0.0 || l.conductance >= 0.0)) continue;
       on(TM_FX_HEAT, "contact of " + of_type(i) + " and " + of_type(j) +
              (l.contact.friction > 0.0 ? " has friction" : " conducts heat"));
     }
@@ -124,23 +119,31 @@ void Reasons::contacts()
 
 void Reasons::settings()
 {
-  const PairSPHTM::Settings &set = pair.settings_in_use();
+  const Settings &set = model.settings_in_use();
   if ((set.visc_alpha > 0.0 || set.visc_beta > 0.0) && mechanics) on(TM_FX_VISCOSITY, "pair_style viscosity is not 0");
   if (set.art_eps > 0.0 && solid) on(TM_FX_ARTSTRESS, "pair_style artstress is not 0");
   if (set.correction) on(TM_FX_CORRECTION, "pair_style correction yes");
   if (set.balsara) on(TM_FX_BALSARA, "pair_style balsara yes");
   if (set.hourglass > 0.0 && solid) on(TM_FX_HOURGLASS, "pair_style hourglass is not 0");
   if (set.xsph > 0.0) on(TM_FX_XSPH, "pair_style xsph is not 0");
-  if (pair.has_contact_pairs()) on(TM_FX_BODIES, "pair_coeff contact");
+  if (model.has_contact_pairs()) on(TM_FX_BODIES, "pair_coeff contact");
 }
 }    // namespace
 
 // --- the plan ---------------------------------------------------------------------------------
 
-void EffectPlan::derive(const PairSPHTM &pair, int ntypes)
+bool EffectPlan::ask(unsigned effect, const std::string &reason)
 {
-  const PairSPHTM::Settings &set = pair.settings_in_use();
-  Reasons r{pair, ntypes};
+  if ((asked_for & effect) == effect) return false;
+  asked_for |= effect;
+  asked.push_back({effect, reason});
+  return true;
+}
+
+void EffectPlan::derive(const Model &model, int dimension)
+{
+  const Settings &set = model.settings_in_use();
+  Reasons r{model};
   r.materials();
   r.contacts();
   for (const auto &a : asked) r.on(a.first, a.second);
@@ -183,7 +186,7 @@ void EffectPlan::warn(const std::map<unsigned, std::string> &why, bool softens)
     if ((forced_off & needed & n.bit) && why.count(n.bit))
       warnings.push_back(std::string("Fix sph/tm: ") + n.name + " is forced off, but " + why.at(n.bit));
   if (softens && !why.count(TM_FX_HEAT))
-    warnings.push_back("Fix sph/tm: Johnson-Cook softening needs heat constants (pair_coeff heat); the "
+    warnings.push_back("Fix sph/tm: softening by temperature needs heat constants (pair_coeff heat); the "
                        "temperature stays uniform");
 }
 

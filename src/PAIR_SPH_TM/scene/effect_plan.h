@@ -9,11 +9,9 @@
 #include <utility>
 #include <vector>
 
-namespace LAMMPS_NS {
-class PairSPHTM;
-}
-
 namespace SPHTM_NS {
+
+class Model;
 
 unsigned effect_by_name(const std::string &name);    // 0 when unknown
 std::string effect_name(unsigned bits);              // of the first of these bits
@@ -21,21 +19,26 @@ std::string effect_names();                          // for messages
 const std::vector<unsigned> &effects_by_name();      // all that have a name
 const std::vector<unsigned> &effects_in_loops();     // those inside the loops of prediction, rates and update
 
-struct EffectPlan {
-  // in
-  int dimension = 3;
-  unsigned forced_on = 0, forced_off = 0;
-  std::vector<std::pair<unsigned, std::string>> asked;    // by other fixes, with the reason
-  // out
+class EffectPlan {
+ public:
+  // the script turns effects on and off; other fixes ask for what they need, and say why
+  void force(unsigned effect, bool on) { (on ? forced_on : forced_off) |= effect; }
+  bool is_forced_on(unsigned effect) const { return (forced_on & effect) != 0; }
+  unsigned contradicting() const { return forced_on & forced_off; }
+  bool ask(unsigned effect, const std::string &reason);    // false: it was asked for already
+  bool wants(unsigned effect) const { return ((effects | forced_on | asked_for) & effect) != 0; }
+
+  void derive(const Model &, int dimension);
+
   unsigned effects = 0;
   std::vector<std::string> report;    // one line per effect: on or off, and why
   std::string heat_reason;            // why heat is on
   std::vector<std::string> warnings;
   std::string contradiction;          // what makes the set impossible, or empty
 
-  void derive(const LAMMPS_NS::PairSPHTM &pair, int ntypes);
-
  private:
+  unsigned forced_on = 0, forced_off = 0, asked_for = 0;
+  std::vector<std::pair<unsigned, std::string>> asked;
   void warn(const std::map<unsigned, std::string> &why, bool softens);
   void write_report(const std::map<unsigned, std::string> &why);
 };

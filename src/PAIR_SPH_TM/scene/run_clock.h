@@ -47,7 +47,8 @@ class RunClock {
     return t.tv_sec + 1e-9 * t.tv_nsec;
   }
 
-  Backend *waits = nullptr;    // whose loops are waited for at the end of each span, or nullptr
+  void wait_for(Backend *loops) { waits = loops; }    // at the end of each span, or nullptr
+  bool is_waiting() const { return waits != nullptr; }
 
   void restart()
   {
@@ -66,6 +67,7 @@ class RunClock {
   double total() const { return now() - began; }
 
  private:
+  Backend *waits = nullptr;
   std::vector<double> seconds = std::vector<double>(PARTS, 0.0);
   std::map<const void *, double> others;
   double began = now();

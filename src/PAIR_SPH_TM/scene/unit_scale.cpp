@@ -1,5 +1,7 @@
 #include "unit_scale.h"
 
+#include "material_constants.h"
+
 #include "domain.h"
 #include "force.h"
 #include "lammps.h"
@@ -25,14 +27,12 @@ static void scale_table(tm_table &t, double k)
 
 void scale_material(tm_material &m, const UnitScale &u)
 {
-  m.rho0 *= u.density;
-  m.young *= u.stress;
+  for (const Material::Constant &c : Material::constants()) {
+    if (c.unit == Material::DENSITY) m.*c.number *= u.density;
+    if (c.unit == Material::STRESS) m.*c.number *= u.stress;
+  }
   m.shear *= u.stress;
   m.bulk *= u.stress;
-  m.yield *= u.stress;
-  m.hardening *= u.stress;
-  m.jc_a *= u.stress;
-  m.jc_b *= u.stress;
   if (m.eos != TM_EOS_SHOCK) m.eos_c0 = sqrt(m.bulk / m.rho0);
   scale_table(m.conductivity, u.energy);
   scale_table(m.capacity, u.energy);

@@ -1,13 +1,9 @@
 /* SPH-TM: compute sph/tm/atom. See doc/compute_sph_tm_atom.rst. */
 #include "compute_sph_tm_atom.h"
 
-#include "fix_sph_tm.h"
-#include "pair_sph_tm.h"
-
 #include "atom.h"
 #include "error.h"
 #include "memory.h"
-#include "modify.h"
 #include "update.h"
 
 #include <algorithm>
@@ -15,6 +11,7 @@
 #include <string>
 
 using namespace LAMMPS_NS;
+using namespace SPHTM_NS;
 
 namespace {
 
@@ -24,12 +21,7 @@ const char *const ATTRIBUTES[] = {TM_OUTPUT_TABLE(TM_OUTPUT_NAME)};
 
 }    // namespace
 
-bool ComputeSPHTMAtom::knows(const std::string &attribute)
-{
-  return std::find(std::begin(ATTRIBUTES), std::end(ATTRIBUTES), attribute) != std::end(ATTRIBUTES);
-}
-
-ComputeSPHTMAtom::ComputeSPHTMAtom(LAMMPS *lmp, int narg, char **arg) : Compute(lmp, narg, arg)
+ComputeSPHTMAtom::ComputeSPHTMAtom(LAMMPS *lmp, int narg, char **arg) : Compute(lmp, narg, arg), scene(Scene::of(lmp))
 {
   std::string known;
   for (const char *name : ATTRIBUTES) known += std::string(" ") + name;
@@ -53,13 +45,8 @@ ComputeSPHTMAtom::~ComputeSPHTMAtom()
 
 void ComputeSPHTMAtom::init()
 {
-  find_fix();
-  if (wants(TM_OUT_AREA)) fix->need(TM_FX_SURFACE, fmt::format("compute {} shows surface/area", id));
-}
-
-void ComputeSPHTMAtom::find_fix()
-{
-  fix = FixSPHTM::of(lmp, "Compute sph/tm/atom");
+  state = &scene->state("Compute sph/tm/atom");
+  if (wants(TM_OUT_AREA)) state->need(TM_FX_SURFACE, fmt::format("compute {} shows surface/area", id));
 }
 
 bool ComputeSPHTMAtom::wants(int attribute) const
@@ -70,29 +57,35 @@ bool ComputeSPHTMAtom::wants(int attribute) const
 // where the loops run
 tm_output_args ComputeSPHTMAtom::output_args()
 {
-  PairSPHTM *pair = fix->pair();
+  StepResults &results = scene->results();
+  const Model &model = scene->model();
   tm_output_args a = {};
-  a.neighbors = wants(TM_OUT_NEIGHBORS) ? pair->loop_neighbors() : nullptr;
-  a.state = fix->state();
-  a.effects = fix->effects();
+  a.neighbors = wants(TM_OUT_NEIGHBORS) ? results.loop_neighbors() : nullptr;
+  a.state = state->arrays();
+  a.effects = state->effects();
   a.group = groupbit;
-  if (wants(TM_OUT_AREA) && pair->has_surface(atom->nlocal)) {
-    a.main = pair->rate_args().rec.main;
-    a.surface = pair->rate_args().surface;
+  if (wants(TM_OUT_AREA) && results.has_surface(atom->nlocal)) {
+    a.main = results.rate_args().rec.main;
+    a.surface = results.rate_args().surface;
   }
   if (wants(TM_OUT_ADAPTNODE) || wants(TM_OUT_SEARCHES)) {
-    int dim;
-    const auto lists = modify->get_fix_by_style("^adapt/neigh");
-    if (lists.empty() || !lists[0]->extract("sph/tm rows", dim))
+    const Scene::Adaptation &lists = scene->adaptation();
+    if (!lists.rows)
       error->all(FLERR, "Compute sph/tm/atom adaptnode, searches: needs fix adapt/neigh with threshold");
-    a.lists = (const tm_real *) lists[0]->extract("memory of lists", dim);
+    if (lists.tl_history) {
+      const Scene::TlHistory h = lists.tl_history();
+      a.lists = h.values;
+      a.lists_columns = h.columns;
+      a.was_ul = h.was_ul;
+      a.ul_steps = h.ul_steps;
+    }
   }
-  a.measure = pair->surface_measure();
-  a.temperature = fix->start_temperature();
-  a.h = pair->settings_in_use().h;
-  a.stress = pair->units().stress;
-  a.density = pair->units().density;
-  a.energy = pair->units().energy;
+  a.measure = model.surface_measure();
+  a.temperature = state->start_temperature();
+  a.h = model.settings_in_use().h;
+  a.stress = model.units().stress;
+  a.density = model.units().density;
+  a.energy = model.units().energy;
   a.columns = (int) wanted.size();
   return a;
 }
@@ -102,7 +95,7 @@ void ComputeSPHTMAtom::run_output(double *value)
   tm_output_args a = output_args();
   a.wanted = wanted.data();
   a.value = value;
-  fix->loops().blocks(atom->nlocal, [&](int begin, int end) {
+  state->loops().blocks(atom->nlocal, [&](int begin, int end) {
     for (int i = begin; i < end; i++) tm_output(i, &a);
   });
 }
@@ -110,8 +103,8 @@ void ComputeSPHTMAtom::run_output(double *value)
 void ComputeSPHTMAtom::compute_peratom()
 {
   invoked_peratom = update->ntimestep;
-  find_fix();    // it may have gone since the last run
-  FixSPHTM::current(lmp, fix, fmt::format("Compute sph/tm/atom {}", id));
+  scene->state("Compute sph/tm/atom");    // it may have gone since the last run
+  scene->check_current(state, fmt::format("Compute sph/tm/atom {}", id));
   if (atom->nmax > nmax) {
     nmax = atom->nmax;
     memory->destroy(vector_atom);
@@ -128,9 +121,8 @@ void ComputeSPHTMAtom::compute_peratom()
 // fix adapt/neigh, where there is one, keeps the levels on the host
 void ComputeSPHTMAtom::put_level(double *value)
 {
-  int dim;
-  const auto fixes = modify->get_fix_by_style("^adapt/neigh$");
-  const auto *level = fixes.empty() ? nullptr : (const double *) fixes[0]->extract("level", dim);
+  const Scene::Adaptation &lists = scene->adaptation();
+  const double *level = lists.levels ? lists.levels() : nullptr;
   for (size_t k = 0; level && k < wanted.size(); k++)
     for (int i = 0; wanted[k] == TM_OUT_LEVEL && i < atom->nlocal; i++)
       if (atom->mask[i] & groupbit) value[i * wanted.size() + k] = level[i];

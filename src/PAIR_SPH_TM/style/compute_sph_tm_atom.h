@@ -5,8 +5,10 @@
 #define LMP_COMPUTE_SPH_TM_ATOM_H
 
 #include "compute.h"
+#include "scene.h"
 #include "tm_output.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,10 +21,10 @@ class ComputeSPHTMAtom : public Compute {
   void init() override;
   void compute_peratom() override;
   double memory_usage() override;
-  static bool knows(const std::string &attribute);
 
  protected:
-  class FixSPHTM *fix = nullptr;
+  std::shared_ptr<SPHTM_NS::Scene> scene;
+  SPHTM_NS::ParticleState *state = nullptr;    // from init on
   std::vector<int> wanted;    // enum tm_output_id
 
   tm_output_args output_args();
@@ -31,7 +33,6 @@ class ComputeSPHTMAtom : public Compute {
  private:
   int nmax = 0;
 
-  void find_fix();
   void put_level(double *value);
   bool wants(int attribute) const;
 };

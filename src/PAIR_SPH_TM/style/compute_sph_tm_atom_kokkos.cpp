@@ -3,7 +3,6 @@
 #include "compute_sph_tm_atom_kokkos.h"
 
 #include "backend_kokkos.h"
-#include "fix_sph_tm.h"
 
 #include "atom_kokkos.h"
 #include "kokkos.h"
@@ -28,7 +27,7 @@ ComputeSPHTMAtomKokkos::ComputeSPHTMAtomKokkos(LAMMPS *lmp, int narg, char **arg
 
 void ComputeSPHTMAtomKokkos::run_output(double *value)
 {
-  if (fix->loops().shared()) {
+  if (state->loops().shared()) {
     ComputeSPHTMAtom::run_output(value);
     return;
   }
@@ -44,6 +43,6 @@ void ComputeSPHTMAtomKokkos::run_output(double *value)
   a.wanted = columns.loop_read();
   a.value = values.loop_write();
   kokkos_each("sph/tm output", atom->nlocal, Values{a});
-  fix->loops().to_host(value, a.value, n * sizeof(double));
+  state->loops().to_host(value, a.value, n * sizeof(double));
 }
 #endif

@@ -2,8 +2,8 @@
 #include "fix_sph_tm.h"
 
 #include "accuracy_meter.h"
-#include "effect_plan.h"
-#include "pair_sph_tm.h"
+#include "argument.h"
+#include "step_args.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -12,18 +12,22 @@
 #include "force.h"
 #include "lammps.h"
 #include "modify.h"
+#include "pair.h"
 #include "update.h"
-#include "utils.h"
-
-#include <algorithm>
-#include <cmath>
 
 using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
 using namespace FixConst;
 
-FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg, Backend &loops) :
-    Fix(lmp, narg, arg), backend(loops), fields(loops), source(loops)
+FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg) :
+    FixSPHTM(lmp, narg, arg, Backend::host(), std::make_unique<AtomArrays>(lmp))
+{
+}
+
+FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg, Backend &loops, std::unique_ptr<AtomArrays> arrays) :
+    Fix(lmp, narg, arg), scene(Scene::of(lmp)), state(lmp, loops, std::move(arrays), *this, id, igroup),
+    start(lmp, *this, state, *scene), stops(lmp, state, *scene), energies(lmp, state, *scene),
+    table(lmp, *this, state, *scene), file(lmp, state, *scene)
 {
   time_integrate = 1;
   create_attribute = 1;
@@ -32,7 +36,7 @@ FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg, Backend &loops) :
   wd_header = 1;
   scalar_flag = 1;
   vector_flag = 1;
-  size_vector = VECTOR_SIZE;
+  size_vector = EnergyReport::ENTRIES;
   array_flag = 1;
   size_array_rows = 4;
   size_array_cols = 2;
@@ -43,12 +47,9 @@ FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg, Backend &loops) :
   extvector = 0;
   dynamic_group_allow = 0;
 
-  read_keywords(narg - 3, arg + 3);
-  std::fill(dt_limits, dt_limits + TM_DT_CAUSES, 1e300);
-  std::fill(energy_now, energy_now + VECTOR_SIZE, 0.0);
-  fields.enable(0, atom->nmax);
-  maxexchange = fields.columns();
-  lost = (int *) backend.allocate_result(sizeof(int));
+  read_keywords(Keywords(lmp, "Fix sph/tm", narg - 3, arg + 3));
+  maxexchange = state.fields().columns();
+  lost = (int *) state.loops().allocate_result(sizeof(int));
   atom->add_callback(Atom::GROW);
   atom->add_callback(Atom::RESTART);
 }
@@ -56,193 +57,39 @@ FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg, Backend &loops) :
 FixSPHTM::~FixSPHTM()
 {
   if (copymode) return;
-  backend.release_result(lost);
+  state.loops().release_result(lost);
   atom->delete_callback(id, Atom::GROW);
   atom->delete_callback(id, Atom::RESTART);
-}
-
-FixSPHTM *FixSPHTM::of(LAMMPS *lmp, const std::string &who)
-{
-  const auto fixes = lmp->modify->get_fix_by_style("^sph/tm$");
-  if (!fixes.empty()) return dynamic_cast<FixSPHTM *>(fixes[0]);
-  if (!who.empty())
-    lmp->error->all(FLERR, "{} needs a fix sph/tm, which owns the state of the particles; write 'fix body all sph/tm' "
-                           "before it", who);
-  return nullptr;
-}
-
-bool FixSPHTM::is_current() const
-{
-  return has_forces && pair_sph && force->pair_match("^sph/tm", 0) == pair_sph && pair_sph->belongs_to(this);
-}
-
-FixSPHTM *FixSPHTM::current(LAMMPS *lmp, const FixSPHTM *known, const std::string &who)
-{
-  FixSPHTM *fix = of(lmp);
-  if (!fix || fix != known || !fix->is_current())
-    lmp->error->all(FLERR, "{} has no current values: there was no run since {} written; use 'run 0' first", who,
-                    !fix ? "fix sph/tm was removed or" : "it, fix sph/tm or pair style sph/tm was");
-  return fix;
 }
 
 int FixSPHTM::setmask()
 {
   return INITIAL_INTEGRATE | PRE_EXCHANGE | FINAL_INTEGRATE | POST_NEIGHBOR |
-      ((forced_on & TM_FX_LEDGER) ? END_OF_STEP : 0);
-}
-
-/* ---------------------------------------------------------------------- effects */
-
-void FixSPHTM::need(unsigned effect, const std::string &reason)
-{
-  if ((asked & effect) == effect) return;
-  asked |= effect;
-  asked_reasons.push_back({effect, reason});
-  if (pair_sph) derive_effects();
-}
-
-void FixSPHTM::derive_effects()
-{
-  EffectPlan plan;
-  plan.dimension = domain->dimension;
-  plan.forced_on = forced_on;
-  plan.forced_off = forced_off;
-  plan.asked = asked_reasons;
-  plan.derive(*pair_sph, atom->ntypes);
-  if (plan.effects & ~TM_FX_PRESENT)
-    error->all(FLERR, "Fix sph/tm: this build of the plugin has no effect {} (CMake SPHTM_MINIMAL_EFFECTS)",
-               effect_name(plan.effects & ~TM_FX_PRESENT));
-  if (!plan.contradiction.empty()) error->all(FLERR, "Fix sph/tm: {}", plan.contradiction);
-  if (plan.effects & TM_FX_HEAT)
-    for (int t = 1; t <= atom->ntypes; t++)
-      if (!pair_sph->materials()[t].heat)
-        error->all(FLERR, "Fix sph/tm: heat is on ({}), but type {} ({}) has no heat constants; add "
-                          "'heat k cp chi' to its pair_coeff, with k 0 where it does not conduct, or "
-                          "force the effect off with 'effects heat off'", plan.heat_reason, t,
-                   pair_sph->material_name(t));
-  fx = plan.effects;
-  report = plan.report;
-  warnings = plan.warnings;
-  // nothing is dropped before the set-up: a fix whose turn is still to come may ask for what a
-  // restart file has brought
-  const unsigned had = fields.mask();
-  fields.enable_mask(had | ParticleFields::needed(fx), atom->nmax);
-  maxexchange = fields.columns();
-  // a field that appears now starts from its initial value
-  const unsigned fresh = fields.mask() & ~had;
-  if (fresh) {
-    const tm_initial_args a = initial_args(host_state(), fresh);
-    for (int i = 0; i < atom->nlocal; i++) tm_initial(i, &a);
-  }
-  if (has(TM_FX_SMOOTHING)) {    // lists are made for these sizes
-    const tm_initial_args a = initial_args(host_state(), fields.mask());
-    for (int i = 0; i < atom->nlocal; i++) tm_initial_of_new(i, &a);
-    const tm_size_range r = sizes();
-    pair_sph->cover_sizes(r.largest_h, r.smallest_dp);
-  }
-}
-
-// at a set-up, when all fixes have asked for what they need
-void FixSPHTM::report_effects()
-{
-  if (report == reported) return;
-  reported = report;
-  if (comm->me) return;
-  for (const auto &line : report) utils::logmesg(lmp, "{}\n", line);
-  for (const auto &w : warnings) error->warning(FLERR, w);
+      (state.effect_plan().is_forced_on(TM_FX_LEDGER) ? END_OF_STEP : 0);
 }
 
 void FixSPHTM::init()
 {
-  pair_sph = dynamic_cast<PairSPHTM *>(force->pair_match("^sph/tm", 0));
-  if (!pair_sph)
+  const Pair *pair = force->pair_match("^sph/tm", 0);
+  if (!pair || !scene->has_pair())
     error->all(FLERR, "Fix sph/tm needs pair style sph/tm; write 'pair_style sph/tm hyperbolic 1.2 spacing <dp>' "
                       "and pair_coeff before the run");
   if (modify->get_fix_by_style("^sph/tm$").size() > 1)
     error->all(FLERR, "More than one fix sph/tm: one owns the state of all particles; use unfix, or its group");
-  check_company();
-  check_begun();
-  check_restart();
-  check_sizes_of_file();
-  look_at_changes();
-  derive_effects();
+  start.check_company(pair);
+  start.check_begun(begin_anew);
+  file.check_rows();
+  file.check_sizes();
+  start.look_at_changes();
+  state.init(scene->model());
+  maxexchange = state.fields().columns();
   if (meter) meter->init();
-  std::fill(dt_limits, dt_limits + TM_DT_CAUSES, 1e300);
-  std::fill(limited_by, limited_by + TM_DT_CAUSES, nullptr);
-  hottest = find_hottest();
-}
-
-tm_initial_args FixSPHTM::initial_args(const tm_state &s, unsigned mask) const
-{
-  tm_initial_args a;
-  a.state = s;
-  a.fields = mask;
-  a.temperature = temperature0;
-  a.ratio = pair_sph->settings_in_use().ratio;
-  a.dim3 = domain->dimension == 3;
-  return a;
-}
-
-void FixSPHTM::initialise_particles()
-{
-  backend.initial_of_new(atom->nlocal, initial_args(state(), fields.mask()));
-  if (preset.empty()) return;
-  double *T = fields[TM_F_TEMP].host_write();
-  for (const auto &p : preset)
-    for (int i = 0; i < atom->nlocal; i++)
-      if (atom->mask[i] & p.bit) T[3 * (size_t) i] = p.temperature;
-  preset.clear();
-}
-
-tm_state FixSPHTM::state()
-{
-  tm_state s;
-  for (int id = 0; id < TM_F_COUNT; id++) s.field[id] = fields[id].loop_write();
-  s.material = pair_sph->loop_materials();
-  point_to_atoms(s);
-  return s;
-}
-
-tm_state FixSPHTM::host_state()
-{
-  tm_state s;
-  for (int id = 0; id < TM_F_COUNT; id++) s.field[id] = fields[id].host_write();
-  s.material = pair_sph->materials();
-  FixSPHTM::point_to_atoms(s);
-  return s;
-}
-
-void FixSPHTM::point_to_atoms(tm_state &s)
-{
-  s.x = atom->nmax ? &atom->x[0][0] : nullptr;
-  s.v = atom->nmax ? &atom->v[0][0] : nullptr;
-  s.force = atom->nmax ? &atom->f[0][0] : nullptr;
-  s.type = atom->type;
-  s.mask = atom->mask;
-  s.mass = atom->mass;
-  s.rmass = atom->rmass_flag ? atom->rmass : nullptr;
-}
-
-tm_size_range FixSPHTM::sizes()
-{
-  const PairSPHTM::Settings &set = pair_sph->settings_in_use();
-  if (!has(TM_FX_SMOOTHING)) return {set.h, set.h, set.spacing};
-  const tm_size_range mine = backend.size_range(atom->nlocal, state());
-  const double low[3] = {-mine.largest_h, mine.smallest_h, mine.smallest_dp};
-  double all[3];
-  MPI_Allreduce(low, all, 3, MPI_DOUBLE, MPI_MIN, world);
-  if (all[0] == 0.0) return {set.h, set.h, set.spacing};    // no particles
-  return {-all[0], all[1], all[2]};
-}
-
-double FixSPHTM::temperature(int i)
-{
-  return has(TM_FX_HEAT) ? fields[TM_F_TEMP].host_read()[3 * (size_t) i] : temperature0;
+  stops.init();
 }
 
 /* ---------------------------------------------------------------------- one step */
 
-AccuracyMeter *FixSPHTM::audit_now()
+StepAudit *FixSPHTM::audit_now()
 {
   return meter && !update->setupflag && meter->due(update->ntimestep) ? meter.get() : nullptr;
 }
@@ -251,81 +98,58 @@ AccuracyMeter *FixSPHTM::audit_now()
 void FixSPHTM::begin_forces()
 {
   if (update->setupflag) {
-    report_effects();
-    fields.enable(fx, atom->nmax);
-    maxexchange = fields.columns();
-    initialise_particles();
-    dt_ahead = 0.0;
-    dt = fixed_dt > 0.0 ? fixed_dt : (dt_next > 0.0 ? dt_next : 0.0);
-    if (dt == 0.0) setup_dt();
-    empty_source();
+    state.begin_setup();
+    maxexchange = state.fields().columns();
+    state.time_step().begin_setup();
+    state.source().set_zero(state.loops(), state.has(TM_FX_HEAT), atom->nmax);
     source_of_setup = true;
   }
   check_lost();
-  contact_spring = 0.0;
-  has_forces = true;
-}
-
-void FixSPHTM::empty_source()
-{
-  if (!has(TM_FX_HEAT)) return;
-  source.resize(std::max(atom->nmax, 1));
-  backend.zero(source.loop_write(), source.bytes());
+  state.energy().begin_step();
+  state.history().set_forces();
 }
 
 void FixSPHTM::setup(int)
 {
-  energy_step = -1;    // velocities and particles may have changed since the last run
-  const tm_update_result r = backend.initial_limits(atom->nlocal, update_args(), fx, !started);
-  limit_dt_by(r.dt);
-  if (!started) check_start();
-  else check_changes();
-  if (fixed_dt > 0.0) {
-    limit_by_bodies();
-    double all[TM_DT_CAUSES];
-    MPI_Allreduce(dt_limits, all, TM_DT_CAUSES, MPI_DOUBLE, MPI_MIN, world);
-    check_fixed_dt(all);
-  }
-  dt_largest = started ? dt_next : 0.0;
-  if (!started || dt_next <= 0.0) {
-    reduce_dt();
-    if (!started && comm->me == 0) {
-      utils::logmesg(lmp,
-                     "sph/tm: {} particles begin without stress and strain, at {:.6g} K where no "
-                     "other temperature is set\n",
-                     atom->natoms, temperature0);
-      utils::logmesg(lmp, "sph/tm: time step {:.6g}, limited by {}; rate loops: {}\n",
-                     fixed_dt > 0.0 ? fixed_dt : dt_next, dt_cause_name(), backend.name());
-    }
-  } else {    // a run that goes on keeps its step, unless a tool became stiffer or faster
-    dt_next = std::min({dt_next, dt_limits[TM_DT_CONTACT], dt_limits[TM_DT_MOTION]});
-  }
-  dt = fixed_dt > 0.0 ? fixed_dt : dt_next;
-  apply_dt(dt, update->ntimestep);
-  timing = looked = false;    // the run's time begins with its first step
+  energies.forget();    // velocities and particles may have changed since the last run
+  const bool first = !state.history().begun();
+  tm_update_args args = update_args(state, scene->results());
+  stops.limit(args);
+  const tm_update_result r =
+      PairLoops::of(state.loops()).initial_limits(state.loops(), atom->nlocal, {args, first}, state.effects());
+  state.time_step().limit(r.dt);
+  if (first) start.check_start();
+  else start.check_changes();
+  state.time_step().end_setup(first);
+  table.stop_clock();
+  looked = false;
 }
 
+// x(n+1/2), and the prediction of the pair style
 void FixSPHTM::initial_integrate(int)
 {
-  if (!looked) watch_energy(FIRST_LOOK);    // tools and other fixes are set up by now
+  if (!looked) energies.look(EnergyReport::FIRST, stop_on_lost);    // tools and other fixes are set up by now
   looked = true;
-  if (!timing) {
-    timing = true;
-    clock_step = update->ntimestep - 1;
-    run_clock.restart();
-    if (meter) meter->restart();
-  }
-  started = true;
-  pair_sph->steps();
-  dt = fixed_dt > 0.0 ? fixed_dt : dt_next;
-  apply_dt(dt, update->ntimestep - 1);    // this step is counted already
-  std::fill(dt_limits, dt_limits + TM_DT_CAUSES, 1e300);    // those of the set-up are in use
-  dt_ahead = 0.5 * dt;
-  const auto timed = run_clock.timed(RunClock::DRIFT);
-  if (source_of_setup) empty_source();
+  table.start_clock();
+  state.history().begin();
+  scene->results().begin_step();
+  state.time_step().begin_step();
+  const auto timed = state.clock().timed(RunClock::DRIFT);
+  if (source_of_setup) state.source().set_zero(state.loops(), state.has(TM_FX_HEAT), atom->nmax);
   source_of_setup = false;
   drifted = atom->nlocal;
-  backend.drift(drifted, drift_args(), fx, lost);
+  PairLoops::of(state.loops()).drift(state.loops(), drifted, drift_args(state, *domain), state.effects(), lost);
+}
+
+// asked before LAMMPS would delete the particle, and before the forces; whether there is one that may go
+bool FixSPHTM::check_lost()
+{
+  if (drifted == 0) return false;
+  state.loops().wait();
+  const bool some = *lost < drifted;
+  if (some && stop_on_lost) stops.stop_on_lost(*lost);
+  drifted = 0;
+  return some;
 }
 
 void FixSPHTM::pre_exchange()
@@ -335,58 +159,95 @@ void FixSPHTM::pre_exchange()
 
 void FixSPHTM::post_neighbor()
 {
-  initialise_particles();
-  if (has(TM_FX_HEAT)) source.resize(std::max(atom->nmax, 1));
+  state.initialize_new();
+  state.source().grow(state.has(TM_FX_HEAT), atom->nmax);
 }
 
-tm_update_args FixSPHTM::update_args()
-{
-  tm_update_args a;
-  a.state = state();
-  const tm_rates_args &rates = pair_sph->rate_args();
-  a.rec = rates.rec;
-  a.gradient = rates.gradient;
-  a.heat = rates.heat;
-  a.xsph_v = rates.xsph_v;
-  a.hourglass_rate = rates.hourglass_rate;
-  a.artificial = rates.artificial;
-  a.share = pair_sph->tensile_shares();
-  a.ratio = pair_sph->settings_in_use().ratio;
-  a.force_internal = pair_sph->internal_force();
-  a.source = heat_source();
-  a.group = groupbit;
-  a.dt = dt;
-  a.h = pair_sph->settings_in_use().h;
-  a.visc_alpha = pair_sph->settings_in_use().visc_alpha;
-  a.hourglass = pair_sph->settings_in_use().hourglass;
-  a.accel_unit = pair_sph->units().force;
-  a.temperature = temperature0;
-  a.heat_rate = pair_sph->fastest_heat_rate();
-  a.k_max = pair_sph->largest_conductivity();
-  a.hottest = hottest;
-  a.densest = densest;
-  a.watch_melt = has(TM_FX_HEAT) && !melt_reported;
-  return a;
-}
-
+// the state at n+1
 void FixSPHTM::final_integrate()
 {
   const tm_update_result sum = [this] {
-    const auto timed = run_clock.timed(RunClock::UPDATE);
-    return backend.update(atom->nlocal, update_args(), fx);
+    const auto timed = state.clock().timed(RunClock::UPDATE);
+    tm_update_args args = update_args(state, scene->results());
+    stops.limit(args);
+    return PairLoops::of(state.loops()).update(state.loops(), atom->nlocal, args, state.effects());
   }();
-  if (sum.status != TM_OK) stop_on(sum.particle, sum);
-  if (sum.melted < INT_MAX) report_melting(sum.melted);
-  limit_dt_by(sum.dt);
-  if (has(TM_FX_LEDGER)) {
-    ledger.elastic += sum.elastic;
-    ledger.plastic += sum.plastic;
-    ledger.plastic_heat += sum.plastic_heat;
-    ledger.artificial += sum.artificial;
-    ledger.kinetic_work += sum.kinetic_work;
-    ledger.internal_work += sum.internal_work;
-    ledger.heat += sum.heat;
-  }
-  if (fixed_dt <= 0.0) reduce_dt();
-  else check_fixed_dt(dt_limits);
+  if (sum.status != TM_OK) stops.stop_on(sum);
+  if (sum.melted < INT_MAX) stops.warn_of_melting(sum.melted);
+  state.time_step().limit(sum.dt);
+  if (state.has(TM_FX_LEDGER)) state.energy().add_step(sum);
+  state.time_step().end_step();
+}
+
+void FixSPHTM::end_of_step() { energies.look(EnergyReport::REGULAR, stop_on_lost); }
+
+void FixSPHTM::post_run()
+{
+  start.remember_particles();
+  if (looked) energies.look(table.steps() >= nevery ? EnergyReport::LAST : EnergyReport::GLANCE, stop_on_lost);
+  table.print(energies.watch());
+}
+
+/* ---------------------------------------------------------------------- output */
+
+double FixSPHTM::compute_scalar()
+{
+  scene->check_current(&state, fmt::format("Fix sph/tm {}", id));
+  return energies.value(EnergyReport::SUM);
+}
+
+double FixSPHTM::compute_vector(int n)
+{
+  scene->check_current(&state, fmt::format("Fix sph/tm {}", id));
+  if (n < 0 || n >= size_vector) error->all(FLERR, "Fix sph/tm output {} is not among its {} values", n + 1, size_vector);
+  if (n <= EnergyReport::SUM && n != EnergyReport::KINETIC && !state.has(TM_FX_LEDGER))
+    error->all(FLERR, "Fix sph/tm output {} needs the keyword 'energy yes'", n + 1);
+  if (n < EnergyReport::ENTRIES) return energies.value(n);
+  // the differences of the last audit by cause, then the share of the time of this run that audits took
+  n -= EnergyReport::ENTRIES;
+  if (n < AccuracyMeter::CAUSES) return meter->now(n);
+  double mine[2] = {state.clock().of((const StepAudit *) meter.get()), state.clock().total()}, sum[2];
+  MPI_Allreduce(mine, sum, 2, MPI_DOUBLE, MPI_SUM, world);
+  return table.is_timing() ? sum[0] / sum[1] : 0.0;
+}
+
+double FixSPHTM::compute_array(int row, int column)
+{
+  scene->check_current(&state, fmt::format("Fix sph/tm {}", id));
+  return table.value(row, column);
+}
+
+double FixSPHTM::memory_usage() { return state.fields().bytes() + state.source().bytes(); }
+
+/* ---------------------------------------------------------------------- values of particles, restart */
+
+void FixSPHTM::grow_arrays(int nmax) { state.fields().grow(nmax); }
+void FixSPHTM::copy_arrays(int i, int j, int) { state.fields().copy(i, j); }
+void FixSPHTM::set_arrays(int i) { state.fields().zero(i); }
+int FixSPHTM::pack_exchange(int i, double *buf) { return state.fields().pack(i, buf); }
+int FixSPHTM::unpack_exchange(int nlocal, double *buf) { return state.fields().unpack(nlocal, buf); }
+
+int FixSPHTM::pack_restart(int i, double *buf) { return file.pack(i, buf); }
+void FixSPHTM::unpack_restart(int nlocal, int nth) { file.unpack(nlocal, nth); }
+int FixSPHTM::size_restart(int) { return file.size(); }
+int FixSPHTM::maxsize_restart() { return file.size(); }
+void FixSPHTM::write_restart(FILE *fp) { file.write(fp, energies.watch()); }
+void FixSPHTM::restart(char *buf)
+{
+  file.read(buf, energies.watch());
+  maxexchange = state.fields().columns();
+}
+
+// called by write_data on the first rank
+void FixSPHTM::write_data_header(FILE *, int)
+{
+  if (!state.history().begun() || data_warned) return;
+  data_warned = true;
+  error->warning(
+      FLERR,
+      "Fix sph/tm {}: write_data writes positions and velocities, not the state of the particles "
+      "(stress, "
+      "density, plastic strain, temperature): what reads the file starts from an unstressed body; "
+      "write_restart writes all",
+      id);
 }

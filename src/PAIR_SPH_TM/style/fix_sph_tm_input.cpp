@@ -3,7 +3,6 @@
 
 #include "accuracy_meter.h"
 #include "argument.h"
-#include "effect_plan.h"
 
 #include "error.h"
 #include "group.h"
@@ -14,73 +13,76 @@
 using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
 
-// what fix_modify can change too
-bool FixSPHTM::read_setting(Keywords &k)
-{
-  if (k.is("courant")) courant = k.within(0.0, 1.0);
-  else if (k.is("dt")) fixed_dt = k.take("auto") ? 0.0 : k.positive();
-  else if (k.is("dt/max")) dt_max = k.positive();
-  else if (k.is("lost")) stop_on_lost = !k.second("error", "ignore");
-  else if (k.is("temperature/max")) hottest_given = k.positive();
-  else if (k.is("density/max")) {
-    densest = k.positive();
-    if (densest <= 1.0) error->all(FLERR, "{} must be above 1, got {}", k.what(), k.given());
-  } else if (k.is("energy/drift")) drift_allowed = k.take("none") ? 1e300 : k.positive();
-  else return false;
-  return true;
-}
-
-void FixSPHTM::read_keywords(int narg, char **arg)
-{
-  Keywords k(lmp, "Fix sph/tm", narg, arg);
-  while (k.next()) {
-    if (k.is("temperature")) {
-      temperature0 = k.positive();
-      temperature_given = true;
-    } else if (read_setting(k)) continue;
-    else if (k.is("state")) begin_anew = k.second("keep", "new");
-    else if (k.is("energy")) {
-      if (k.yes()) forced_on |= TM_FX_LEDGER;
-    }
-    else if (k.is("table")) {
-      const bool wait = k.take("wait");
-      want_table = wait || k.yes();
-      run_clock.waits = wait ? &backend : nullptr;
-    } else if (k.is("audit")) read_audit(k);
-    else if (k.is("effects")) read_effect(k);
-    else
-      k.unknown("temperature, temperature/max, density/max, courant, dt, dt/max, energy, "
-                "energy/drift, lost, state, table, "
-                "audit, effects");
-  }
-  if (forced_on & forced_off)
-    error->all(FLERR, "Fix sph/tm: effect {} is forced both on and off",
-               effect_name(forced_on & forced_off));
-}
-
-// yes, no, or N M
-void FixSPHTM::read_audit(Keywords &k)
+// audit yes | no | N M; false: none
+static bool read_audit(Keywords &k, int &every, int &sample)
 {
   k.need(1);
   if (utils::is_integer(k.ahead(0)) || (k.ahead(1) && utils::is_integer(k.ahead(1)))) {
     k.need(2);
-    const int every = k.integer(1, 1000000000, "N"), sample = k.integer(1, 1000000, "M");
-    meter.reset(new AccuracyMeter(*this, every, sample));
-  } else
-    meter.reset(k.yes() ? new AccuracyMeter(*this, AccuracyMeter::EVERY, AccuracyMeter::SAMPLE) : nullptr);
-  size_vector = VECTOR_SIZE + (meter ? AccuracyMeter::CAUSES + 1 : 0);
+    every = k.integer(1, 1000000000, "N");
+    sample = k.integer(1, 1000000, "M");
+    return true;
+  }
+  every = AccuracyMeter::EVERY;
+  sample = AccuracyMeter::SAMPLE;
+  return k.yes();
 }
 
 // auto, or an effect and on or off
-void FixSPHTM::read_effect(Keywords &k)
+static void read_effect(LAMMPS *lmp, Keywords &k, EffectPlan &plan)
 {
   k.need(1);
   if (k.take("auto")) return;
   k.need(2);
   const char *name = k.value();
   const unsigned bit = effect_by_name(name);
-  if (!bit) error->all(FLERR, "Unknown fix sph/tm effect {}: known are {}", name, effect_names());
-  (k.yes(name) ? forced_on : forced_off) |= bit;
+  if (!bit) lmp->error->all(FLERR, "Unknown fix sph/tm effect {}: known are {}", name, effect_names());
+  plan.force(bit, k.yes(name));
+}
+
+// what fix_modify can change too
+bool FixSPHTM::read_setting(Keywords &k)
+{
+  TimeStep &step = state.time_step();
+  if (k.is("courant")) step.set_courant(k.within(0.0, 1.0));
+  else if (k.is("dt")) step.set_fixed(k.take("auto") ? 0.0 : k.positive());
+  else if (k.is("dt/max")) step.set_most(k.positive());
+  else if (k.is("lost")) stop_on_lost = !k.second("error", "ignore");
+  else if (k.is("temperature/max")) stops.set_hottest(k.positive());
+  else if (k.is("density/max")) {
+    const double densest = k.positive();
+    stops.set_densest(densest);
+    if (densest <= 1.0) error->all(FLERR, "{} must be above 1, got {}", k.what(), k.given());
+  } else if (k.is("energy/drift")) energies.set_drift_allowed(k.take("none") ? 1e300 : k.positive());
+  else return false;
+  return true;
+}
+
+void FixSPHTM::read_keywords(Keywords &&k)
+{
+  while (k.next()) {
+    if (k.is("temperature")) state.start_temperatures().set_all(k.positive());
+    else if (read_setting(k)) continue;
+    else if (k.is("state")) begin_anew = k.second("keep", "new");
+    else if (k.is("energy")) {
+      if (k.yes()) state.effect_plan().force(TM_FX_LEDGER, true);
+    }
+    else if (k.is("table")) {
+      const bool wait = k.take("wait");
+      table.want(wait || k.yes(), wait);
+    } else if (k.is("audit")) {
+      int every = 0, sample = 0;
+      meter.reset(read_audit(k, every, sample) ? new AccuracyMeter(lmp, state, *scene, every, sample) : nullptr);
+      table.set_meter(meter.get());
+      size_vector = EnergyReport::ENTRIES + (meter ? AccuracyMeter::CAUSES + 1 : 0);
+    } else if (k.is("effects")) read_effect(lmp, k, state.effect_plan());
+    else
+      k.unknown("temperature, temperature/max, density/max, courant, dt, dt/max, energy, "
+                "energy/drift, lost, state, table, "
+                "audit, effects");
+  }
+  if (const unsigned both = state.effect_plan().contradicting())
+    error->all(FLERR, "Fix sph/tm: effect {} is forced both on and off", effect_name(both));
 }
 
 int FixSPHTM::modify_param(int narg, char **arg)
@@ -91,9 +93,9 @@ int FixSPHTM::modify_param(int narg, char **arg)
     const int igroup2 = group->find(arg[1]);
     if (igroup2 < 0) error->all(FLERR, "Fix_modify temperature of fix sph/tm: no group {}", arg[1]);
     const double T = positive(lmp, "Fix_modify temperature of fix sph/tm", arg[2]);
-    preset.push_back({group->bitmask[igroup2], T});
-    temperature_set = true;
-    need(TM_FX_HEAT, fmt::format("temperature of group {} is set", arg[1]));
+    state.start_temperatures().set_group(group->bitmask[igroup2], T);
+    stops.temperatures_were_set();
+    state.need(TM_FX_HEAT, fmt::format("temperature of group {} is set", arg[1]));
     return 3;
   }
   Keywords k(lmp, "Fix_modify of fix sph/tm", narg, arg);

@@ -7,6 +7,7 @@
 #include "atom_kokkos.h"
 #include "atom_masks.h"
 #include "comm_kokkos.h"
+#include "lammps.h"
 #include "modify.h"
 #include "utils.h"
 
@@ -91,11 +92,43 @@ struct Sorted {
 };
 
 constexpr unsigned ATOM_DATA = X_MASK | V_MASK | F_MASK | TYPE_MASK | MASK_MASK | RMASS_MASK;
+const ExecutionSpace SPACE = ExecutionSpaceFromDevice<LMPDeviceType>::space;
+
+class KokkosAtomArrays : public AtomArrays {
+ public:
+  explicit KokkosAtomArrays(LAMMPS *lmp) : AtomArrays(lmp), atoms((AtomKokkos *) lmp->atom) {}
+  void point_to(tm_state &s) override
+  {
+    atoms->sync(SPACE, ATOM_DATA);
+    s.x = atoms->k_x.view<LMPDeviceType>().data();
+    s.v = atoms->k_v.view<LMPDeviceType>().data();
+    s.force = atoms->k_f.view<LMPDeviceType>().data();
+    s.type = atoms->k_type.view<LMPDeviceType>().data();
+    s.mask = atoms->k_mask.view<LMPDeviceType>().data();
+    s.mass = atom->mass ? atoms->k_mass.view<LMPDeviceType>().data() : nullptr;
+    s.rmass = atom->rmass_flag ? atoms->k_rmass.view<LMPDeviceType>().data() : nullptr;
+  }
+  // what the loops have changed is known to LAMMPS only at the end of a step
+  void to_host_in_step() override
+  {
+    atoms->modified(SPACE, X_MASK | V_MASK);
+    atoms->sync(Host, ALL_MASK);
+  }
+  void to_host() override { atoms->sync(Host, ALL_MASK); }
+  void host_changed() override
+  {
+    atoms->modified(Host, ALL_MASK);
+    atoms->sync(SPACE, ALL_MASK);
+  }
+
+ private:
+  AtomKokkos *atoms;
+};
 
 }    // namespace
 
 FixSPHTMKokkos::FixSPHTMKokkos(LAMMPS *lmp, int narg, char **arg) :
-    FixSPHTM(lmp, narg, arg, kokkos_backend())
+    FixSPHTM(lmp, narg, arg, kokkos_backend(), std::make_unique<KokkosAtomArrays>(lmp))
 {
   kokkosable = 1;
   atomKK = (AtomKokkos *) atom;
@@ -150,31 +183,6 @@ void FixSPHTMKokkos::post_neighbor()
   FixSPHTM::post_neighbor();
 }
 
-// in the middle of a step: what the loops have changed is known to LAMMPS only at its end
-void FixSPHTMKokkos::atoms_to_host()
-{
-  atomKK->modified(execution_space, datamask_modify);
-  atomKK->sync(Host, ALL_MASK);
-}
-void FixSPHTMKokkos::host_particles() { atomKK->sync(Host, ALL_MASK); }
-void FixSPHTMKokkos::host_particles_changed()
-{
-  atomKK->modified(Host, ALL_MASK);
-  atomKK->sync(execution_space, ALL_MASK);
-}
-
-void FixSPHTMKokkos::point_to_atoms(tm_state &s)
-{
-  atomKK->sync(execution_space, ATOM_DATA);
-  s.x = atomKK->k_x.view<LMPDeviceType>().data();
-  s.v = atomKK->k_v.view<LMPDeviceType>().data();
-  s.force = atomKK->k_f.view<LMPDeviceType>().data();
-  s.type = atomKK->k_type.view<LMPDeviceType>().data();
-  s.mask = atomKK->k_mask.view<LMPDeviceType>().data();
-  s.mass = atom->mass ? atomKK->k_mass.view<LMPDeviceType>().data() : nullptr;
-  s.rmass = atom->rmass_flag ? atomKK->k_rmass.view<LMPDeviceType>().data() : nullptr;
-}
-
 /* ---------------------------------------------------------------------- */
 
 int FixSPHTMKokkos::pack_exchange_kokkos(const int &nsend, DAT::tdual_xfloat_2d &k_buf,
@@ -183,7 +191,7 @@ int FixSPHTMKokkos::pack_exchange_kokkos(const int &nsend, DAT::tdual_xfloat_2d 
 {
   k_sendlist.sync<LMPDeviceType>();
   k_copylist.sync<LMPDeviceType>();
-  const StateRows rows(fields);
+  const StateRows rows(state.fields());
   kokkos_each("sph/tm send", nsend,
               Pack{rows, k_sendlist.view<LMPDeviceType>().data(), k_copylist.view<LMPDeviceType>().data(),
                    k_buf.view<LMPDeviceType>().data()});
@@ -203,7 +211,7 @@ void FixSPHTMKokkos::unpack_exchange_kokkos(DAT::tdual_xfloat_2d &k_buf, DAT::td
   }
   k_indices.sync<LMPDeviceType>();
   kokkos_each("sph/tm receive", nrecv,
-              Unpack{StateRows(fields), k_indices.view<LMPDeviceType>().data(),
+              Unpack{StateRows(state.fields()), k_indices.view<LMPDeviceType>().data(),
                      k_buf.view<LMPDeviceType>().data()});
 }
 
@@ -212,9 +220,9 @@ void FixSPHTMKokkos::sort_kokkos(Kokkos::BinSort<KeyViewType, BinOp> &sorter)
   auto from = sorter.get_permute_vector();
   const int n = from.extent(0);
   for (int id = 0; id < TM_F_COUNT; id++) {
-    if (fields[id].empty()) continue;
+    if (state.fields()[id].empty()) continue;
     const int columns = tm_field_table[id].columns;
-    double *rows = fields[id].loop_write();
+    double *rows = state.fields()[id].loop_write();
     const Kokkos::View<double *, LMPDeviceType> sorted(Kokkos::ViewAllocateWithoutInitializing("sph/tm sorted"),
                                                        (size_t) n * columns);
     kokkos_each("sph/tm sort", n, Sort<decltype(from)>{rows, from, sorted, columns});

@@ -19,8 +19,6 @@ class FixSPHTMKokkos : public FixSPHTM, public KokkosBase {
   void setup(int) override;
   void setup_pre_exchange() override;
   void post_neighbor() override;
-  void host_particles() override;
-  void host_particles_changed() override;
   int pack_exchange_kokkos(const int &, DAT::tdual_xfloat_2d &, DAT::tdual_int_1d, DAT::tdual_int_1d,
                            ExecutionSpace) override;
   void unpack_exchange_kokkos(DAT::tdual_xfloat_2d &, DAT::tdual_int_1d &, int, int, int,
@@ -28,8 +26,6 @@ class FixSPHTMKokkos : public FixSPHTM, public KokkosBase {
   void sort_kokkos(Kokkos::BinSort<KeyViewType, BinOp> &) override;
 
  protected:
-  void point_to_atoms(tm_state &) override;
-  void atoms_to_host() override;
   void delete_lost() override;
 
  private:

@@ -1,35 +1,30 @@
-/* SPH-TM: pair style sph/tm, the force step. See doc/pair_sph_tm.rst. No physics here: tm_rates.h and its kin. */
+/* SPH-TM: pair style sph/tm. See doc/pair_sph_tm.rst. No physics here: tm_rates.h and its kin. */
 #include "pair_sph_tm.h"
 
-#include "accuracy_meter.h"
-#include "fix_sph_tm.h"
+#include "model_checks.h"
+#include "model_input.h"
+#include "model_restart.h"
 
 #include "atom.h"
+#include "comm.h"
 #include "domain.h"
+#include "error.h"
 #include "force.h"
 #include "memory.h"
 #include "modify.h"
 #include "neighbor.h"
+#include "utils.h"
 
+#include <algorithm>
 #include <cstring>
 
 using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
 
-PairSPHTM::PairSPHTM(LAMMPS *lmp, Backend &loops) : Pair(lmp), backend(loops)
+PairSPHTM::PairSPHTM(LAMMPS *lmp, Backend &where) :
+    Pair(lmp), backend(where), loops(PairLoops::of(where)), scene(Scene::of(lmp)), model(lmp, where),
+    rows(new NeighborRows(lmp, this, where, model)), results(lmp, where, model), restart(new ModelRestart(lmp))
 {
-  tables.live_in(loops);
-  for (auto *a : {&row_index, &row_mechanical, &row_thermal, &row_contact}) a->live_in(loops);
-  row_first.live_in(loops);
-  rec_main.live_in(loops, TM_REC, 2);
-  rec_stress.live_in(loops, TM_REC_STRESS, 2);
-  gradient.live_in(loops, 9);
-  for (auto *a : {&rec_heat, &rec_correction, &rec_size, &rec_hourglass, &heat, &correction, &xsph_v, &hourglass_rate,
-                  &surface, &artificial, &near_count, &tally, &force_internal})
-    a->live_in(loops);
-  single_main.live_in(loops, TM_REC, 4);
-  single_more.live_in(loops, TM_MORE, 4);
-  for (auto *a : {&single_correction, &single_size}) a->live_in(loops);
   restartinfo = 1;
   single_enable = 0;
   one_coeff = 0;
@@ -38,10 +33,12 @@ PairSPHTM::PairSPHTM(LAMMPS *lmp, Backend &loops) : Pair(lmp), backend(loops)
   centroidstressflag = CENTROID_NOTAVAIL;
   // the most a record can hold: Comm::init() sizes its buffers by it, before the effects are known
   comm_forward = TM_REC - 3 + TM_REC_STRESS + TM_REC_HEAT;
+  scene->enter(&model, rows.get(), &results);
 }
 
 PairSPHTM::~PairSPHTM()
 {
+  scene->leave(&model);
   if (allocated) {
     memory->destroy(setflag);
     memory->destroy(cutsq);
@@ -51,177 +48,265 @@ PairSPHTM::~PairSPHTM()
 void *PairSPHTM::extract(const char *what, int &dim)
 {
   dim = 0;
-  if (strcmp(what, "spacing") == 0) return &set.spacing;
-  if (strcmp(what, "h") == 0) return &set.h;
+  spacing = model.settings_in_use().spacing;
+  h = model.settings_in_use().h;
+  if (strcmp(what, "spacing") == 0) return &spacing;
+  if (strcmp(what, "h") == 0) return &h;
   return nullptr;
 }
 
-bool PairSPHTM::has_fix() const { return fix && FixSPHTM::of(lmp) == fix; }
+/* ---------------------------------------------------------------------- commands */
 
-const int *PairSPHTM::loop_tags() { return (const int *) atom->tag; }
-
-void PairSPHTM::fill_args(const tm_state &s)
+void PairSPHTM::allocate()
 {
-  if (!row_source)
-    args.rows = {row_index.loop_read(),   row_first.loop_read(),   row_mechanical.loop_read(),
-                 row_thermal.loop_read(), row_contact.loop_read(), row_stride};
-  args.rec = rec;
-  args.single = single_records();
-  args.effects = fix->effects();
-  args.h = set.h;
-  const double reach = tm_kernel_support(set.kernel) * set.h;
-  args.support_radius2 = reach * reach;
-  args.norm = tm_kernel_norm(set.kernel, domain->dimension, set.h);
-  args.slope_norm = args.norm / (set.h * lattice.gradient);
-  args.support2 = tm_kernel_support(set.kernel) * tm_kernel_support(set.kernel);
-  args.norm_of_one = tm_kernel_norm(set.kernel, domain->dimension, 1.0);
-  args.visc_alpha = set.visc_alpha;
-  args.visc_beta = set.visc_beta;
-  args.art_n = set.art_n;
-  args.art_inv_w = 1.0 / tm_kernel_shape(set.kernel, set.spacing / set.h);
-  args.xsph = set.xsph;
-  args.force_unit = 1.0 / unit.force;
-  args.conductance = tables.conductance.loop_read();
-  args.type = s.type;
-  args.ntypes = atom_types;
-  args.force = s.force;
-  args.gradient = gradient.loop_write();
-  args.heat = heat.loop_write();
-  args.correction = correction.loop_write();
-  args.xsph_v = xsph_v.loop_write();
-  args.hourglass_rate = hourglass_rate.loop_write();
-  args.surface = surface.loop_write();
-  args.artificial = artificial.loop_write();
+  allocated = 1;
+  const int n = atom->ntypes + 1;
+  memory->create(setflag, n, n, "pair:setflag");
+  memory->create(cutsq, n, n, "pair:cutsq");
+  for (int i = 1; i < n; i++)
+    for (int j = 1; j < n; j++) setflag[i][j] = 1;    // init_style names the type without material
+  model.resize(atom->ntypes);
 }
 
-// needs the positions of all neighbours; what it makes of the stress, the ghosts need
-void PairSPHTM::correct_gradients(int n, tm_rates_args &search)
+void PairSPHTM::settings(int narg, char **arg)
 {
-  const auto timed = fix->run_clock.timed(RunClock::MOMENTS);
-  backend.moments(n, search, fix->effects());
-  if (row_source) row_source->kept_moments(args, fix->effects());
-  forward(rec_correction, TM_REC_CORRECTION);
-  search.rec.correction = args.rec.correction = rec.correction = rec_correction.loop_write();
+  const Settings before = model.settings_in_use();
+  model.set(read_settings(lmp, narg, arg));
+  if (results.has_stepped()) check_spacing_kept(lmp, before, model.settings_in_use());
 }
 
-void PairSPHTM::resist_hourglass(const tm_rates_args &rates)
+void PairSPHTM::coeff(int narg, char **arg)
 {
-  forward(rec_hourglass, TM_REC_HOURGLASS);
-  const auto timed = fix->run_clock.timed(RunClock::HOURGLASS);
-  tm_rates_args a = rates;
-  a.rec.hourglass = rec_hourglass.loop_write();    // the host may have filled those of ghosts
-  backend.hourglass(atom->nlocal, a, fix->effects());
+  if (model.settings_in_use().spacing <= 0.0) error->all(FLERR, "Pair_coeff of sph/tm before pair_style sph/tm");
+  if (!allocated) allocate();
+  read_coefficients(lmp, narg, arg, model);
+}
+
+void PairSPHTM::init_style()
+{
+  check_materials(lmp, model, force->pair == this ? "" : "sph/tm ");
+  model.prepare();
+  model.complete_laws();
+  restart->compare(model);
+
+  state = &scene->state("Pair style sph/tm");
+  scene->bind();
+  check_styles(lmp, model, restart->fix_id(), *state);
+  check_volume(lmp, model, *state);
+  check_masses(lmp, model, *state);
+  if (model.settings_in_use().mixed) check_mixed(lmp, model, backend);
+  set_skin(lmp, model);
+  check_bins(lmp, model);
+  rows->init(*state, scene->adaptation().rows);
+  model.make_tables(state->start_temperature());
+  if (!rows->source()) neighbor->add_request(this, NeighConst::REQ_FULL);
+}
+
+void PairSPHTM::init_list(int, NeighList *ptr) { list = ptr; }
+
+double PairSPHTM::init_one(int i, int j)
+{
+  if (setflag[i][j] == 0) error->all(FLERR, "Pair sph/tm: no law for types {} and {}", i, j);
+  return model.support();
+}
+
+/* ---------------------------------------------------------------------- ghosts */
+
+int PairSPHTM::pack_forward_comm(int n, int *sendlist, double *buf, int, int *)
+{
+  const tm_ghost_args a = results.host_ghosts(false);
+  const int width = tm_ghost_width(&a);
+  for (int k = 0; k < n; k++) tm_ghost_pack(sendlist[k], &a, buf + (size_t) k * width);
+  return n * width;
+}
+
+void PairSPHTM::unpack_forward_comm(int n, int first, double *buf)
+{
+  const tm_ghost_args a = results.host_ghosts(true);
+  const int width = tm_ghost_width(&a);
+  for (int k = 0; k < n; k++) tm_ghost_unpack(first + k, &a, buf + (size_t) k * width);
+}
+
+void PairSPHTM::take_ghost_positions()
+{
+  double **x = atom->x;
+  for (int i = atom->nlocal; i < atom->nlocal + atom->nghost; i++)
+    std::copy_n(x[i], 3, results.records().main + (size_t) i * TM_REC);
+}
+
+/* ---------------------------------------------------------------------- one step */
+
+void PairSPHTM::predict(const tm_state &s)
+{
+  {
+    const auto timed = state->clock().timed(RunClock::PREDICT);
+    loops.predict(backend, atom->nlocal, results.predict_args(*state, s), state->effects());
+  }
+  const auto timed = state->clock().timed(RunClock::COMMUNICATION);
+  results.communicate_records(this);
+  take_ghost_positions();
+}
+
+// needs the positions of all neighbors; what it makes of the stress, the ghosts need
+void PairSPHTM::correct_gradients(int n, tm_rates_args &ul)
+{
+  const auto timed = state->clock().timed(RunClock::MOMENTS);
+  loops.correction(backend, n, ul, state->effects());
+  if (rows->source()) rows->source()->tl_corrections(results.rate_args(), state->effects());
+  results.communicate_correction(this);
+  ul.rec.correction = results.rate_args().rec.correction;
+}
+
+void PairSPHTM::control_hourglass(const tm_rates_args &rates)
+{
+  results.communicate_hourglass(this);
+  const auto timed = state->clock().timed(RunClock::HOURGLASS);
+  loops.hourglass(backend, atom->nlocal, rates, state->effects());
 }
 
 void PairSPHTM::compute(int eflag, int vflag)
 {
   ev_init(eflag, vflag);
-  fix->begin_forces();
-  const int nlocal = atom->nlocal;
-  const unsigned fx = fix->effects();
-  RunClock &clock = fix->run_clock;
-  if (!row_source && (neighbor->ago == 0 || (int) row_first.size() < nlocal)) {
-    const auto timed = clock.timed(RunClock::ROWS);
-    build_rows();
+  state->owner().begin_forces();
+  const bool renewed = neighbor->ago == 0;
+  RowSource *source = rows->source();
+  if (!source && (renewed || !rows->cover(atom->nlocal))) {
+    const auto timed = state->clock().timed(RunClock::ROWS);
+    rows->build(list, state->has(TM_FX_CONDUCTION));
   }
-  resize_arrays();
-  const tm_state s = fix->state();
+  results.resize(*state);
+  const tm_state s = state->arrays();
   predict(s);
-  forward_records();
-  rec.main = rec_main.loop_write();    // the host may have filled those of ghosts
-  rec.stress = rec_stress.loop_write();
-  rec.heat = rec_heat.loop_write();
-  rec.size = rec_size.loop_write();
-  fill_args(s);
-  if (row_source) {
-    const auto timed = clock.timed(RunClock::ROWS);
-    row_source->renew(neighbor->ago == 0);
-    args.rows = row_source->mechanical();
-  }
-  tm_rates_args search = args;
-  const int searched = row_source ? row_source->searched(search) : nlocal;
-  if (fx & TM_FX_CORRECTION) correct_gradients(searched, search);
-  if (row_source) row_source->show(rec);
-  if (fx & TM_FX_MIXED) round_records();
-  search.single = args.single;
-  backend.zero(args.artificial, args.artificial ? nlocal * sizeof(double) : 0);
-  // the forces of the pairs apart from others, for the energy book or an audit
-  AccuracyMeter *meter = fix->audit_now();
-  if (meter) meter->force.make_room(!fix->has(TM_FX_LEDGER), 3 * (size_t) nlocal + 3);
-  LoopArray<double> &apart = meter && !fix->has(TM_FX_LEDGER) ? meter->force : force_internal;
-  double *internal = apart.loop_write();
-  // LAMMPS has not cleared the forces where it leaves that to the pair style
-  const bool clear = fuse_force_clear_flag && force->pair == this && !modify->n_pre_force;
-  if (clear && (internal || force->newton || row_source))    // with newton LAMMPS adds those of ghosts to their owners'
-    backend.zero(s.force, 3 * ((size_t) nlocal + atom->nghost) * sizeof(double));
-  if (internal) args.force = internal;
-  search.force = args.force;
-  if (internal && row_source) backend.zero(internal, 3 * nlocal * sizeof(double));
-  search.force_begins = args.force_begins = (clear || internal) && !row_source;    // parts of rows add theirs
-  {
-    const auto timed = clock.timed(RunClock::RATES);
-    backend.rates(searched, search, fx);
-    if (row_source) row_source->kept_rates(args, fx);
-  }
-  if (fx & TM_FX_HOURGLASS) resist_hourglass(args);
-  if (meter) audit(apart);
-  args.force = s.force;
-  if (internal) backend.add(s.force, internal, 3 * (size_t) nlocal);
+  results.take_up_ghosts();
+  tm_rates_args &args = results.fill_args(*state, s);
+  if (source) {
+    const auto timed = state->clock().timed(RunClock::ROWS);
+    source->renew(renewed);
+    args.rows = source->mechanical();
+  } else
+    args.rows = rows->loop_rows();
+  rates(s, args);
   tm_rates_args others = args;
-  if (row_source) others.rows = row_source->others();
-  if (meets_thermal) {
-    const auto timed = clock.timed(RunClock::THERMAL);
-    backend.thermal(nlocal, others, fx);
+  if (source) others.rows = source->others();
+  if (state->has(TM_FX_CONDUCTION) && model.has_thermal_pairs()) {
+    const auto timed = state->clock().timed(RunClock::THERMAL);
+    loops.thermal(backend, atom->nlocal, others, state->effects());
   }
-  if (fx & TM_FX_BODIES) body_contact(others);
+  if (state->has(TM_FX_BODIES)) body_contact(others);
   if (eflag || vflag) tally_virial_energy();
 }
 
-void PairSPHTM::audit(LoopArray<double> &force)
+// of mechanical pairs: gradients, forces, conduction
+void PairSPHTM::rates(const tm_state &s, tm_rates_args &args)
 {
-  AccuracyMeter *meter = fix->audit_now();
-  const auto timed = fix->run_clock.timed(meter);
-  meter->audit({force.host_read(), gradient.host_read(), heat.host_read(), xsph_v.host_read()});
+  const int nlocal = atom->nlocal;
+  const unsigned effects = state->effects();
+  RowSource *source = rows->source();
+  tm_rates_args ul = args;    // of updated-Lagrangian pairs
+  const int searched = source ? source->ul_rows(ul) : nlocal;
+  if (effects & TM_FX_CORRECTION) correct_gradients(searched, ul);
+  if (source) source->tl_export(results.records());
+  if (effects & TM_FX_MIXED) {
+    const auto timed = state->clock().timed(RunClock::RATES);
+    loops.round_to_single(backend, nlocal + atom->nghost, {args.rec, args.single}, effects);
+  }
+  backend.zero(args.artificial, args.artificial ? nlocal * sizeof(double) : 0);
+
+  // the forces of the pairs apart from others, for the energy balance or an audit
+  StepAudit *audited = state->owner().audit_now();
+  const bool balance = state->has(TM_FX_LEDGER);
+  LoopArray<double> &apart = audited && !balance ? audited->pair_force() : results.pair_force();
+  if (audited) audited->pair_force().make_room(!balance, 3 * (size_t) nlocal + 3);
+  double *internal = apart.loop_write();
+  // LAMMPS has not cleared the forces where it leaves that to the pair style
+  const bool clear = fuse_force_clear_flag && force->pair == this && !modify->n_pre_force;
+  if (clear && (internal || force->newton || source))    // with newton LAMMPS adds those of ghosts to their owners'
+    backend.zero(s.force, 3 * ((size_t) nlocal + atom->nghost) * sizeof(double));
+  if (internal) args.force = internal;
+  ul.force = args.force;
+  if (internal && source) backend.zero(internal, 3 * nlocal * sizeof(double));
+  ul.force_begins = args.force_begins = (clear || internal) && !source;    // parts of rows add theirs
+  {
+    const auto timed = state->clock().timed(RunClock::RATES);
+    loops.rates(backend, searched, ul, effects);
+    if (source) source->tl_rates(args, effects);
+  }
+  if (effects & TM_FX_HOURGLASS) control_hourglass(args);
+  if (audited) audit(*audited, apart);
+  args.force = s.force;
+  if (internal) loops.add(backend, 3 * nlocal, {s.force, internal}, effects);
+}
+
+void PairSPHTM::audit(StepAudit &audited, LoopArray<double> &force)
+{
+  const auto timed = state->clock().timed(&audited);
+  const StepResults::Rates r = results.host_rates();
+  audited.audit({force.host_read(), r.gradient, r.heat, r.xsph});
 }
 
 void PairSPHTM::body_contact(const tm_rates_args &others)
 {
-  const auto timed = fix->run_clock.timed(RunClock::BODIES);
+  const auto timed = state->clock().timed(RunClock::BODIES);
+  Model::Tables &tables = model.loop_tables();
   tm_body_contact_args b;
   b.law = tables.law.loop_read();
   b.contact = tables.touch.loop_read();
   b.young = tables.young.loop_read();
   b.effusivity = tables.effusivity.loop_read();
-  b.spacing = set.spacing;
-  b.dt = fix->step_dt();
-  b.source = fix->heat_source();
-  const tm_body_contact_result r = backend.body_contact(atom->nlocal, others, b, fix->effects());
-  fix->contact_spring += r.spring;
-  fix->ledger.contact_damping += b.dt * r.damping_power;
-  fix->ledger.friction += b.dt * (r.friction_power - r.heat_power);
-  fix->ledger.friction_heat += b.dt * r.heat_power;
-  fix->ledger.contact_work += b.dt * r.work_power;
+  b.spacing = model.settings_in_use().spacing;
+  b.dt = state->time_step().now();
+  b.source = state->heat_source();
+  state->energy().add_body_contact(loops.body_contact(backend, atom->nlocal, {others, b}, state->effects()), b.dt);
 }
 
 // virial of the stress, -V sigma, and the elastic energy stored in it; both in the units of the run
 void PairSPHTM::tally_virial_energy()
 {
   const bool per_atom = vflag_atom || eflag_atom;
-  tally.make_room(per_atom, (size_t) TM_TALLY * (atom->nlocal + 1));
   tm_tally_args a;
-  a.rec = rec;
-  a.type = args.type;
-  a.material = loop_materials();
-  a.to_energy = 1.0 / unit.energy;
-  a.per_particle = tally.loop_write();
-  const tm_tally_result sum = backend.tally(atom->nlocal, a, fix->effects());
+  a.rec = results.records();
+  a.type = results.rate_args().type;
+  a.material = model.loop_tables().material.loop_read();
+  a.to_energy = 1.0 / model.units().energy;
+  a.per_particle = results.tally_rows(per_atom);
+  const tm_tally_result sum = loops.tally(backend, atom->nlocal, a, state->effects());
   if (eflag_global) eng_vdwl += sum.value[0];
   if (vflag_global)
     for (int k = 0; k < 6; k++) virial[k] += sum.value[1 + k];
-  const double *row = tally.host_read();
+  const double *row = results.host_tally();
   for (int i = 0; per_atom && i < atom->nlocal; i++, row += TM_TALLY) {
     if (eflag_atom) eatom[i] += row[0];
     if (vflag_atom)
       for (int k = 0; k < 6; k++) vatom[i][k] += row[1 + k];
   }
+}
+
+/* ---------------------------------------------------------------------- restart, memory */
+
+void PairSPHTM::write_restart(FILE *fp)
+{
+  write_restart_settings(fp);
+  ModelRestart::write(fp, model, scene->is_bound() ? state->id() : "", setflag);
+}
+
+void PairSPHTM::read_restart(FILE *fp)
+{
+  read_restart_settings(fp);
+  allocate();
+  restart->read(fp, model, setflag);
+}
+
+void PairSPHTM::write_restart_settings(FILE *fp) { ModelRestart::write_settings(fp, model.settings_in_use()); }
+void PairSPHTM::read_restart_settings(FILE *fp)
+{
+  model.set_restart_file(restart->name_of_file(fp));
+  model.set(restart->read_settings(fp));
+}
+
+double PairSPHTM::memory_usage()
+{
+  double bytes = Pair::memory_usage() + rows->bytes();
+  if (!scene->is_bound()) return bytes;
+  for (const auto &b : results.bytes_by_effect(state->effects())) bytes += b.second;
+  return bytes;
 }

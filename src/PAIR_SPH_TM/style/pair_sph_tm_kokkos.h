@@ -1,5 +1,5 @@
 /* -*- c++ -*- ----------------------------------------------------------
-   SPH-TM: pair style sph/tm with Kokkos: neighbor rows and communication
+   SPH-TM: pair style sph/tm with Kokkos: neighbor communication
    where the loops run.
 ------------------------------------------------------------------------- */
 #ifndef LMP_PAIR_SPH_TM_KOKKOS_H
@@ -15,13 +15,10 @@ class PairSPHTMKokkos : public PairSPHTM, public KokkosBase {
  public:
   PairSPHTMKokkos(class LAMMPS *);
   void init_style() override;
-  const int *loop_tags() override;
   int pack_forward_comm_kokkos(int, DAT::tdual_int_1d, DAT::tdual_xfloat_1d &, int, int *) override;
   void unpack_forward_comm_kokkos(int, int, DAT::tdual_xfloat_1d &) override;
 
  protected:
-  SPHTM_NS::LoopArray<unsigned char> meets;    // segments of a type pair
-  void build_rows() override;
   void take_ghost_positions() override;
 };
 

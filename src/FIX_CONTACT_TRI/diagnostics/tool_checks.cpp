@@ -1,0 +1,174 @@
+#include "tool_checks.h"
+
+#include "model.h"
+#include "particle_state.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix.h"
+#include "group.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+using namespace LAMMPS_NS;
+
+namespace SPHTM_NS {
+
+ToolChecks::ToolChecks(LAMMPS *l, const Fix &f, const ContactSettings &s, const TriTool &t) :
+    lmp(l), fix(f), set(s), tool(t), who(fmt::format("Fix contact/tri {}", f.id))
+{
+}
+
+void ToolChecks::body_material(const Model &model) const
+{
+  if (set.body_type && model.materials()[set.body_type].body != TM_BODY_HEAT)
+    lmp->error->all(FLERR, "{} particles: type {} must be a material that only conducts heat", who, set.body_type);
+}
+
+// in 2d the sides of the tool must reach beyond the plane of the particles
+void ToolChecks::extent(double spacing) const
+{
+  if (lmp->domain->dimension == 3) return;
+  const tm_mesh &m = tool.mesh();
+  const double need = 2.0 * spacing;
+  if (m.lo[2] > -need || m.hi[2] < need)
+    lmp->error->all(FLERR,
+               "{}: the mesh of file {} spans z from {:.6g} to {:.6g}; in 2d it must be "
+               "extruded along z to at least {:.6g} on both sides of z = 0: use 'scale' with "
+               "three factors or 'move'",
+               who, set.shape.file, m.lo[2], m.hi[2], need);
+}
+
+// --- motion
+
+static constexpr double TOO_FAST = 10.0;    // times the speed of sound
+static constexpr double TOO_FAR = 0.5;      // in one step, times the smallest spacing
+
+void ToolChecks::speed(double speed, double sound_speed) const
+{
+  const char *remedy = "check its motion (fix_modify move) and the units";
+  if (!std::isfinite(speed))
+    lmp->error->all(FLERR, "{}: the speed of the tool, {}, is not a finite number; {}", who, speed, remedy);
+  if (sound_speed > 0.0 && speed > TOO_FAST * sound_speed)
+    lmp->error->all(FLERR, "{}: the tool moves at up to {:.6g}, more than ten times the speed of sound in "
+                      "the particles ({:.6g}); {}", who, speed, sound_speed, remedy);
+}
+
+void ToolChecks::corners(const tm_pose &pose, tm_vec3 *corner) const
+{
+  const double *lo = tool.mesh().lo, *hi = tool.mesh().hi;
+  for (int c = 0; c < 8; c++)
+    corner[c] = tm_pose_to_world(&pose, tm_vec(c & 1 ? hi[0] : lo[0], c & 2 ? hi[1] : lo[1], c & 4 ? hi[2] : lo[2]));
+}
+
+void ToolChecks::jump(const tm_pose &end, bool by_variable, double dt, double dp)
+{
+  tm_vec3 corner[8];
+  corners(end, corner);
+  const bool step = !lmp->update->setupflag;
+  double moved = 0.0;
+  for (int c = 0; c < 8; c++) {
+    double d = tm_vec_norm(tm_vec_sub(corner[c], seen ? last_corner[c] : corner[c]));    // NaN where it is nowhere
+    // on a closed path it may be back where it was
+    if (step && !by_variable) d = std::max(d, dt * tm_vec_norm(tm_pose_velocity_at(&end, corner[c])));
+    if (!(d <= moved)) moved = d;
+    if (std::isnan(d)) break;
+  }
+  std::copy_n(corner, 8, last_corner);
+  seen = true;
+  if (moved <= TOO_FAR * dp) return;
+  const std::string stops = fmt::format("{} stops at step {}:", who, lmp->update->ntimestep);
+  if (!std::isfinite(moved))
+    lmp->error->all(FLERR, "{} the place of the tool is not a finite number; check {}", stops,
+                    by_variable ? "the variables of fix_modify move" : "its motion");
+  const std::string far = fmt::format("the tool has moved by {:.6g}, {:.3g} times the smallest particle spacing,",
+                                      moved, moved / dp);
+  if (step)
+    lmp->error->all(FLERR,
+                    "{} {} in one step of {:.6g}, a speed of {:.6g}; beyond {} times the spacing it passes particles "
+                    "unseen. Lower the time step (dt/max of fix sph/tm, or its dt), or check the {}", stops, far, dt,
+                    moved / dt, TOO_FAR,
+                    by_variable ? "variables of fix_modify move: one may jump" : "speed of the tool");
+  lmp->error->all(FLERR,
+                  "{} {} since the {}; it must not jump between runs. Check the variables of fix_modify move, let the "
+                  "tool travel there in a run, or give a new fix contact/tri with another 'move'", stops, far,
+                  restored ? "last step or the restart file" : "last step");
+}
+
+void ToolChecks::restarted_at(const tm_pose &pose)
+{
+  restored = seen = true;
+  corners(pose, last_corner);
+}
+
+// --- the particles it acts on
+
+void ToolChecks::empty_group()
+{
+  Group *group = lmp->group;
+  if (warned_empty || group->count(fix.igroup) > 0) return;
+  warned_empty = true;
+  if (lmp->comm->me == 0)
+    lmp->error->warning(FLERR, "{}: its group {} has no particles; the tool touches nothing", who,
+                        group->names[fix.igroup]);
+}
+
+// types of solids that have particles in the group, on any rank
+std::vector<int> ToolChecks::types_in_group(const Model &model) const
+{
+  Atom *atom = lmp->atom;
+  std::vector<int> mine(atom->ntypes + 1, 0), all(mine), types;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & fix.groupbit) mine[atom->type[i]] = 1;
+  MPI_Allreduce(mine.data(), all.data(), (int) mine.size(), MPI_INT, MPI_MAX, lmp->world);
+  for (int t = 1; t <= atom->ntypes; t++)
+    if (all[t] && model.materials()[t].body == TM_BODY_SOLID) types.push_back(t);
+  return types;
+}
+
+// the first of these types that has no heat constants, or 0
+static int type_without_heat(const std::vector<int> &types, const tm_material *material)
+{
+  for (const int t : types)
+    if (!material[t].heat) return t;
+  return 0;
+}
+
+/* Friction heat needs heat as a state, which is on where the materials have what it takes. Where some of them have
+   not, it cannot be: the heat is lost, with a warning. */
+void ToolChecks::heat(ParticleState &state)
+{
+  const Model &model = state.model();
+  if (set.heat_given) state.need(TM_FX_HEAT, fmt::format("fix contact/tri {} exchanges heat", fix.id));
+  const char *keyword = set.share >= 0.0 ? "share" : set.effusivity >= 0.0 ? "effusivity" : nullptr;
+  const bool friction = set.has_friction();
+  const std::vector<int> touched = types_in_group(model);
+  if ((!friction && !keyword) || touched.empty()) return;
+
+  const tm_material *material = model.materials();
+  std::vector<int> every(lmp->atom->ntypes);
+  std::iota(every.begin(), every.end(), 1);
+  const int bare = type_without_heat(touched, material), lacks = bare ? bare : type_without_heat(every, material);
+  const bool some = std::any_of(touched.begin(), touched.end(), [&](int t) { return material[t].heat; });
+  const std::string what = friction ? "friction" : keyword;
+  if (!lacks) state.need(TM_FX_HEAT, fmt::format("{} of fix contact/tri {}", what, fix.id));
+  if (state.has(TM_FX_HEAT) || warned_heat) return;
+  warned_heat = true;
+  if (lmp->comm->me) return;
+  const std::string bare_type = lacks ? fmt::format("type {} ({}) has no heat constants", lacks,
+                                                    model.material_name(lacks)) : "";
+  if (!lacks)
+    lmp->error->warning(FLERR, "{}: heat is forced off in fix sph/tm: {}", who,
+                        friction ? "the heat of its friction warms nothing" : what + " has no use");
+  else if (keyword)
+    lmp->error->warning(FLERR, "{}: {} has no use, heat is off: {}", who, keyword, bare_type);
+  else if (some)
+    lmp->error->warning(FLERR, "{}: the heat of its friction warms nothing, heat is off: {}", who, bare_type);
+}
+
+}    // namespace SPHTM_NS

@@ -1,0 +1,49 @@
+/* SPH-TM: what fix contact/tri checks: extent, speed and jumps of the tool, its group, where its heat goes. */
+#ifndef SPHTM_TOOL_CHECKS_H
+#define SPHTM_TOOL_CHECKS_H
+
+#include "contact_settings.h"
+#include "tool_motion.h"
+
+namespace LAMMPS_NS {
+class Fix;
+}
+
+namespace SPHTM_NS {
+
+class Model;
+class ParticleState;
+
+class ToolChecks {
+ public:
+  ToolChecks(LAMMPS_NS::LAMMPS *, const LAMMPS_NS::Fix &, const ContactSettings &, const TriTool &);
+  // start of a run
+  void body_material(const Model &) const;
+  void extent(double spacing) const;    // in 2d
+  void empty_group();
+  // turns heat on as a state where the tool needs it, and warns where it cannot be
+  void heat(ParticleState &);
+  // a step: largest speed of the tool, sound speed of the particles (0: there are none)
+  void speed(double speed, double sound_speed) const;
+  // A tool that moves far in one step of length dt, whose end is given here, passes particles unseen or finds them deep
+  // inside; dp: the smallest spacing
+  void jump(const tm_pose &end, bool by_variable, double dt, double dp);
+  void restarted_at(const tm_pose &);
+
+ private:
+  LAMMPS_NS::LAMMPS *lmp;
+  const LAMMPS_NS::Fix &fix;
+  const ContactSettings &set;
+  const TriTool &tool;
+  std::string who;
+  bool warned_empty = false, warned_heat = false;
+  tm_vec3 last_corner[8];                   // of the mesh's box after the last step, here or before a restart
+  bool seen = false, restored = false;      // there was one; before a restart
+
+  void corners(const tm_pose &, tm_vec3 *) const;
+  std::vector<int> types_in_group(const Model &) const;
+};
+
+}    // namespace SPHTM_NS
+
+#endif

@@ -1,0 +1,153 @@
+#include "tool_output.h"
+
+#include "comm.h"
+#include "error.h"
+#include "memory.h"
+#include "tm_mesh_write.h"
+#include "update.h"
+#include "utils.h"
+
+#include <algorithm>
+
+using namespace LAMMPS_NS;
+
+namespace SPHTM_NS {
+
+ToolOutput::ToolOutput(LAMMPS *l, const std::string &fix_id, const ContactSettings &s, const TriTool &t) :
+    lmp(l), id(fix_id), set(s), tool(t)
+{
+}
+
+ToolOutput::~ToolOutput()
+{
+  lmp->memory->destroy(local);
+  lmp->memory->destroy(image_rows);
+}
+
+bool ToolOutput::due(int every) const
+{
+  return every > 0 && lmp->update->ntimestep % every == 0;
+}
+
+bool ToolOutput::needs_values() const
+{
+  return due(set.vtk.every) || due(set.local_every);
+}
+
+std::string ToolOutput::file_name(const ContactSettings::File &file) const
+{
+  return utils::star_subst(file.name, lmp->update->ntimestep, 0);
+}
+
+// 3 of each, in the world frame
+std::vector<double> ToolOutput::world_vertices(const tm_pose &p) const
+{
+  const tm_mesh &m = tool.mesh();
+  std::vector<double> x(3 * (size_t) m.nv);
+  for (size_t v = 0; v < (size_t) m.nv; v++) {
+    const tm_vec3 w = tm_pose_to_world(&p, tm_load3(m.vertex + 3 * v));
+    x[3 * v] = w.x;
+    x[3 * v + 1] = w.y;
+    x[3 * v + 2] = w.z;
+  }
+  return x;
+}
+
+void ToolOutput::write(const tm_pose &p, double temperature, TriangleValues &values)
+{
+  if ((!needs_values() && !due(set.stl.every)) || lmp->comm->me) return;
+  const std::vector<double> x = world_vertices(p);
+  if (due(set.vtk.every)) write_vtk(x, p, temperature, values);
+  if (due(set.local_every)) fill_local(x, p, values);
+  if (due(set.stl.every)) write_stl(x);
+}
+
+void ToolOutput::write_stl(const std::vector<double> &x) const
+{
+  char msg[256];
+  const tm_mesh &m = tool.mesh();
+  const tm_facets s = {m.nv, m.nt, x.data(), m.tri};
+  if (tm_write_stl(file_name(set.stl).c_str(), &s, id.c_str(), 1, msg, sizeof msg))
+    lmp->error->one(FLERR, "Fix contact/tri {}: {}", id, msg);
+}
+
+// names as LIGGGHTS writes them, where it has the value
+void ToolOutput::write_vtk(const std::vector<double> &x, const tm_pose &p, double temperature,
+                           TriangleValues &values) const
+{
+  const tm_mesh &m = tool.mesh();
+  const size_t nt = m.nt;
+  const double *force = values.force(), *heat = values.heat();
+  const int *contacts = values.contacts();
+  std::vector<double> normal(nt), shear(nt), flux(nt), count(nt), T(nt, temperature), patch(nt);
+  std::vector<double> stress(3 * nt), vel(3 * nt);
+  for (size_t t = 0; t < nt; t++) {
+    const tm_vec3 f = tm_vec_scale(1.0 / m.area[t], tm_load3(force + 3 * t));
+    const tm_vec3 n = tm_mat_mul_vec(p.turn, tm_load3(m.normal + 3 * t));
+    const double fn = tm_vec_dot(f, n);
+    normal[t] = -fn;    // pressure is positive
+    shear[t] = tm_vec_norm(tm_vec_axpy(f, -fn, n));
+    flux[t] = heat[t] / m.area[t];
+    count[t] = contacts[t];
+    patch[t] = m.patch[t];
+    const double *c = m.corner + 9 * t;
+    const tm_vec3 mid =
+        tm_vec((c[0] + c[3] + c[6]) / 3.0, (c[1] + c[4] + c[7]) / 3.0, (c[2] + c[5] + c[8]) / 3.0);
+    const tm_vec3 v = tm_pose_velocity_at(&p, tm_pose_to_world(&p, mid));
+    const double s[6] = {f.x, f.y, f.z, v.x, v.y, v.z};
+    std::copy_n(s, 3, &stress[3 * t]);
+    std::copy_n(s + 3, 3, &vel[3 * t]);
+  }
+  const tm_cell_array arrays[] = {{"normal_stress_average", 1, normal.data()},
+                                  {"shear_stress_average", 1, shear.data()},
+                                  {"stress", 3, stress.data()},
+                                  {"area", 1, m.area},
+                                  {"vel", 3, vel.data()},
+                                  {"temp", 1, T.data()},
+                                  {"heat_flux", 1, flux.data()},
+                                  {"contacts", 1, count.data()},
+                                  {"patch", 1, patch.data()}};
+  char msg[256];
+  const tm_facets s = {m.nv, m.nt, x.data(), m.tri};
+  const std::string title = fmt::format("SPH-TM tool {} step {}", id, lmp->update->ntimestep);
+  if (tm_write_vtk(file_name(set.vtk).c_str(), &s, arrays, sizeof arrays / sizeof arrays[0], title.c_str(), 1, msg,
+                   sizeof msg))
+    lmp->error->one(FLERR, "Fix contact/tri {}: {}", id, msg);
+}
+
+void ToolOutput::fill_local(const std::vector<double> &x, const tm_pose &p, TriangleValues &values)
+{
+  const tm_mesh &m = tool.mesh();
+  const double *force = values.force(), *heat = values.heat();
+  const int *contacts = values.contacts();
+  if (!local) lmp->memory->create(local, m.nt, LOCAL_COLUMNS, "contact/tri:local");
+  for (int t = 0; t < m.nt; t++) {
+    double *row = local[t];
+    const int *v = m.tri + 3 * (size_t) t;
+    for (int k = 0; k < 3; k++) std::copy_n(&x[3 * (size_t) v[k]], 3, row + 3 * k);
+    std::copy_n(force + 3 * (size_t) t, 3, row + 9);
+    const tm_vec3 n = tm_mat_mul_vec(p.turn, tm_load3(m.normal + 3 * (size_t) t));
+    const double rest[6] = {heat[t], (double) contacts[t], m.area[t], n.x, n.y, n.z};
+    std::copy_n(rest, 6, row + 12);
+  }
+}
+
+int ToolOutput::image(const tm_pose &p, int *&kinds, double **&rows)
+{
+  enum { SPHERE, LINE, TRI };    // of dump image
+  const tm_mesh &m = tool.mesh();
+  if (lmp->comm->me) return 0;
+  const std::vector<double> x = world_vertices(p);
+  image_kind.assign(m.nt, TRI);
+  if (!image_rows) lmp->memory->create(image_rows, m.nt, 10, "contact/tri:image");
+  for (int t = 0; t < m.nt; t++) {
+    image_rows[t][0] = set.body_type ? set.body_type : 1;
+    for (int k = 0; k < 3; k++)
+      std::copy_n(&x[3 * (size_t) m.tri[3 * (size_t) t + k]], 3, image_rows[t] + 1 + 3 * k);
+  }
+  kinds = image_kind.data();
+  rows = image_rows;
+  return m.nt;
+}
+
+}    // namespace SPHTM_NS

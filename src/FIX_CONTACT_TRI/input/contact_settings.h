@@ -1,0 +1,68 @@
+/* SPH-TM: the arguments of fix contact/tri, in the unit style; they do not change after it is made. */
+#ifndef SPHTM_CONTACT_SETTINGS_H
+#define SPHTM_CONTACT_SETTINGS_H
+
+#include "tm_heat.h"
+#include "tri_tool.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace SPHTM_NS {
+
+class Keywords;
+
+struct ContactSettings {
+  ContactSettings(LAMMPS_NS::LAMMPS *, int narg, char **arg);
+
+  TriTool::Shape shape;
+  // contact law
+  tm_table friction = {};    // mu(T)
+  double shear = 0.0, penalty = 1.0, damping = 0.1;
+  bool approach = false, f15 = false, two_sided = false, overlap_allowed = false;
+  bool has_friction() const { return friction.n || friction.value > 0.0; }
+  // heat
+  bool heat_given = false;
+  double share = -1.0, effusivity = -1.0;    // negative: not given
+  double conductance = 0.0;                  // 0: none, negative: perfect
+  int body_type = 0;                         // of the conduction-only particles inside the tool, 0: there are none
+  double temperature = 0.0;                  // the number given, or 0
+  std::string temperature_variable;          // or that of an equal-style variable
+  bool temperature_given = false;
+  double lumped_capacity = 0.0;              // mass c_p of the tool, 0: its temperature is given
+  // output
+  struct File {
+    int every = 0;
+    std::string name;
+  } vtk, stl;
+  int local_every = 0;
+  bool reference_given = false;
+  double reference[3] = {0, 0, 0};    // point of the torques
+
+  // of the values of the keywords of contact and heat, which a restart compares; those of the tool's temperature last
+  struct Hash {
+    const char *keyword;
+    uint64_t value;
+  };
+  std::vector<Hash> hashes() const;
+
+ private:
+  LAMMPS_NS::LAMMPS *lmp;
+  // each returns whether the keyword is its own
+  bool read_mesh(Keywords &);
+  bool read_placement(Keywords &);
+  bool read_law(Keywords &);
+  void read_friction_table(Keywords &);
+  bool read_heat(Keywords &);
+  bool read_output(Keywords &);
+  void check() const;
+};
+
+}    // namespace SPHTM_NS
+
+#endif

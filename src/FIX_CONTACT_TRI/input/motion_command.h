@@ -1,0 +1,26 @@
+/* SPH-TM: the arguments of fix_modify move of a tool. */
+#ifndef SPHTM_MOTION_COMMAND_H
+#define SPHTM_MOTION_COMMAND_H
+
+#include "tm_motion.h"
+
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace SPHTM_NS {
+
+struct MotionCommand {
+  tm_motion motion;
+  std::vector<std::string> variables;    // x y z vx vy vz, empty: NULL; none: the motion is a formula
+  int words;                             // that were read
+};
+
+MotionCommand read_motion(LAMMPS_NS::LAMMPS *, int narg, char **arg);    // those after `move`
+
+}    // namespace SPHTM_NS
+
+#endif

@@ -1,0 +1,56 @@
+/* SPH-TM: the loops of fix contact/tri over particles. See loop_table.h. */
+#ifndef SPHTM_CONTACT_LOOPS_H
+#define SPHTM_CONTACT_LOOPS_H
+
+#include "loop_table.h"
+#include "tm_contact_tri.h"
+#include "tm_spread.h"
+#include "tm_tool_move.h"
+
+#include <climits>
+
+namespace SPHTM_NS {
+
+struct HeatMessage {    // of values heat, those in the list are sent, or n from the first on received
+  tm_real *heat;
+  const int *list;
+  double *buf;
+};
+
+TM_FN int tm_first_nothing(void) { return INT_MAX; }
+TM_FN void tm_first_sum(int *first, const int *i) { *first = *i < *first ? *i : *first; }
+
+#define CONTACT_LOOPS(LOOP)                                                                                          \
+  /* effects: of tm_contact_effect; the result is there once the loop is waited for */                               \
+  LOOP(OWN, contact, void, int n, const tm_contact_args &, unsigned effects, tm_contact_result *)                    \
+  LOOP(EACH, move, tm_tool_move_args, tm_tool_move(i, &a))                                                           \
+  /* the first particle whose heat no other takes */                                                                 \
+  LOOP(SUM, divide_heat, tm_spread_args, int, tm_first, tm_spread_divide(i, &a) ? i : INT_MAX)                       \
+  LOOP(EACH, collect_heat, tm_spread_args, tm_spread_collect(i, &a))                                                 \
+  LOOP(EACH, send_heat, HeatMessage, a.buf[i] = a.heat[a.list[i]])                                                   \
+  LOOP(EACH, receive_heat, HeatMessage, a.heat[i] = a.buf[i])
+
+struct ContactLoops {
+  SPHTM_LOOP_POINTERS(CONTACT_LOOPS)
+
+  static const ContactLoops &of(const Backend &);
+  static const ContactLoops *kokkos;    // where this build has them
+};
+
+// The contact loop is compiled for the sets of effects that most scenes have: run.template with<SET>(). SET 0 stands
+// for the others, whose effects are tested at run time.
+template <class RUN> void for_contact_set(unsigned effects, const RUN &run)
+{
+  constexpr unsigned D = TM_CT_3D, H = TM_CT_HEAT, F = TM_CT_FRICTION;
+  switch (effects) {
+    case F: return run.template with<F>();
+    case H | F: return run.template with<H | F>();
+    case D | F: return run.template with<D | F>();
+    case D | H | F: return run.template with<D | H | F>();
+    default: return run.template with<0u>();
+  }
+}
+
+}    // namespace SPHTM_NS
+
+#endif

@@ -1,0 +1,97 @@
+#include "energy_report.h"
+
+#include "scene.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "error.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+
+namespace SPHTM_NS {
+
+EnergyReport::EnergyReport(LAMMPS *lmp, ParticleState &s, const Scene &sc) : Pointers(lmp), state(s), scene(sc) {}
+
+double EnergyReport::value(int entry)
+{
+  sum();
+  return now[entry];
+}
+
+void EnergyReport::sum()
+{
+  if (summed_at == update->ntimestep && update->whichflag) return;
+  summed_at = update->ntimestep;
+  using E = EnergyBalance;
+  const E &b = state.energy();
+  double mine[ENTRIES] = {};
+  mine[KINETIC] = PairLoops::of(state.loops()).kinetic_energy(state.loops(), atom->nlocal, state.arrays(), state.effects());
+  mine[ELASTIC] = b.of(E::ELASTIC);
+  mine[PLASTIC] = b.of(E::PLASTIC) - b.of(E::PLASTIC_HEAT);
+  mine[HEAT] = b.of(E::HEAT) - b.of(E::HEAT_EXCHANGED);
+  mine[CONTACT] = b.spring() + b.of(E::CONTACT_DAMPING);
+  mine[FRICTION] = b.of(E::FRICTION);
+  mine[ARTIFICIAL] = b.of(E::ARTIFICIAL);
+  mine[EXTERNAL] = -(b.of(E::KINETIC_WORK) - b.of(E::INTERNAL_WORK) - b.of(E::CONTACT_WORK) + b.of(E::TOOL_WORK));
+  mine[NEIGHBORS] = scene.results().neighbors();
+  MPI_Allreduce(mine, now, ENTRIES, MPI_DOUBLE, MPI_SUM, world);
+  const double unit = state.model().units().energy;
+  double total = 0.0;
+  for (int k = 0; k < SUM; k++) {
+    now[k] /= unit;
+    total += now[k];
+  }
+  now[SUM] = total;
+  now[DT] = state.time_step().now();
+  now[CAUSE] = state.time_step().cause();
+  now[NEIGHBORS] /= std::max((double) atom->natoms, 1.0);
+}
+
+// of a body strained by 1e-7: of less nothing can be said
+double EnergyReport::least_energy()
+{
+  constexpr double LEAST = 1e-14;
+  double mine = 0.0, all;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const tm_material &m = state.model().materials()[atom->type[i]];
+    if (m.body != TM_BODY_SOLID) continue;
+    const double mass = atom->rmass_flag ? atom->rmass[i] : atom->mass[atom->type[i]];
+    mine += mass * m.bulk / m.rho0;
+  }
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return LEAST * all / state.model().units().energy;
+}
+
+void EnergyReport::look(Look when, bool may_stop)
+{
+  if (!state.has(TM_FX_LEDGER)) return;
+  sum();
+  forget();    // fixes whose turn is still to come may add to it
+  const EnergyWatch::Energies energies = {now[KINETIC], now[ARTIFICIAL], now[EXTERNAL], now[SUM]};
+  if (when == FIRST) {
+    energy_watch.begin(energies, least_energy());
+    return;
+  }
+  energy_watch.look(energies);
+  if (when == GLANCE) return;
+  energy_watch.count(when == LAST);
+  for (std::string text = energy_watch.warning(); !text.empty(); text = energy_watch.warning())
+    if (comm->me == 0) error->warning(FLERR, "Fix sph/tm {}: at step {} {}", state.id(), update->ntimestep, text);
+  if (energy_watch.stops(drift_allowed) && may_stop)
+    error->all(FLERR,
+               "Fix sph/tm {} stops at step {}: the sum of the energies has drifted by {:+.3g} % "
+               "of the {:.6g} that "
+               "went in, more than the {:.3g} % of energy/drift: the results are not to be "
+               "trusted. Likely cause: {}",
+               state.id(), update->ntimestep, 100.0 * energy_watch.drift(), energy_watch.went_in(),
+               100.0 * drift_allowed,
+               state.time_step().is_fixed()
+                   ? "the constant dt"
+                   : "a body that tears apart or clumps numerically, or a courant too large");
+}
+
+}    // namespace SPHTM_NS

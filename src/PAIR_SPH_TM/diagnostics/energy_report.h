@@ -1,0 +1,47 @@
+/* SPH-TM: the energy balance summed over all ranks, for the output vector of fix sph/tm and the warnings of a run. */
+#ifndef SPHTM_ENERGY_REPORT_H
+#define SPHTM_ENERGY_REPORT_H
+
+#include "energy_watch.h"
+
+#include "lmptype.h"
+#include "pointers.h"
+
+namespace SPHTM_NS {
+
+class ParticleState;
+class Scene;
+
+class EnergyReport : protected LAMMPS_NS::Pointers {
+ public:
+  // entries of the output vector
+  enum Entry {
+    KINETIC, ELASTIC, PLASTIC, HEAT, CONTACT, FRICTION, ARTIFICIAL, EXTERNAL, SUM, DT, CAUSE, NEIGHBORS, ENTRIES
+  };
+  EnergyReport(LAMMPS_NS::LAMMPS *, ParticleState &, const Scene &);
+
+  double value(int entry);    // now; collective
+  void forget() { summed_at = -1; }    // velocities and particles may have changed
+
+  void set_drift_allowed(double d) { drift_allowed = d; }    // of what went in
+  // at the start of a run, every so many steps, at its end; a glance does not count
+  enum Look { FIRST, REGULAR, LAST, GLANCE };
+  // warns and stops in the name of fix sph/tm; lost particles take their energies with them, and nothing stops then
+  void look(Look, bool may_stop);
+  EnergyWatch &watch() { return energy_watch; }
+
+ private:
+  ParticleState &state;
+  const Scene &scene;
+  double now[ENTRIES] = {};
+  LAMMPS_NS::bigint summed_at = -1;
+  EnergyWatch energy_watch;
+  double drift_allowed = 0.1;
+
+  void sum();
+  double least_energy();
+};
+
+}    // namespace SPHTM_NS
+
+#endif

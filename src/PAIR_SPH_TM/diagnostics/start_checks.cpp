@@ -1,0 +1,382 @@
+#include "start_checks.h"
+
+#include "all_ranks.h"
+#include "restart_block.h"
+#include "scene.h"
+#include "tm_filling.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix.h"
+#include "force.h"
+#include "group.h"
+#include "input.h"
+#include "modify.h"
+#include "pair.h"
+#include "update.h"
+#include "utils.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+
+namespace SPHTM_NS {
+
+StartChecks::StartChecks(LAMMPS *lmp, const Fix &f, ParticleState &s, const Scene &sc) :
+    Pointers(lmp), fix(f), state(s), scene(sc)
+{
+}
+
+const Model &StartChecks::model() const { return scene.model(); }
+
+namespace {
+// lattice sum of the masses over its value on the lattice, and spacing over that of the masses: beyond the first the
+// run stops, beyond the second it warns
+constexpr double DENSE = 1.17, DENSE_WARNED = 1.1, THIN = 1.09, THIN_WARNED = 1.045;
+constexpr double DENSE_OF_SIZES = 1.6, THIN_OF_SIZES = 1.4;    // where particles have sizes of their own
+constexpr double CLOSE = 0.1;                 // of the spacing: in one place
+constexpr double CLOSE_BETWEEN_RUNS = 0.7;    // where it was not so at the end of the last run
+}    // namespace
+
+/* ---------------------------------------------------------------------- other fixes and commands */
+
+void StartChecks::check_company(const Pair *pair)
+{
+  if (utils::strmatch(update->integrate_style, "^respa"))
+    error->all(FLERR, "Fix sph/tm does not work with run_style respa; use run_style verlet");
+  if (update->whichflag == 2)
+    error->all(FLERR, "Fix sph/tm does not work with minimize: the forces follow from the history of the "
+                      "deformation, not from an energy; use run, with fix viscous to bring a body to rest");
+  if (input->command && strcmp(input->command, "rerun") == 0)
+    error->all(FLERR, "Fix sph/tm does not work with rerun: a dump has positions, not the state (stress, density, "
+                      "temperature) that the forces follow from; write the values with the dump, or restart files");
+  if (!force->pair->compute_flag || !pair->compute_flag)
+    error->all(FLERR, "Fix sph/tm needs the forces of pair style sph/tm, which 'pair_modify compute no' leaves out; "
+                      "write 'pair_modify compute yes'");
+  for (const auto &f : modify->get_fix_by_style("^dt/reset"))
+    error->all(FLERR, "Fix {} dt/reset works against fix sph/tm, which sets the time step itself; remove it, and limit "
+                      "the step with the keyword dt/max", f->id);
+  for (const auto &f : modify->get_fix_list())
+    if (f->box_change & (Fix::BOX_CHANGE_SIZE | Fix::BOX_CHANGE_SHAPE) && comm->me == 0)
+      error->warning(FLERR, "Fix {} {} changes the box: where it moves the particles with it, their stress and density know "
+                            "nothing of it", f->id, f->style);
+  state.atoms().to_host();
+  check_integrators();
+  const bigint members = group->count(state.group_index());
+  if (members == 0 && atom->natoms > 0 && comm->me == 0)
+    error->warning(FLERR, "Fix sph/tm {}: group {} is empty: no particle moves", state.id(), group->names[state.group_index()]);
+}
+
+// a particle with two of them would move twice as far
+void StartChecks::check_integrators()
+{
+  for (const auto &f : modify->get_fix_list()) {
+    if (f == &fix || !f->time_integrate) continue;
+    bigint mine = 0, all = 0;
+    for (int i = 0; i < atom->nlocal; i++) mine += (atom->mask[i] & state.group_bit()) && (atom->mask[i] & f->groupbit);
+    MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+    if (all)
+      error->all(FLERR,
+                 "Fix {} {} also integrates {} particles of group {} that fix sph/tm {} "
+                 "integrates; remove it, or "
+                 "give the two fixes groups that share no particle",
+                 f->id, f->style, all, group->names[state.group_index()], state.id());
+  }
+}
+
+/* ---------------------------------------------------------------------- between runs */
+
+// a fix that is written again would begin with an unstressed body
+void StartChecks::check_begun(bool begin_anew)
+{
+  if (state.history().begun() || begin_anew || !scene.results().has_stepped()) return;
+  error->all(FLERR,
+             "Fix sph/tm {}: the state of the particles (stress, plastic strain, temperature) was "
+             "lost with the fix "
+             "that was removed or written again after its first step; change settings with "
+             "fix_modify, or begin "
+             "from an unstressed body with the keyword 'state new'",
+             state.id());
+}
+
+std::vector<bigint> StartChecks::particles_of_types(bool old_only)
+{
+  const double *rho = state.fields()[TM_F_RHO].host_read();
+  std::vector<bigint> mine(atom->ntypes + 1, 0), all(atom->ntypes + 1, 0);
+  for (int i = 0; i < atom->nlocal; i++) mine[atom->type[i]] += !old_only || rho[i] != 0.0;
+  MPI_Allreduce(mine.data(), all.data(), atom->ntypes + 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  return all;
+}
+
+// of the places of all particles, in any order
+uint64_t StartChecks::places_hash()
+{
+  uint64_t mine = 0, all;
+  for (int i = 0; i < atom->nlocal; i++) {
+    struct {
+      double x[3];
+      int64_t tag;
+    } p = {{atom->x[i][0], atom->x[i][1], atom->x[i][2]}, atom->tag[i]};
+    imageint image = atom->image[i];
+    domain->remap(p.x, image);    // as LAMMPS does before the next step
+    mine += hash_bytes(&p, sizeof(p));
+  }
+  MPI_Allreduce(&mine, &all, 1, MPI_UINT64_T, MPI_SUM, world);
+  return all;
+}
+
+double StartChecks::total_mass()
+{
+  double mine = 0.0, all;
+  for (int i = 0; i < atom->nlocal; i++) mine += atom->rmass_flag ? atom->rmass[i] : atom->mass[atom->type[i]];
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+void StartChecks::remember_particles()
+{
+  if (!scene.is_current(&state)) return;
+  state.atoms().to_host();
+  last_run.types = particles_of_types(false);
+  last_run.density.clear();
+  for (int t = 0; t <= atom->ntypes; t++) last_run.density.push_back(model().materials()[t].rho0);
+  const tm_nearest c = scene.results().nearest();
+  const double mine[4] = {c.sum, c.count, scene.results().neighbors(), (double) atom->nlocal};
+  double all[4];
+  MPI_Allreduce(mine, all, 4, MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(&c.distance, &last_run.nearest, 1, MPI_DOUBLE, MPI_MIN, world);
+  last_run.mean_nearest = all[0] / std::max(all[1], 1.0);
+  last_run.neighbors = all[2] / std::max(all[3], 1.0);
+  last_run.mass = total_mass();
+  last_run.places = places_hash();
+  last_run.particles = (bigint) all[3];
+}
+
+// particles that a command moved against each other: their stress and density know nothing of it
+void StartChecks::check_strain(const tm_nearest &c)
+{
+  state.atoms().to_host();
+  state.history().set_moved(places_hash() != last_run.places);
+  if (!state.history().moved_since_last_run()) return;
+  const double mine[4] = {c.sum, c.count, scene.results().neighbors(), (double) atom->nlocal};
+  double all[4];
+  MPI_Allreduce(mine, all, 4, MPI_DOUBLE, MPI_SUM, world);
+  if ((bigint) all[3] != last_run.particles) return;
+  const double near = all[0] / std::max(all[1], 1.0) / std::max(last_run.mean_nearest, 1e-300);
+  const double count = all[2] / std::max(all[3], 1.0) / std::max(last_run.neighbors, 1e-300);
+  constexpr double STOPS = 0.1, WARNS = 0.03;
+  const double worst = std::max(fabs(near - 1.0), fabs(count - 1.0));
+  if (worst < WARNS) return;
+  const std::string text = fmt::format(
+      "Fix sph/tm {}: particles were moved against each other after the last run (nearest neighbors on the mean {:.4g} "
+      "times as far apart, {:.4g} times as many neighbors); their stress and density know nothing of it. Bodies are moved "
+      "as a whole, and strained by velocities in a run", state.id(), near, count);
+  if (worst > STOPS) error->all(FLERR, text);
+  if (comm->me == 0) error->warning(FLERR, text);
+}
+
+// before new particles get their state: which are new, and whether others have changed what they are made of
+void StartChecks::look_at_changes()
+{
+  fresh.clear();
+  if (!state.history().begun() || last_run.types.empty()) return;
+  const double *rho = state.fields()[TM_F_RHO].host_read();
+  std::vector<tagint> mine;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (rho[i] == 0.0) mine.push_back(atom->tag[i]);
+  fresh = of_all_ranks(mine, world);
+  std::sort(fresh.begin(), fresh.end());
+  const std::vector<bigint> now = particles_of_types(true);
+  for (int t = 1; t <= atom->ntypes; t++)
+    if (now[t] > last_run.types[t])
+      error->all(FLERR, "Fix sph/tm {}: {} particles became type {} ({}) after a run; their state belongs to another "
+                        "material. Set types before the first run, or delete and create the particles", state.id(),
+                 now[t] - last_run.types[t], t, model().material_name(t));
+  for (int t = 1; t <= atom->ntypes; t++)
+    if (now[t] && fabs(model().materials()[t].rho0 - last_run.density[t]) > 1e-6 * last_run.density[t])
+      error->all(FLERR, "Fix sph/tm {}: the density of type {} ({}) changed from {:.6g} to {:.6g} after a run; the particles "
+                        "keep theirs. Materials are given before the first run", state.id(), t, model().material_name(t),
+                 last_run.density[t] / model().units().density,
+                 model().materials()[t].rho0 / model().units().density);
+  const double mass = total_mass();
+  const bigint mine_now = atom->nlocal;
+  bigint particles;
+  MPI_Allreduce(&mine_now, &particles, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  if (particles == last_run.particles && fresh.empty() && fabs(mass - last_run.mass) > 1e-6 * last_run.mass)
+    error->all(FLERR, "Fix sph/tm {}: the mass of the particles changed from {:.8g} to {:.8g} after a run; it belongs to "
+                      "their density and volume. Masses are given before the first run", state.id(), last_run.mass, mass);
+}
+
+/* ---------------------------------------------------------------------- particles */
+
+// forces and velocities that are no numbers, particles in one place
+void StartChecks::check_values()
+{
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double *x = atom->x[i], *v = atom->v[i], *f = atom->f[i];
+    const char *what = nullptr;
+    for (int k = 0; k < 3; k++) {
+      if (!std::isfinite(f[k])) what = "force";
+      if (!std::isfinite(v[k])) what = "velocity";
+    }
+    if (what)
+      error->one(FLERR, "Fix sph/tm: the {} of particle {} (type {}) at {:.6g} {:.6g} {:.6g} is not a finite "
+                        "number at the start; its velocity is {:.6g} {:.6g} {:.6g}", what, atom->tag[i],
+                 atom->type[i], x[0], x[1], x[2], v[0], v[1], v[2]);
+  }
+}
+
+void StartChecks::check_overlap(const tm_nearest &c, double least)
+{
+  const double dp = state.has(TM_FX_SMOOTHING) ? model().smallest_spacing() : model().settings_in_use().spacing;
+  if (!(c.distance < least * dp)) return;
+  double **x = atom->x;
+  const auto pair = std::minmax(c.i, c.j, [&](int i, int j) { return atom->tag[i] < atom->tag[j]; });
+  const int i = pair.first, j = pair.second;
+  error->one(FLERR, "Pair style sph/tm: particles {} and {} are {} at {:.6g} {:.6g} {:.6g}; {}remove one of "
+                    "them ('delete_atoms overlap {:.6g} all all')",
+             atom->tag[i], atom->tag[j], c.distance == 0.0 ? "in the same place" :
+             fmt::format("only {:.6g} of the spacing apart", c.distance / dp), x[i][0], x[i][1],
+             x[i][2], c.distance < CLOSE * dp ? "" : "set bodies one spacing apart, or ", 0.5 * dp);
+}
+
+// masses against the lattice sum of what is there: of all particles, or of those that came since the last run
+void StartChecks::check_filling(bool of_fresh)
+{
+  const Settings &set = model().settings_in_use();
+  tm_filling_args a;
+  a.rows = scene.rows().host_rows();
+  a.rec = scene.results().host_records();
+  a.kernel = set.kernel;
+  a.dim = domain->dimension;
+  a.h = set.h;
+  if (!state.has(TM_FX_SMOOTHING)) a.rec.size = nullptr;
+  const double of_lattice = tm_filling_of_lattice(set.kernel, a.dim, set.ratio, 1.0).sum;
+  std::vector<tm_filling> wider;    // lattices, each wider by a hundredth
+  for (double s = 1.0; s < 2.6; s += 0.01) wider.push_back(tm_filling_of_lattice(set.kernel, a.dim, set.ratio, s));
+  // one that ends within the reach of the kernel is not wide, its spread is smaller
+  auto as_wide = [&wider](const tm_filling &f) {
+    const auto at = std::find_if(wider.begin(), wider.end(), [&f](const tm_filling &w) { return w.sum < f.sum; });
+    return f.spread > 0.9 * (at == wider.end() ? wider.back() : *at).spread;
+  };
+  const bool sizes = state.has(TM_FX_SMOOTHING);
+  const double thin_sum = tm_filling_of_lattice(set.kernel, a.dim, set.ratio, sizes ? THIN_OF_SIZES : THIN_WARNED).sum;
+
+  Filling mine;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (model().materials()[atom->type[i]].body != TM_BODY_SOLID) continue;
+    if (of_fresh && !std::binary_search(fresh.begin(), fresh.end(), atom->tag[i])) continue;
+    const tm_filling f = tm_filling_around(i, &a);
+    const double dense = f.sum / of_lattice;
+    const bool thin = f.inside && f.sum < thin_sum && as_wide(f);
+    mine.particles++;
+    mine.right += f.inside && fabs(dense - 1.0) < 0.03;
+    mine.off += dense > (sizes ? DENSE_OF_SIZES : DENSE_WARNED) || thin;
+    if (dense > mine.densest) {
+      mine.densest = dense;
+      mine.dense_at = i;
+    }
+    if (thin && f.sum < mine.thinnest) {
+      mine.thinnest = f.sum;
+      mine.thin_at = i;
+    }
+  }
+  judge_filling(mine, of_lattice, sizes);
+}
+
+// the spacing of the lattice in use where it is that
+std::string StartChecks::spacing_in_words(double spacing) const
+{
+  const double of_lattice = Model::lattice_spacing(lmp);
+  return fabs(of_lattice - spacing) < 0.02 * spacing ? fmt::format("{:.6g}' or 'spacing lattice", of_lattice)
+                                                     : fmt::format("{:.3g}", spacing);
+}
+
+void StartChecks::judge_filling(const Filling &mine, double of_lattice, bool sizes)
+{
+  const Settings &set = model().settings_in_use();
+  const double low[2] = {-mine.densest, mine.thinnest};
+  double worst[2], count[3] = {mine.particles, mine.off, mine.right}, all[3];
+  MPI_Allreduce(low, worst, 2, MPI_DOUBLE, MPI_MIN, world);
+  MPI_Allreduce(count, all, 3, MPI_DOUBLE, MPI_SUM, world);
+  const bool dense = -worst[0] > (sizes ? DENSE_OF_SIZES : DENSE_WARNED);
+  if (!dense && worst[1] >= 1e300) return;
+  const double sum = dense ? -worst[0] * of_lattice : worst[1];
+  const double s = tm_filling_spacing(set.kernel, domain->dimension, set.ratio, sum);
+  const bool stop = dense ? -worst[0] > (sizes ? DENSE_OF_SIZES : DENSE) : s > (sizes ? THIN_OF_SIZES : THIN);
+
+  // who has it says it
+  int i = dense ? mine.dense_at : mine.thin_at;
+  if (dense ? mine.densest < -worst[0] : mine.thinnest > worst[1]) i = -1;
+  int rank = i >= 0 ? comm->me : comm->nprocs, first;
+  MPI_Allreduce(&rank, &first, 1, MPI_INT, MPI_MIN, world);
+  if (first == comm->me) {
+    const double *x = atom->x[i];
+    const tm_real *r = scene.results().host_records().main + tm_record(i, TM_REC);
+    const double mass = r[tm_part(TM_REC_M)], due = r[tm_part(TM_REC_RHO)] * pow(set.spacing, domain->dimension);
+    const std::string remedy = !sizes && fabs(mass / due - 1.0) > 0.05
+        ? fmt::format("its mass is {:.6g}, density times spacing gives {:.6g}: leave out the mass "
+                      "command, or 'set type {} "
+                      "mass {:.6g}' where particles have masses of their own",
+                      mass, due, atom->type[i], due)
+        : all[1] > 0.3 * all[0] && all[2] < 0.05 * all[0]
+        ? fmt::format("write 'spacing {}' in pair_style{}", spacing_in_words(s * set.spacing),
+                      dense ? ", or delete what was created twice" : "")
+        : dense ? std::string("two bodies or lattices are too close together or lie over each "
+                              "other: set them one spacing "
+                              "apart, or remove what is double with delete_atoms overlap")
+                : std::string("a part of the particles is further apart than the spacing: create "
+                              "them all on one lattice");
+    const std::string text =
+        fmt::format("Pair style sph/tm: particle {} (type {}) at {:.6g} {:.6g} {:.6g} has {:.3g} "
+                    "times the mass around it that its "
+                    "density says, as if the particles were {:.3g} of the spacing {:.6g} apart; so "
+                    "have {:.0f} of {:.0f} particles, by "
+                    "5 % of the spacing or more; {}",
+                    atom->tag[i], atom->type[i], x[0], x[1], x[2], sum / of_lattice, s, set.spacing,
+                    all[1], all[0], remedy);
+    if (stop) error->one(FLERR, text);
+    error->warning(FLERR, text);
+  }
+  if (stop) MPI_Barrier(world);
+}
+
+void StartChecks::check_start()
+{
+  const tm_nearest c = scene.results().nearest();
+  check_overlap(c, CLOSE);
+  check_values();
+  double mine[2] = {c.sum, c.count}, all[2];
+  MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
+  bigint solids = 0;
+  for (int t = 1; t <= atom->ntypes; t++) solids += model().materials()[t].body == TM_BODY_SOLID;
+  if (all[1] == 0.0 && atom->natoms > 1 && solids) {
+    const std::string text =
+        fmt::format("Pair style sph/tm: no particle has a neighbor within reach; are the particles "
+                    "{:.6g} (the keyword spacing) apart?",
+                    model().settings_in_use().spacing);
+    const double of_lattice = Model::lattice_spacing(lmp), off = of_lattice / model().settings_in_use().spacing;
+    if (off > THIN) error->all(FLERR, "{} The lattice in use has {:.6g}: write 'spacing lattice'", text, of_lattice);
+    if (comm->me == 0) error->warning(FLERR, text);
+  }
+  check_filling(false);
+}
+
+// a run that goes on: what came or was moved since the last one
+void StartChecks::check_changes()
+{
+  if (last_run.types.empty()) return;
+  const tm_nearest c = scene.results().nearest();
+  const double dp = state.has(TM_FX_SMOOTHING) ? model().smallest_spacing() : model().settings_in_use().spacing;
+  check_overlap(c, CLOSE);
+  check_values();
+  check_strain(c);
+  if (!fresh.empty()) check_filling(true);
+  check_overlap(c, std::min(CLOSE_BETWEEN_RUNS, 0.85 * last_run.nearest / dp));
+}
+
+}    // namespace SPHTM_NS

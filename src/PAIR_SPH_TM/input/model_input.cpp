@@ -1,0 +1,170 @@
+#include "model_input.h"
+
+#include "argument.h"
+#include "material_input.h"
+#include "model.h"
+
+#include "atom.h"
+#include "error.h"
+#include "lammps.h"
+#include "utils.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+
+namespace SPHTM_NS {
+
+Settings read_settings(LAMMPS *lmp, int narg, char **arg)
+{
+  Error *error = lmp->error;
+  if (narg < 4)
+    error->all(FLERR, "Illegal pair_style sph/tm: expected 'sph/tm <kernel> <h/spacing> spacing "
+                      "<dp> ...', got {} arguments", narg);
+  Settings set;
+  int kernel = -1;
+  for (int k = 0; k < TM_KERNEL_COUNT; k++)
+    if (strcmp(arg[0], kernel_name(k)) == 0) kernel = k;
+  if (kernel < 0)
+    error->all(FLERR, "Unknown pair style sph/tm kernel {}: choose hyperbolic, cubic, quintic, "
+                      "wendland/c2 or wendland/c4", arg[0]);
+  set.kernel = kernel;
+  set.ratio = positive(lmp, "Pair style sph/tm ratio of smoothing length to spacing", arg[1]);
+  if (set.ratio < 0.8 || set.ratio > 4.0)
+    error->all(FLERR, "Pair style sph/tm ratio of smoothing length to spacing must be between 0.8 "
+                      "and 4, got {}", arg[1]);
+
+  Keywords k(lmp, "Pair style sph/tm", narg - 2, arg + 2);
+  while (k.next()) {
+    if (k.is("spacing")) {
+      if (k.take("lattice")) set.spacing = Model::lattice_spacing(lmp);
+      else {
+        set.spacing = k.positive();
+        continue;
+      }
+      if (set.spacing == 0.0)
+        error->all(FLERR,
+                   "{} lattice: there is no lattice in use; write a lattice command before it, or "
+                   "the spacing as a "
+                   "number",
+                   k.what());
+    } else if (k.is("viscosity")) {
+      k.need(2);
+      set.visc_alpha = k.not_negative("alpha");
+      set.visc_beta = k.not_negative("beta");
+    } else if (k.is("balsara")) set.balsara = k.yes();
+    else if (k.is("artstress")) {
+      k.need(2);
+      set.art_eps = k.share("epsilon");
+      set.art_n = k.integer(1, 8, "exponent");
+      if (k.take("component")) set.art_component = true;
+      else if (k.take("principal")) set.art_component = false;
+      if (k.take("balanced")) set.art_balanced = true;
+    } else if (k.is("xsph")) set.xsph = k.share("epsilon");
+    else if (k.is("hourglass")) set.hourglass = k.share("xi");
+    else if (k.is("form")) set.form_f14 = k.second("f15", "f14");
+    else if (k.is("correction")) set.correction = k.yes();
+    else if (k.is("plane")) set.plane_stress = k.second("strain", "stress");
+    else if (k.is("precision")) set.mixed = k.second("double", "mixed");
+    else
+      error->all(FLERR, "Unknown pair style sph/tm keyword {}: known are spacing, viscosity, "
+                        "balsara, artstress, hourglass, xsph, form, correction, plane, precision", k.name());
+  }
+  if (set.spacing <= 0.0)
+    error->all(FLERR, "Pair style sph/tm needs the keyword spacing with the particle spacing");
+  if (set.correction && set.form_f14)
+    error->all(FLERR, "Pair style sph/tm correction yes needs form f15");
+  set.h = set.ratio * set.spacing;
+  return set;
+}
+
+void check_spacing_kept(LAMMPS *lmp, const Settings &before, const Settings &now)
+{
+  if (before.spacing > 0.0 && fabs(now.spacing - before.spacing) > 1e-9 * before.spacing)
+    lmp->error->all(FLERR, "Pair style sph/tm spacing changed from {:.8g} to {:.8g} after a run; masses and sizes of the "
+                           "particles belong to the old one", before.spacing, now.spacing);
+}
+
+// how two types meet: bond | none | heat [conductance hc] | contact [friction mu] [penalty PFAC]
+// [damping DFAC] [conductance hc]
+static void read_meeting(LAMMPS *lmp, int narg, char **arg, Model &model)
+{
+  Error *error = lmp->error;
+  int ilo, ihi, jlo, jhi;
+  utils::bounds(FLERR, arg[0], 1, model.types(), ilo, ihi, error);
+  utils::bounds(FLERR, arg[1], 1, model.types(), jlo, jhi, error);
+  const std::string what = arg[2];
+  PairLaw law;
+  law.meeting = what == "bond" ? BOND : what == "none" ? NONE : what == "heat" ? HEAT_ONLY : CONTACT;
+  law.contact.friction = 0.0;
+  law.contact.penalty = 1.0;
+  law.contact.damping = 0.2;
+  law.conductance = what == "contact" ? -1.0 : 0.0;    // contact: no heat unless asked
+  for (int iarg = 3; iarg < narg; iarg += 2) {
+    const std::string key = arg[iarg];
+    if (iarg + 1 >= narg)
+      error->all(FLERR, "Pair sph/tm coeff {} keyword {} needs a value", what, key);
+    const char *val = arg[iarg + 1];
+    if (key == "conductance" && (law.meeting == HEAT_ONLY || law.meeting == CONTACT)) {
+      law.conductance = strcmp(val, "perfect") == 0 ? 0.0
+          : positive(lmp, "Pair sph/tm coeff " + what + " conductance", val) * unit_scale(lmp).energy;
+    } else if (key == "friction" && law.meeting == CONTACT)
+      law.contact.friction = not_negative(lmp, "Pair sph/tm coeff contact friction", val);
+    else if (key == "penalty" && law.meeting == CONTACT)
+      law.contact.penalty = positive(lmp, "Pair sph/tm coeff contact penalty", val);
+    else if (key == "damping" && law.meeting == CONTACT)
+      law.contact.damping = not_negative(lmp, "Pair sph/tm coeff contact damping", val);
+    else
+      error->all(FLERR, "Unknown pair sph/tm coeff {} keyword {}: known {}", what, key,
+                 law.meeting == CONTACT ? "are friction, penalty, damping and conductance"
+                     : law.meeting == HEAT_ONLY ? "is conductance" : "is none");
+  }
+  int count = 0;
+  for (int i = ilo; i <= ihi; i++)
+    for (int j = jlo; j <= jhi; j++) {
+      if (i == j) continue;
+      model.set_law(i, j, law);
+      count++;
+    }
+  if (count == 0)
+    error->all(FLERR, "Pair sph/tm coeff {} needs two different types, got {} {}", what, arg[0],
+               arg[1]);
+}
+
+void read_coefficients(LAMMPS *lmp, int narg, char **arg, Model &model)
+{
+  Atom *atom = lmp->atom;
+  Error *error = lmp->error;
+  if (narg < 3) error->all(FLERR, "Pair sph/tm coeff needs two types and a material or a law");
+
+  int ilo, ihi, jlo, jhi;
+  utils::bounds(FLERR, arg[0], 1, model.types(), ilo, ihi, error);
+  utils::bounds(FLERR, arg[1], 1, model.types(), jlo, jhi, error);
+
+  static const char *const meetings[] = {"bond", "none", "contact", "heat"};
+  const bool meeting = std::any_of(std::begin(meetings), std::end(meetings),
+                                   [&](const char *m) { return strcmp(arg[2], m) == 0; }) &&
+      !(strcmp(arg[2], "heat") == 0 && ilo == jlo && ihi == jhi && ilo == ihi);
+  if (meeting) {
+    read_meeting(lmp, narg, arg, model);
+    return;
+  }
+  if (std::max(ilo, jlo) > std::min(ihi, jhi))
+    error->all(FLERR, "Pair sph/tm coeff {0} {1}: a material belongs to one type; write 'pair_coeff {1} {1} ...', "
+                      "and for two types bond, none, heat or contact", arg[0], arg[1]);
+  tm_material m = read_material(lmp, "Pair sph/tm coeff", narg - 2, arg + 2);
+  scale_material(m, unit_scale(lmp));
+  int count = 0;
+  for (int i = ilo; i <= ihi; i++)
+    for (int j = std::max(jlo, i); j <= jhi; j++) {
+      count++;
+      if (i != j) continue;
+      model.set_material(i, m, material_title(narg - 2, arg + 2));
+      if (!atom->rmass_flag && !atom->mass_setflag[i]) atom->set_mass(FLERR, i, model.particle_mass(i));
+    }
+  if (count == 0) error->all(FLERR, "Pair sph/tm coeff: no type pair in {} {}", arg[0], arg[1]);
+}
+
+}    // namespace SPHTM_NS

@@ -1,0 +1,87 @@
+/* SPH-TM: the sets of effects that loops are instantiated for, on the host and with Kokkos alike.
+
+   Rate pass: literal are the bits of TM_FX_RATE_MASK and the kernel; with TM_FX_EXTENDED all other effects are tested
+   at run time. All sets exist for all kernels in double on the host. In single, and on a GPU, the kernels but the
+   default one have only the set that tests them all, so that the compiler is done in minutes.
+
+   Prediction and update: scenes without the rare effects have loops for just their set; with one of those all effects
+   are tested at run time. */
+#ifndef SPHTM_EFFECT_SETS_H
+#define SPHTM_EFFECT_SETS_H
+
+#include "tm_effects.h"
+#include "tm_kernel.h"
+
+namespace SPHTM_NS {
+
+// kernel (5) x dimension (2) x {viscosity, artificial stress, conduction} (8) + extended (1)
+// + smoothing and viscosity x {artificial stress, conduction} (4)
+constexpr int RATE_SETS_PER_KERNEL = 2 * 13;
+constexpr int RATE_SETS = TM_KERNEL_COUNT * RATE_SETS_PER_KERNEL;
+
+static constexpr unsigned rate_set(int index)
+{
+  const unsigned kernel = index / RATE_SETS_PER_KERNEL;
+  const unsigned rest = index % RATE_SETS_PER_KERNEL;
+  const unsigned set = rest / 2;
+  unsigned effects = (kernel << TM_FX_KERNEL_SHIFT) | ((rest & 1u) ? unsigned(TM_FX_3D) : 0u);
+  if (set == 8) return effects | unsigned(TM_FX_EXTENDED);
+  if (set > 8) {
+    effects |= unsigned(TM_FX_SMOOTHING) | unsigned(TM_FX_VISCOSITY);
+    if ((set - 9) & 1u) effects |= unsigned(TM_FX_ARTSTRESS);
+    if ((set - 9) & 2u) effects |= unsigned(TM_FX_CONDUCTION);
+    return effects;
+  }
+  if (set & 1u) effects |= unsigned(TM_FX_VISCOSITY);
+  if (set & 2u) effects |= unsigned(TM_FX_ARTSTRESS);
+  if (set & 4u) effects |= unsigned(TM_FX_CONDUCTION);
+  return effects;
+}
+
+static constexpr int kernel_of(unsigned effects) { return (effects >> TM_FX_KERNEL_SHIFT) & 7u; }
+static constexpr int is_3d(unsigned effects) { return (effects & TM_FX_3D) ? 1 : 0; }
+
+static constexpr int rate_set_index(unsigned effects)
+{
+  int set = 0;
+  if ((effects & TM_FX_EXTENDED_MASK) == TM_FX_SMOOTHING && (effects & TM_FX_VISCOSITY))
+    set = 9 + ((effects & TM_FX_ARTSTRESS) ? 1 : 0) + ((effects & TM_FX_CONDUCTION) ? 2 : 0);
+  else if (effects & TM_FX_EXTENDED_MASK)
+    set = 8;
+  else
+    set = ((effects & TM_FX_VISCOSITY) ? 1 : 0) + ((effects & TM_FX_ARTSTRESS) ? 2 : 0) +
+        ((effects & TM_FX_CONDUCTION) ? 4 : 0);
+  return kernel_of(effects) * RATE_SETS_PER_KERNEL + 2 * set + is_3d(effects);
+}
+
+constexpr int FEW_RATE_SETS = RATE_SETS_PER_KERNEL + 2 * (TM_KERNEL_COUNT - 1);
+
+static constexpr unsigned few_rate_set(int index)
+{
+  if (index < RATE_SETS_PER_KERNEL) return rate_set(index);
+  const unsigned k = index - RATE_SETS_PER_KERNEL;
+  return ((k / 2 + 1) << TM_FX_KERNEL_SHIFT) | unsigned(TM_FX_EXTENDED) | ((k & 1u) ? unsigned(TM_FX_3D) : 0u);
+}
+
+static constexpr int few_rate_set_index(unsigned effects)
+{
+  const int kernel = kernel_of(effects);
+  return kernel == 0 ? rate_set_index(effects) : RATE_SETS_PER_KERNEL + 2 * (kernel - 1) + is_3d(effects);
+}
+
+// of the gradient correction and of hourglass control: kernel and dimension
+constexpr int KERNEL_SETS = 2 * TM_KERNEL_COUNT;
+static constexpr unsigned kernel_set(int index)
+{
+  return ((unsigned) index / 2) << TM_FX_KERNEL_SHIFT | ((index & 1) ? unsigned(TM_FX_3D) : 0u);
+}
+static constexpr int kernel_set_index(unsigned effects) { return 2 * kernel_of(effects) + is_3d(effects); }
+
+// of the update; the prediction tells the forms of the momentum equation apart too
+constexpr unsigned RARE_IN_UPDATE = TM_FX_DAMAGE | TM_FX_ENERGY | TM_FX_BALSARA | TM_FX_XSPH | TM_FX_PLANE_STRESS |
+    TM_FX_SMOOTHING | TM_FX_HOURGLASS;
+constexpr unsigned RARE_IN_PREDICTION = RARE_IN_UPDATE | TM_FX_FORM_F14;
+
+}    // namespace SPHTM_NS
+
+#endif

@@ -1,0 +1,187 @@
+#ifdef LMP_KOKKOS
+#include "effect_sets.h"
+#include "loop_table_kokkos.h"
+#include "pair_loops.h"
+#include "rates_kokkos.h"
+
+#include <type_traits>
+#include <utility>
+
+namespace SPHTM_NS {
+
+namespace {
+
+/* ---------------------------------------------------------------------- kernels for sets of effects */
+
+typedef void (*device_rate_loop_t)(int, const tm_rates_args &);
+
+template <unsigned EFFECTS> struct Correction {
+  tm_rates_args a;
+  KOKKOS_FUNCTION void operator()(int i) const { tm_moment(a.which ? a.which[i] : i, &a, EFFECTS); }
+};
+template <unsigned EFFECTS> void run_correction(int n, const tm_rates_args &a)
+{
+  kokkos_each("sph/tm correction", n, Correction<EFFECTS>{a});
+}
+template <int... INDEX> device_rate_loop_t correction_of(int index, std::integer_sequence<int, INDEX...>)
+{
+  static const device_rate_loop_t table[] = {run_correction<kernel_set(INDEX)>...};
+  return table[index];
+}
+void correction(Backend &, int n, const tm_rates_args &a, unsigned effects)
+{
+  correction_of(kernel_set_index(effects), std::make_integer_sequence<int, KERNEL_SETS>())(n, a);
+}
+
+template <unsigned EFFECTS> struct Hourglass {
+  tm_rates_args a;
+  KOKKOS_FUNCTION void operator()(int i) const { tm_hourglass(i, &a, EFFECTS); }
+};
+template <unsigned EFFECTS> void run_hourglass(int n, const tm_rates_args &a)
+{
+  kokkos_each("sph/tm hourglass", n, Hourglass<EFFECTS>{a});
+}
+template <int... INDEX> device_rate_loop_t hourglass_of(int index, std::integer_sequence<int, INDEX...>)
+{
+  static const device_rate_loop_t table[] = {run_hourglass<kernel_set(INDEX)>...};
+  return table[index];
+}
+void hourglass(Backend &, int n, const tm_rates_args &a, unsigned effects)
+{
+  hourglass_of(kernel_set_index(effects), std::make_integer_sequence<int, KERNEL_SETS>())(n, a);
+}
+
+void rates_in_double(Backend &, int n, const tm_rates_args &a, unsigned effects) { kokkos_rates(n, a, effects); }
+void rates_in_single(Backend &, int n, const tm_rates_args &a, unsigned effects)
+{
+  kokkos_rates_in_single(n, a, effects);
+}
+
+/* ---------------------------------------------------------------------- one step */
+
+// What the update of a step finds, lowered by each particle; the same in any order. Positive reals are
+// in the order of their bits.
+struct Limits {
+  unsigned long long dt[3], trouble;    // trouble: particle and status
+  int melted;                           // a particle
+};
+KOKKOS_INLINE_FUNCTION void lower(unsigned long long *least, unsigned long long value)
+{
+#if defined(__CUDA_ARCH__)    // one of a warp asks
+  const unsigned warp = __activemask(), high = __reduce_min_sync(warp, (unsigned) (value >> 32));
+  const unsigned low = __reduce_min_sync(warp, (unsigned) (value >> 32) == high ? (unsigned) value : ~0u);
+  unsigned lane;
+  asm("mov.u32 %0, %%laneid;" : "=r"(lane));
+  value = (unsigned long long) high << 32 | low;
+  if (lane != (unsigned) __ffs(warp) - 1u) return;
+#endif
+  if (value < *(volatile unsigned long long *) least) Kokkos::atomic_min(least, value);
+}
+
+Limits *limits()
+{
+  static Limits *of_step = nullptr;    // until Kokkos ends
+  if (!of_step) {
+    of_step = (Limits *) kokkos_backend().allocate(sizeof(Limits));
+    Kokkos::push_finalize_hook([] {
+      kokkos_backend().release(of_step);
+      of_step = nullptr;
+    });
+  }
+  return of_step;
+}
+
+struct Predict {
+  tm_predict_args a;
+  unsigned effects;
+  Limits *limits;    // of the step that begins
+  KOKKOS_FUNCTION void operator()(int i) const
+  {
+    if (i == 0)
+    {
+      for (unsigned long long *p : {limits->dt, limits->dt + 1, limits->dt + 2, &limits->trouble}) *p = ~0ull;
+      limits->melted = INT_MAX;
+    }
+    tm_predict(i, &a, effects);
+    if (effects & TM_FX_ARTSTRESS) tm_predict_artstress(i, i + 1, &a, effects);
+  }
+};
+void predict(Backend &, int n, const tm_predict_args &a, unsigned effects)
+{
+  kokkos_each("sph/tm predict", n, Predict{a, effects, limits()});
+}
+
+struct Drift {
+  tm_drift_args a;
+  unsigned effects;
+  int *lost;
+  KOKKOS_FUNCTION void operator()(int i) const
+  {
+    if (tm_drift(i, &a, effects)) Kokkos::atomic_min(lost, i);
+  }
+};
+void drift(Backend &, int n, const tm_drift_args &a, unsigned effects, int *lost)
+{
+  *lost = n;
+  kokkos_each("sph/tm drift", n, Drift{a, effects, lost});
+}
+
+// The update, with effects that are known to be off; the others are tested at run time. It waits for
+// memory: the more threads the better, as long as registers do not run out by far.
+template <unsigned OFF> struct Update {
+  tm_update_args a;
+  unsigned effects;
+  Limits *limits;
+  KOKKOS_FUNCTION void operator()(int i) const
+  {
+    const tm_update_result r = tm_update(i, &a, effects & ~(OFF | TM_FX_LEDGER));
+    for (int k = 0; k < 3; k++) lower(limits->dt + k, Kokkos::bit_cast<unsigned long long>(r.dt[k]));
+    if (r.status != TM_OK) Kokkos::atomic_min(&limits->trouble, (unsigned long long) i << 8 | r.status);
+    if (r.melted < INT_MAX) Kokkos::atomic_min(&limits->melted, r.melted);
+  }
+};
+template <unsigned OFF> void run_update(int n, const tm_update_args &a, unsigned effects, Limits *limits)
+{
+  using Bounds = std::conditional_t<OFF != 0, Kokkos::LaunchBounds<64, 8>, Kokkos::LaunchBounds<>>;
+  kokkos_each<Bounds>("sph/tm update", n, Update<OFF>{a, effects, limits});
+}
+struct UpdateWithLedger {
+  tm_update_args a;
+  unsigned effects;
+  KOKKOS_FUNCTION tm_update_result operator()(int i) const { return tm_update(i, &a, effects | TM_FX_LEDGER); }
+};
+struct SumStep {
+  KOKKOS_FUNCTION void operator()(tm_update_result *sum, const tm_update_result *r) const { tm_step_sum(sum, r); }
+};
+tm_update_result update(Backend &backend, int n, const tm_update_args &a, unsigned effects)
+{
+  constexpr unsigned RARE = RARE_IN_UPDATE, HEAT = TM_FX_HEAT | TM_FX_CONDUCTION, FLOW = TM_FX_PLASTICITY;
+  if (effects & TM_FX_LEDGER)
+    return kokkos_sum("sph/tm update", n, tm_update_nothing(), UpdateWithLedger{a, effects}, SumStep());
+  tm_update_result r = tm_update_nothing();
+  if (n == 0) return r;
+  if (effects & RARE) run_update<0>(n, a, effects, limits());
+  else if (effects & HEAT && effects & FLOW) run_update<RARE>(n, a, effects, limits());
+  else if (effects & HEAT) run_update<RARE | FLOW>(n, a, effects, limits());
+  else if (effects & FLOW) run_update<RARE | HEAT>(n, a, effects, limits());
+  else run_update<RARE | HEAT | FLOW>(n, a, effects, limits());
+  Limits found;
+  backend.to_host(&found, limits(), sizeof(found));
+  for (int k = 0; k < 3; k++) r.dt[k] = Kokkos::bit_cast<double>(found.dt[k]);
+  if (found.trouble != ~0ull) {
+    r.status = (int) (found.trouble & 255u);
+    r.particle = (int) (found.trouble >> 8);
+  }
+  r.melted = found.melted;
+  return r;
+}
+
+PAIR_LOOPS(SPHTM_KOKKOS_LOOP)
+
+const PairLoops kernels = {PAIR_LOOPS(SPHTM_LOOP_NAME)};
+[[maybe_unused]] const bool known = (PairLoops::kokkos = &kernels, true);
+
+}    // namespace
+
+}    // namespace SPHTM_NS
+#endif

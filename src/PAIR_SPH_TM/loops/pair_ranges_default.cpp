@@ -1,0 +1,3 @@
+// SPH-TM: the loops for the instruction set "default"; the flags are set in CMakeLists.txt.
+#define SPHTM_ISA isa_default
+#include "pair_ranges.h"

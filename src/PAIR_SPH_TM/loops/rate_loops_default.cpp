@@ -1,3 +1,0 @@
-// SPH-TM: the rate loops for the instruction set "default"; the flags are set in CMakeLists.txt.
-#define SPHTM_ISA isa_default
-#include "rate_loops_table.h"

@@ -1,5 +1,0 @@
-// SPH-TM: the rate pass in single for the instruction set "avx512"; the flags are set in CMakeLists.txt.
-#if defined(SPHTM_X86_ISAS)
-#define SPHTM_ISA isa_avx512
-#include "rate_loops_single_table.h"
-#endif

@@ -1,0 +1,5 @@
+// SPH-TM: the loops for the instruction set "avx2"; the flags are set in CMakeLists.txt.
+#if defined(SPHTM_X86_ISAS)
+#define SPHTM_ISA isa_avx2
+#include "search_ranges.h"
+#endif

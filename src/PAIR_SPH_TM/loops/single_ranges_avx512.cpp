@@ -1,0 +1,5 @@
+// SPH-TM: the rate pass in single for the instruction set "avx512"; the flags are set in CMakeLists.txt.
+#if defined(SPHTM_X86_ISAS)
+#define SPHTM_ISA isa_avx512
+#include "single_ranges.h"
+#endif

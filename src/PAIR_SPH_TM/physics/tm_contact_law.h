@@ -1,0 +1,40 @@
+/* SPH-TM: the law of contact F15 (10)-(14) between a particle and another body, a particle of it or a surface.
+
+   Stiffness F15 (10): k = PFAC E_i E_j dp/(E_i + E_j), against a rigid body PFAC E_i dp (per unit
+   thickness in 2D: without dp), with dp of the pair style. Finer particles, of which more meet per area, have the same
+   stiffness per area: so a pressed surface that is split into finer particles is as stiff as before.
+   Damping F15 (11): c = DFAC 2 sqrt(k m), m the mass that moves, so DFAC = 1 is critical. The printed factor contains
+   m_i + m_j, which has no rigid limit.
+   Normal force F15 (12): f = k delta + c ddelta/dt, ddelta/dt > 0 while closing (the printed minus
+   would feed energy in), and never tensile. F15's approach test drops all of it while separating.
+   Friction F15 (13): Coulomb's law, |f_t| <= mu f_n, on the tangential part of the relative velocity, F15 (14). It
+   brings the sliding to rest at most, and never reverses it. */
+#ifndef TM_CONTACT_LAW_H
+#define TM_CONTACT_LAW_H
+
+#include "tm_tensor.h"
+
+/* F15 (10) for a particle of edge dp in a scene of the given spacing; Ej = 0 stands for a rigid body. */
+TM_FN tm_real tm_contact_stiffness(tm_real pfac, tm_real Ei, tm_real Ej, tm_real spacing, tm_real dp, int dim3)
+{
+  const tm_real finer = dp / spacing;
+  return (Ej > 0.0 ? pfac * Ei * Ej / (Ei + Ej) : pfac * Ei) * (dim3 ? spacing * finer * finer : finer);
+}
+
+/* F15 (11), corrected. */
+TM_FN tm_real tm_contact_damping(tm_real dfac, tm_real k, tm_real mass)
+{
+  return dfac * 2.0 * sqrt(k * mass);
+}
+
+/* F15 (12), corrected; `closing` is ddelta/dt. */
+TM_FN tm_real tm_contact_normal(tm_real k, tm_real delta, tm_real c, tm_real closing, int approach)
+{
+  if (approach && !(closing > 0.0)) return 0.0;
+  return tm_max(k * delta + c * closing, 0.0);
+}
+
+/* F15 (14): the part of v across the unit normal n. */
+TM_FN tm_vec3 tm_contact_tangential(tm_vec3 v, tm_vec3 n) { return tm_vec_axpy(v, -tm_vec_dot(v, n), n); }
+
+#endif

@@ -1,0 +1,211 @@
+#include "model.h"
+
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "lattice.h"
+#include "utils.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+
+namespace SPHTM_NS {
+
+const char *kernel_name(int kernel)
+{
+  static const char *const names[TM_KERNEL_COUNT] = {"hyperbolic", "cubic", "quintic", "wendland/c2", "wendland/c4"};
+  return names[kernel];
+}
+
+Model::Tables::Tables(Backend &loops)
+{
+  material.live_in(loops);
+  for (auto *a : {&conductance, &young, &effusivity, &gradient, &share}) a->live_in(loops);
+  law.live_in(loops);
+  touch.live_in(loops);
+}
+
+Model::Model(LAMMPS *lmp, Backend &loops) : Pointers(lmp), tables(loops) {}
+
+/* ---------------------------------------------------------------------- what the pair style reads */
+
+void Model::resize(int types)
+{
+  atom_types = types;
+  const size_t n = (size_t) types + 1;
+  material.assign(n, tm_material{});
+  names.assign(n, "");
+  laws.assign(n * n, PairLaw());
+}
+
+void Model::set_material(int type, const tm_material &m, const std::string &name)
+{
+  unit = unit_scale(lmp);
+  material[type] = m;
+  names[type] = name;
+}
+
+void Model::set_law(int i, int j, const PairLaw &law)
+{
+  laws[i * (atom_types + 1) + j] = law;
+  laws[j * (atom_types + 1) + i] = law;
+}
+
+// what the script left open: solids are one continuum, a conduction-only material meets all by perfect conduction
+void Model::complete_laws()
+{
+  std::string welded;
+  for (int i = 1; i <= atom_types; i++)
+    for (int j = i; j <= atom_types; j++) {
+      PairLaw l = law(i, j);
+      const bool heat_i = material[i].body == TM_BODY_HEAT, heat_j = material[j].body == TM_BODY_HEAT;
+      if (l.meeting == UNSET) {
+        l.meeting = (heat_i || heat_j) ? HEAT_ONLY : BOND;
+        if (i != j && l.meeting == BOND) welded += fmt::format("{}{} and {}", welded.empty() ? "" : ", ", i, j);
+      }
+      if ((heat_i || heat_j) && (l.meeting == BOND || l.meeting == CONTACT))
+        error->all(FLERR, "Pair sph/tm coeff {} {}: a heat body takes no part in mechanics; use "
+                          "'heat' or 'none'", i, j);
+      set_law(i, j, l);
+    }
+  if (!welded.empty() && comm->me == 0)
+    utils::logmesg(lmp, "sph/tm: types {} are one body where they touch (bond, the default); 'pair_coeff i j contact' "
+                        "makes two bodies of them\n", welded);
+}
+
+/* ---------------------------------------------------------------------- before a run */
+
+void Model::prepare()
+{
+  unit = unit_scale(lmp);
+  lattice = tm_lattice_sums(settings.kernel, domain->dimension, settings.ratio);
+  heat_rate = lattice.heat_rate;
+  list_h = settings.h;
+  least_spacing = settings.spacing;
+  surface = tm_surface_make(settings.kernel, domain->dimension, settings.spacing, settings.h, TM_SURFACE_THRESHOLD);
+}
+
+void Model::make_tables(double temperature)
+{
+  const int n = atom_types + 1;
+  std::vector<double> conductance(n * n), young(n), effusivity(n);
+  std::vector<tm_body_law> contact(n * n);
+  std::vector<int> touch(n * n);
+  bool conducts = false;
+  for (int k = 0; k < n * n; k++) {
+    conductance[k] = laws[k].conductance > 0.0 ? laws[k].conductance * lattice.interface * lattice.gradient : 0.0;
+    conducts = conducts || conductance[k] > 0.0;
+    contact[k] = laws[k].contact;
+    touch[k] = laws[k].meeting == CONTACT;
+  }
+  for (int t = 1; t < n; t++) {
+    const tm_material &m = material[t];
+    young[t] = m.young;
+    effusivity[t] = m.heat ? tm_effusivity(tm_conductivity(&m, temperature), tm_capacity(&m, temperature), m.rho0) : 0.0;
+  }
+  tables.material.assign(material.data(), n);
+  tables.conductance.assign(conductance.data(), conducts ? n * n : 0);
+  tables.law.assign(contact.data(), n * n);
+  tables.touch.assign(touch.data(), n * n);
+  tables.young.assign(young.data(), n);
+  tables.effusivity.assign(effusivity.data(), n);
+  std::vector<double> share(settings.art_balanced && settings.art_eps > 0.0 ? TM_GRADIENT_ENTRIES : 0);
+  if (!share.empty()) tm_tensile_table(settings.kernel, domain->dimension, settings.art_n, share.data());
+  tables.share.assign(share.data(), share.size());
+}
+
+void Model::cover_sizes(double h, double dp)
+{
+  const int dim = domain->dimension;
+  list_h = h;
+  least_spacing = dp;
+  // of a lattice that is fine within the kernel, the limit of large h/spacing
+  heat_rate = std::max(lattice.heat_rate, tm_lattice_sums(settings.kernel, dim, 3.0).heat_rate);
+  if (!tables.gradient.empty()) return;
+  double table[TM_GRADIENT_ENTRIES];
+  tm_gradient_table(settings.kernel, dim, table);
+  tables.gradient.assign(table, TM_GRADIENT_ENTRIES);
+}
+
+/* ---------------------------------------------------------------------- what follows from it */
+
+double Model::particle_mass(int type) const
+{
+  return material[type].rho0 * pow(settings.spacing, domain->dimension);
+}
+
+bool Model::has_contact_pairs() const
+{
+  return std::any_of(laws.begin(), laws.end(), [](const PairLaw &l) { return l.meeting == CONTACT; });
+}
+
+static bool is_thermal(const PairLaw &l)
+{
+  return l.meeting == HEAT_ONLY || (l.meeting == CONTACT && l.conductance >= 0.0);
+}
+
+bool Model::has_thermal_pairs() const
+{
+  return std::any_of(laws.begin(), laws.end(), is_thermal);
+}
+
+double Model::largest_conductivity() const
+{
+  double k = 0.0;
+  for (const tm_material &m : material) {
+    const tm_table &t = m.conductivity;
+    k = std::max(k, t.n ? *std::max_element(t.y, t.y + t.n) : t.value);
+  }
+  return k;
+}
+
+double Model::contact_time_step(int t) const
+{
+  double least = TM_DT_NO_LIMIT;
+  for (int u = 1; u <= atom_types; u++) {
+    const PairLaw &l = law(t, u);
+    if (l.meeting != CONTACT) continue;
+    const double e1 = material[t].young, e2 = material[u].young;
+    const double k = tm_contact_stiffness(l.contact.penalty, e1, e2, settings.spacing, least_spacing,
+                                          domain->dimension == 3);
+    const double mass = pow(least_spacing, domain->dimension) * std::min(material[t].rho0, material[u].rho0) * 0.5;
+    least = std::min(least, tm_contact_time_step(k, mass, 0.0));
+  }
+  return least;
+}
+
+// a contact pair that also conducts stands in two segments
+std::vector<unsigned char> Model::segments_of_types(bool conduction) const
+{
+  const int n = atom_types + 1;
+  std::vector<unsigned char> segments((size_t) n * n, 0);
+  for (int t = 1; t < n; t++)
+    for (int u = 1; u < n; u++) {
+      const PairLaw &l = law(t, u);
+      unsigned char &s = segments[t * n + u];
+      if (l.meeting == BOND && material[t].body == TM_BODY_SOLID) s |= TM_MEETS_MECHANICAL;
+      if (conduction && is_thermal(l)) s |= TM_MEETS_THERMAL;
+      if (l.meeting == CONTACT) s |= TM_MEETS_CONTACT;
+    }
+  return segments;
+}
+
+double Model::lattice_spacing(LAMMPS *lmp)
+{
+  Lattice *lattice = lmp->domain->lattice;
+  if (!lattice || lattice->style == Lattice::NONE) return 0.0;
+  tm_vec3 edge[3], origin = tm_vec(0, 0, 0);
+  lattice->lattice2box(origin.x, origin.y, origin.z);
+  for (int k = 0; k < 3; k++) {
+    edge[k] = tm_vec(k == 0, k == 1, k == 2);
+    lattice->lattice2box(edge[k].x, edge[k].y, edge[k].z);
+    edge[k] = tm_vec_sub(edge[k], origin);
+  }
+  const tm_vec3 face = tm_vec_cross(edge[0], edge[1]);
+  if (lmp->domain->dimension == 2) return sqrt(fabs(face.z) / lattice->nbasis);
+  return cbrt(fabs(tm_vec_dot(face, edge[2])) / lattice->nbasis);
+}
+
+}    // namespace SPHTM_NS

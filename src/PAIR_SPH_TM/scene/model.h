@@ -1,0 +1,113 @@
+/* SPH-TM: what a run computes with and does not change: numerical settings, materials, how types meet, units, the
+   lattice's sums and, for the loops, tables of these. Pair style sph/tm fills it from its commands. */
+#ifndef SPHTM_MODEL_H
+#define SPHTM_MODEL_H
+
+#include "loop_array.h"
+#include "pair_loops.h"
+#include "tm_surface.h"
+#include "unit_scale.h"
+
+#include "pointers.h"
+
+#include <string>
+#include <vector>
+
+namespace SPHTM_NS {
+
+// how particles of two types meet
+enum Meeting { UNSET = 0, BOND, NONE, CONTACT, HEAT_ONLY };
+struct PairLaw {
+  Meeting meeting = UNSET;
+  double conductance = 0.0;    // heat across the interface; 0: perfect
+  tm_body_law contact = {};
+};
+
+// numerical settings of the pair_style line
+struct Settings {
+  int kernel = TM_KERNEL_HYPERBOLIC;
+  double ratio = 1.2;     // h / spacing
+  double spacing = 0.0;
+  double h = 0.0;
+  double visc_alpha = 1.0, visc_beta = 1.0;
+  double art_eps = 0.3;
+  int art_n = 4;
+  bool art_component = false, art_balanced = false;
+  double xsph = 0.0;
+  double hourglass = 0.0;    // stiffness over that of longitudinal waves
+  bool form_f14 = false, correction = false, balsara = false, plane_stress = false;
+  bool mixed = false;    // pair arithmetic in single
+};
+
+const char *kernel_name(int kernel);
+
+class Model : protected LAMMPS_NS::Pointers {
+ public:
+  Model(LAMMPS_NS::LAMMPS *, Backend &);
+
+  // what the pair style reads
+  void set(const Settings &s) { settings = s; }
+  void resize(int types);
+  void set_material(int type, const tm_material &, const std::string &name);
+  void set_law(int i, int j, const PairLaw &);
+  void complete_laws();    // of pairs of types that the script left open
+  void set_restart_file(const std::string &name) { file = name; }
+  // before a run: units, sums of the lattice, surface measure; then, with the fix known, tables of the loops
+  void prepare();
+  void make_tables(double temperature);
+  // particles of different size (effect smoothing): smoothing lengths up to h are in the rows, the smallest particle
+  // has the edge dp
+  void cover_sizes(double h, double dp);
+
+  const Settings &settings_in_use() const { return settings; }
+  int types() const { return atom_types; }
+  const tm_material *materials() const { return material.data(); }
+  const char *material_name(int type) const { return names[type].c_str(); }
+  const PairLaw &law(int i, int j) const { return laws[i * (atom_types + 1) + j]; }
+  const UnitScale &units() const { return unit; }
+  double support() const { return tm_kernel_support(settings.kernel) * settings.h; }    // radius of the kernel
+  double covered_h() const { return list_h; }
+  double smallest_spacing() const { return least_spacing; }
+  const tm_lattice &lattice_sums() const { return lattice; }
+  double fastest_heat_rate() const { return heat_rate; }    // of the sizes in use, see tm_lattice.h
+  const tm_surface &surface_measure() const { return surface; }
+  const std::string &restart_file() const { return file; }    // that was read, or empty
+  double particle_mass(int type) const;    // from density and spacing; in 2D of a plate of unit thickness
+  bool has_contact_pairs() const;
+  bool has_thermal_pairs() const;                      // that exchange heat and take no part in mechanics together
+  double largest_conductivity() const;                 // of all types at all temperatures
+  double contact_time_step(int type) const;            // the largest stable one of the stiffest pair in contact
+  std::vector<unsigned char> segments_of_types(bool conduction) const;    // per type pair: where in a row they meet
+
+  // distance of particles that each have the volume (in 2d the area) of one on the lattice in use; 0: there is none
+  static double lattice_spacing(LAMMPS_NS::LAMMPS *);
+
+  // by type or type pair, where the loops run
+  struct Tables {
+    LoopArray<tm_material> material;
+    LoopArray<tm_real> conductance, young, effusivity;
+    LoopArray<tm_real> gradient;    // tm_gradient_table, with particles of different size
+    LoopArray<tm_real> share;       // tm_tensile_table, where the artificial stress is balanced
+    LoopArray<tm_body_law> law;
+    LoopArray<int> touch;
+    explicit Tables(Backend &);
+  };
+  Tables &loop_tables() { return tables; }
+
+ private:
+  Settings settings;
+  UnitScale unit;
+  tm_lattice lattice = {};
+  double heat_rate = 0.0, list_h = 0.0, least_spacing = 0.0;
+  tm_surface surface = {};
+  int atom_types = 0;
+  std::vector<tm_material> material;    // by type
+  std::vector<std::string> names;
+  std::vector<PairLaw> laws;            // by type pair
+  std::string file;
+  Tables tables;
+};
+
+}    // namespace SPHTM_NS
+
+#endif

@@ -1,0 +1,129 @@
+#ifdef LMP_KOKKOS
+#include "neighbor_rows_kokkos.h"
+
+#include "backend_kokkos.h"
+#include "model.h"
+
+#include "atom_kokkos.h"
+#include "atom_masks.h"
+#include "neigh_list_kokkos.h"
+#include "pair.h"
+
+#include <algorithm>
+
+using namespace LAMMPS_NS;
+
+namespace SPHTM_NS {
+
+static const ExecutionSpace SPACE = ExecutionSpaceFromDevice<LMPDeviceType>::space;
+
+NeighborRowsKokkos::NeighborRowsKokkos(LAMMPS *lmp, Pair *pair, Backend &loops, Model &m) :
+    NeighborRows(lmp, pair, loops, m), atoms((AtomKokkos *) atom), meets(loops)
+{
+}
+
+const int *NeighborRowsKokkos::loop_tags()
+{
+  static_assert(sizeof(tagint) == sizeof(int), "neighbor rows sort by tags of 32 bits (SMALLBIG)");
+  atoms->sync(SPACE, TAG_MASK);
+  return atoms->k_tag.view<LMPDeviceType>().data();
+}
+
+namespace {
+
+struct CountRow {
+  tm_row_args a;
+  KOKKOS_FUNCTION void operator()(int i) const { tm_row_count(i, &a); }
+};
+struct PlaceRows {
+  tm_row_args a;
+  int n;
+  KOKKOS_FUNCTION void operator()(int slice, ptrdiff_t &begin, bool last) const
+  {
+    if (last)
+      for (int i = slice * TM_ROW_SLICE; i < n && i < (slice + 1) * TM_ROW_SLICE; i++)
+        a.first[i] = begin + i % TM_ROW_SLICE;
+    begin += tm_row_slice_size(slice, n, &a);
+  }
+};
+struct FillRow {
+  tm_row_args a;
+  KOKKOS_FUNCTION void operator()(int i) const { tm_row_fill(i, &a); }
+};
+
+// on a GPU a warp sorts a row: it holds the entries, and each thread finds the places of some
+struct FillRowByWarp {
+  using Team = Kokkos::TeamPolicy<LMPDeviceType>;
+  using Entries =
+      Kokkos::View<tm_row_entry *, LMPDeviceType::scratch_memory_space, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
+  tm_row_args a;
+  int n, longest, rows;    // entries of the longest row, rows per team
+
+  KOKKOS_FUNCTION void operator()(const Team::member_type &team) const
+  {
+    const int i = team.league_rank() * rows + team.team_rank();
+    if (i >= n) return;
+    const Entries entries(team.thread_scratch(0), longest);
+    tm_row_entry *entry = entries.data();
+    const int m = a.length[i];
+    Kokkos::parallel_for(Kokkos::ThreadVectorRange(team, m), [&](int k) { entry[k] = tm_row_load(i, k, &a); });
+    Kokkos::parallel_for(Kokkos::ThreadVectorRange(team, m), [&](int k) { tm_row_put(i, k, m, entry, &a); });
+  }
+  static bool fits(int longest) { return Entries::shmem_size(longest) <= MEMORY; }
+  void run()
+  {
+    const size_t scratch = Entries::shmem_size(longest);
+    rows = std::max(1, std::min(MAX_ROWS, (int) (MEMORY / scratch)));
+    Kokkos::parallel_for("sph/tm fill rows",
+                         Team((n + rows - 1) / rows, rows, 32).set_scratch_size(0, Kokkos::PerThread(scratch)), *this);
+  }
+  static constexpr size_t MEMORY = 32000;    // bytes of a team, which every GPU has
+#if defined(LMP_KOKKOS_GPU)
+  static constexpr int MAX_ROWS = 4;
+#else
+  static constexpr int MAX_ROWS = 1;
+#endif
+};
+
+}    // namespace
+
+void NeighborRowsKokkos::build(NeighList *list, bool conduction)
+{
+  const int n = atom->nlocal;
+  const std::vector<unsigned char> segments = model.segments_of_types(conduction);
+  meets.assign(segments.data(), segments.size());
+  make_room();
+  row_stride = TM_ROW_SLICE;
+  row_index.make_room(true, 1);
+  if (n == 0) return;
+
+  atoms->sync(SPACE, TYPE_MASK | TAG_MASK);
+  const auto *from = static_cast<NeighListKokkos<LMPDeviceType> *>(list);
+  tm_row_args a;
+  a.list = from->d_neighbors.data();
+  a.length = from->d_numneigh.data();
+  a.row_step = from->d_neighbors.stride(0);
+  a.step = from->d_neighbors.stride(1);
+  a.bits = NEIGHMASK;
+  a.meets = meets.loop_read();
+  a.type = atoms->k_type.view<LMPDeviceType>().data();
+  a.tag = atoms->k_tag.view<LMPDeviceType>().data();
+  a.ntypes = model.types();
+  a.count[0] = row_mechanical.loop_write();
+  a.count[1] = row_thermal.loop_write();
+  a.count[2] = row_contact.loop_write();
+  a.first = row_first.loop_write();
+  kokkos_each("sph/tm count rows", n, CountRow{a});
+  ptrdiff_t total = 0;
+  Kokkos::parallel_scan("sph/tm place rows",
+                        Kokkos::RangePolicy<LMPDeviceType>(0, (n + TM_ROW_SLICE - 1) / TM_ROW_SLICE),
+                        PlaceRows{a, n}, total);
+  row_index.make_room(true, total);
+  a.index = row_index.loop_write();
+  const int longest = from->d_neighbors.extent(1);
+  if (!backend.shared() && FillRowByWarp::fits(longest)) FillRowByWarp{a, n, longest, 1}.run();
+  else kokkos_each("sph/tm fill rows", n, FillRow{a});
+}
+
+}    // namespace SPHTM_NS
+#endif

@@ -1,0 +1,131 @@
+/* SPH-TM: the state of all particles of this rank: its fields, LAMMPS's arrays of them, the effects in use, the time
+   step, the energy balance, the heat that other fixes give, and the times of the parts of a step. Fix sph/tm owns it. */
+#ifndef SPHTM_PARTICLE_STATE_H
+#define SPHTM_PARTICLE_STATE_H
+
+#include "atom_arrays.h"
+#include "effect_plan.h"
+#include "energy_balance.h"
+#include "particle_fields.h"
+#include "run_clock.h"
+#include "run_history.h"
+#include "step_audit.h"
+#include "tm_initial.h"
+#include "time_step.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace SPHTM_NS {
+
+class Model;
+class Scene;
+
+// what fix sph/tm does for others in a step
+class StepOwner {
+ public:
+  virtual void begin_forces() = 0;          // before the pair style's
+  virtual StepAudit *audit_now() = 0;       // in a step that is audited, else nullptr
+
+ protected:
+  ~StepOwner() = default;
+};
+
+// power (mass length^2/time^3) given to owned particles this step by contact and heat fixes; added to in post_force,
+// taken in final_integrate, which leaves 0
+class HeatSource : public LoopArray<double> {
+ public:
+  using LoopArray<double>::LoopArray;
+  void grow(bool wanted, int nmax);
+  void set_zero(Backend &, bool wanted, int nmax);
+};
+
+// with what temperatures particles start
+class StartTemperatures {
+ public:
+  double of_all() const { return temperature; }    // K
+  void set_all(double T) { temperature = T; }
+  void set_group(int bit, double T) { groups.push_back({bit, T}); }    // at the next set-up
+  void apply(int n, const int *mask, LoopArray<double> &);             // those of groups, once
+
+ private:
+  double temperature = 293.15;
+  struct Group {
+    int bit;
+    double temperature;
+  };
+  std::vector<Group> groups;
+};
+
+class ParticleState : protected LAMMPS_NS::Pointers {
+ public:
+  ParticleState(LAMMPS_NS::LAMMPS *, Backend &, std::unique_ptr<AtomArrays>, StepOwner &, const std::string &fix_id,
+                int igroup);
+  ~ParticleState() override;
+
+  const std::string &id() const { return fix_id; }    // of fix sph/tm
+  int group_index() const { return igroup; }
+  int group_bit() const;
+  Backend &loops() { return backend; }
+  StepOwner &owner() { return step_owner; }
+
+  // ---- model and effects
+  void init(Model &);                                 // before a run: derives the effects
+  Model &model() const { return *used_model; }        // of the last init
+  const Model *model_in_use() const { return used_model; }
+  unsigned effects() const { return plan.effects; }
+  bool has(unsigned effect) const { return (plan.effects & effect) != 0; }
+  bool wants(unsigned effect) const { return plan.wants(effect); }    // asked for by now, by the user or another fix
+  void need(unsigned effect, const std::string &reason);              // another fix asks (from its init(), or earlier)
+  EffectPlan &effect_plan() { return plan; }
+
+  // ---- particles; pointers are valid until the next reneighboring
+  tm_state arrays();            // of the loops
+  tm_state host_arrays();
+  const double *field(int id) { return values[id].host_read(); }    // rows on the host, or nullptr when it is off
+  ParticleFields &fields() { return values; }
+  AtomArrays &atoms() { return *lammps_arrays; }
+  double temperature(int i);    // of owned particle i, K; on the host
+  StartTemperatures &start_temperatures() { return temperatures; }
+  double start_temperature() const { return temperatures.of_all(); }
+  tm_size_range sizes();        // of all particles; collective. Where all are the same, those of the model
+  void initialize_new();        // particles that have no state yet
+  void begin_setup();           // reports effects, drops fields that none of them calls for
+  HeatSource &source() { return heat; }
+  double *heat_source() { return has(TM_FX_HEAT) ? heat.loop_write() : nullptr; }
+  double *host_heat_source() { return has(TM_FX_HEAT) ? heat.host_write() : nullptr; }
+
+  // ---- parts
+  TimeStep &time_step() { return step; }
+  EnergyBalance &energy() { return balance; }
+  RunClock &clock() { return run_clock; }
+  RunHistory &history() { return run_history; }
+  const RunHistory &history() const { return run_history; }
+
+ private:
+  std::string fix_id;
+  int igroup;
+  Backend &backend;
+  StepOwner &step_owner;
+  std::shared_ptr<Scene> scene;
+  std::unique_ptr<AtomArrays> lammps_arrays;
+  ParticleFields values;
+  Model *used_model = nullptr;
+  EffectPlan plan;
+  std::vector<std::string> reported;    // lines of effects that were printed
+  HeatSource heat;
+  StartTemperatures temperatures;
+  TimeStep step;
+  EnergyBalance balance;
+  RunClock run_clock;
+  RunHistory run_history;
+
+  void derive_effects();
+  void report_effects();
+  tm_initial_args initial_args(const tm_state &, unsigned fields) const;
+};
+
+}    // namespace SPHTM_NS
+
+#endif

@@ -1,0 +1,255 @@
+#include "step_results.h"
+
+#include "model.h"
+#include "particle_state.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "neighbor.h"
+#include "pair.h"
+
+#include <cmath>
+
+using namespace LAMMPS_NS;
+
+namespace SPHTM_NS {
+
+StepResults::StepResults(LAMMPS *lmp, Backend &where, Model &m) :
+    Pointers(lmp), backend(where), loops(PairLoops::of(where)), model(m)
+{
+  rec_main.live_in(where, TM_REC, 2);
+  rec_stress.live_in(where, TM_REC_STRESS, 2);
+  gradient.live_in(where, 9);
+  for (auto *a : {&rec_heat, &rec_correction, &rec_size, &rec_hourglass, &heat, &correction, &xsph_v, &hourglass_rate,
+                  &surface, &artificial, &near_count, &tally, &force_internal})
+    a->live_in(where);
+  single_main.live_in(where, TM_REC, 4);
+  single_more.live_in(where, TM_MORE, 4);
+  for (auto *a : {&single_correction, &single_size}) a->live_in(where);
+}
+
+void StepResults::resize(const ParticleState &state)
+{
+  const size_t all = (size_t) atom->nlocal + atom->nghost + 1, own = (size_t) atom->nlocal + 1;
+  rec_main.make_room(true, all * TM_REC);
+  rec_stress.make_room(state.has(TM_FX_ARTSTRESS), all * TM_REC_STRESS);
+  rec_heat.make_room(state.has(TM_FX_HEAT), all * TM_REC_HEAT);
+  rec_correction.make_room(state.has(TM_FX_CORRECTION), all * TM_REC_CORRECTION);
+  rec_size.make_room(state.has(TM_FX_SMOOTHING), all * TM_REC_SIZE);
+  rec_hourglass.make_room(state.has(TM_FX_HOURGLASS), all * TM_REC_HOURGLASS);
+  gradient.make_room(true, own * 9);
+  heat.make_room(state.has(TM_FX_CONDUCTION), own);
+  correction.make_room(state.has(TM_FX_CORRECTION), own * 6);
+  xsph_v.make_room(state.has(TM_FX_XSPH), own * 3);
+  hourglass_rate.make_room(state.has(TM_FX_HOURGLASS), own * 3);
+  surface.make_room(state.has(TM_FX_SURFACE), own * 3);
+  artificial.make_room(state.has(TM_FX_LEDGER) || state.has(TM_FX_ENERGY), own);
+  force_internal.make_room(state.has(TM_FX_LEDGER), own * 3);
+  take_up_ghosts();
+  rec.correction = rec_correction.loop_write();
+  rec.hourglass = rec_hourglass.loop_write();
+}
+
+void StepResults::take_up_ghosts()
+{
+  rec.main = rec_main.loop_write();
+  rec.stress = rec_stress.loop_write();
+  rec.heat = rec_heat.loop_write();
+  rec.size = rec_size.loop_write();
+}
+
+tm_records StepResults::host_records()
+{
+  tm_records r;
+  r.main = const_cast<tm_real *>(rec_main.host_read());
+  r.stress = const_cast<tm_real *>(rec_stress.host_read());
+  r.heat = const_cast<tm_real *>(rec_heat.host_read());
+  r.correction = const_cast<tm_real *>(rec_correction.host_read());
+  r.size = const_cast<tm_real *>(rec_size.host_read());
+  r.hourglass = const_cast<tm_real *>(rec_hourglass.host_read());
+  return r;
+}
+
+StepResults::Rates StepResults::host_rates()
+{
+  return {gradient.host_read(), heat.host_read(), xsph_v.host_read()};
+}
+
+/* ---------------------------------------------------------------------- arguments of the loops */
+
+tm_predict_args StepResults::predict_args(ParticleState &state, const tm_state &s)
+{
+  const Settings &set = model.settings_in_use();
+  tm_predict_args a;
+  a.state = s;
+  a.rec = rec;
+  a.dt_ahead = state.time_step().ahead();
+  a.art_eps = set.art_eps;
+  a.art_component = set.art_component;
+  a.share = model.loop_tables().share.loop_read();
+  a.ratio = set.ratio;
+  a.hourglass = set.hourglass;
+  a.gradient = model.loop_tables().gradient.loop_read();
+  return a;
+}
+
+tm_rates_args &StepResults::fill_args(ParticleState &state, const tm_state &s)
+{
+  const Settings &set = model.settings_in_use();
+  args.rec = rec;
+  args.single = single_records(state);
+  args.effects = state.effects();
+  args.h = set.h;
+  args.support_radius2 = model.support() * model.support();
+  args.norm = tm_kernel_norm(set.kernel, domain->dimension, set.h);
+  args.slope_norm = args.norm / (set.h * model.lattice_sums().gradient);
+  args.support2 = tm_kernel_support(set.kernel) * tm_kernel_support(set.kernel);
+  args.norm_of_one = tm_kernel_norm(set.kernel, domain->dimension, 1.0);
+  args.visc_alpha = set.visc_alpha;
+  args.visc_beta = set.visc_beta;
+  args.art_n = set.art_n;
+  args.art_inv_w = 1.0 / tm_kernel_shape(set.kernel, set.spacing / set.h);
+  args.xsph = set.xsph;
+  args.force_unit = 1.0 / model.units().force;
+  args.conductance = model.loop_tables().conductance.loop_read();
+  args.type = s.type;
+  args.ntypes = model.types();
+  args.force = s.force;
+  args.gradient = gradient.loop_write();
+  args.heat = heat.loop_write();
+  args.correction = correction.loop_write();
+  args.xsph_v = xsph_v.loop_write();
+  args.hourglass_rate = hourglass_rate.loop_write();
+  args.surface = surface.loop_write();
+  args.artificial = artificial.loop_write();
+  return args;
+}
+
+double single_position_unit(const Model &model, double skin)
+{
+  const Settings &set = model.settings_in_use();
+  return tm_single_position_unit(tm_kernel_support(set.kernel) * model.covered_h() + skin, set.spacing);
+}
+
+tm_records_single StepResults::single_records(const ParticleState &state)
+{
+  const bool mixed = state.has(TM_FX_MIXED), more = state.has(TM_FX_ARTSTRESS) || state.has(TM_FX_CONDUCTION);
+  const size_t all = (size_t) atom->nlocal + atom->nghost + 1;
+  const double spacing = model.settings_in_use().spacing;
+  single_main.make_room(mixed, all * TM_REC);
+  single_more.make_room(mixed && more, all * TM_MORE);
+  single_correction.make_room(mixed && state.has(TM_FX_CORRECTION), all * TM_REC_CORRECTION);
+  single_size.make_room(mixed && state.has(TM_FX_SMOOTHING), all * TM_REC_SIZE);
+  tm_records_single s = {};
+  s.main = single_main.loop_write();
+  s.more = single_more.loop_write();
+  s.correction = single_correction.loop_write();
+  s.size = single_size.loop_write();
+  s.length = spacing;
+  s.volume = pow(spacing, domain->dimension);
+  s.position = single_position_unit(model, neighbor->skin);
+  return s;
+}
+
+/* ---------------------------------------------------------------------- ghosts */
+
+tm_ghost_args StepResults::ghosts()
+{
+  return {rec, communicated ? communicated->loop_write() : nullptr, communicated_columns};
+}
+
+// only what travels is brought to the host and back
+tm_ghost_args StepResults::host_ghosts(bool to_write)
+{
+  auto on_host = [to_write](LoopArray<tm_real> &a) {
+    return to_write ? a.host_write() : const_cast<tm_real *>(a.host_read());
+  };
+  if (communicated) return {{}, on_host(*communicated), communicated_columns};
+  tm_records r = {};
+  r.main = on_host(rec_main);
+  r.stress = on_host(rec_stress);
+  r.heat = on_host(rec_heat);
+  r.size = on_host(rec_size);
+  return {r, nullptr, 0};
+}
+
+void StepResults::communicate(Pair *pair, LoopArray<tm_real> &values, int columns)
+{
+  communicated = &values;
+  communicated_columns = columns;
+  comm->forward_comm(pair, columns);
+  communicated = nullptr;
+}
+
+void StepResults::communicate_records(Pair *pair)
+{
+  const tm_ghost_args a = {rec, nullptr, 0};
+  comm->forward_comm(pair, tm_ghost_width(&a));
+}
+
+void StepResults::communicate_correction(Pair *pair)
+{
+  communicate(pair, rec_correction, TM_REC_CORRECTION);
+  args.rec.correction = rec.correction = rec_correction.loop_write();
+}
+
+void StepResults::communicate_hourglass(Pair *pair)
+{
+  communicate(pair, rec_hourglass, TM_REC_HOURGLASS);
+  args.rec.hourglass = rec.hourglass = rec_hourglass.loop_write();
+}
+
+/* ---------------------------------------------------------------------- neighbors, memory */
+
+tm_near_args StepResults::near_args(bool of_each)
+{
+  near_count.make_room(of_each, (size_t) atom->nlocal + 1);
+  tm_near_args a;
+  a.rows = args.rows;
+  a.main = rec.main;
+  a.support_radius2 = rec.size ? args.support2 : args.support_radius2;
+  a.size = rec.size;
+  a.count = near_count.loop_write();
+  return a;
+}
+
+double StepResults::neighbors(bool of_each)
+{
+  const bool rows = args.support_radius2 && args.rows.first;
+  return loops.near_count(backend, rows ? atom->nlocal : 0, near_args(of_each), 0);
+}
+
+const tm_real *StepResults::loop_neighbors()
+{
+  neighbors(true);
+  return near_count.loop_read();
+}
+
+tm_nearest StepResults::nearest() { return loops.nearest(backend, atom->nlocal, near_args(false), 0); }
+
+tm_real *StepResults::tally_rows(bool per_particle)
+{
+  tally.make_room(per_particle, (size_t) TM_TALLY * (atom->nlocal + 1));
+  return tally.loop_write();
+}
+
+std::map<unsigned, double> StepResults::bytes_by_effect(unsigned effects) const
+{
+  std::map<unsigned, double> bytes;
+  bytes[0] = rec_main.bytes() + gradient.bytes();
+  for (auto *a : {&single_main, &single_more, &single_correction, &single_size}) bytes[0] += a->bytes();
+  bytes[TM_FX_ARTSTRESS] = rec_stress.bytes();
+  bytes[TM_FX_HEAT] = rec_heat.bytes();
+  bytes[TM_FX_CONDUCTION] = heat.bytes();
+  bytes[TM_FX_CORRECTION] = rec_correction.bytes() + correction.bytes();
+  bytes[TM_FX_SMOOTHING] = rec_size.bytes();
+  bytes[TM_FX_XSPH] = xsph_v.bytes();
+  bytes[TM_FX_HOURGLASS] = rec_hourglass.bytes() + hourglass_rate.bytes();
+  bytes[TM_FX_SURFACE] = surface.bytes();
+  bytes[TM_FX_LEDGER] = force_internal.bytes();
+  bytes[effects & TM_FX_LEDGER ? TM_FX_LEDGER : TM_FX_ENERGY] += artificial.bytes();
+  return bytes;
+}
+
+}    // namespace SPHTM_NS

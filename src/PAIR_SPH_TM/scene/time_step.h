@@ -1,0 +1,72 @@
+/* SPH-TM: the time step: what limits it, how it grows, and when it stops a run. */
+#ifndef SPHTM_TIME_STEP_H
+#define SPHTM_TIME_STEP_H
+
+#include "tm_update.h"
+
+#include "pointers.h"
+
+#include <string>
+
+namespace LAMMPS_NS {
+class Fix;
+}
+
+namespace SPHTM_NS {
+
+class ParticleState;
+
+class TimeStep : protected LAMMPS_NS::Pointers {
+ public:
+  TimeStep(LAMMPS_NS::LAMMPS *, ParticleState &);
+
+  // of the script
+  void set_courant(double c) { courant = c; }    // of h/c; without viscosity 0.6 is stable, 0.7 is not
+  void set_fixed(double value) { fixed = value; }    // the user's constant step; 0: automatic
+  void set_most(double value) { most = value; }      // 0: no limit
+  bool is_fixed() const { return fixed > 0.0; }
+  double fixed_value() const { return fixed; }
+
+  double now() const { return dt; }
+  double ahead() const { return dt_ahead; }    // from the state to the force point
+  double next() const { return dt_next; }
+  int cause() const { return dt_cause; }       // enum tm_dt_cause
+
+  // upper limit of the next step, already with its safety factor; by: whose it is, for messages
+  void limit(double value, int cause, const LAMMPS_NS::Fix *by = nullptr);
+  void limit(const tm_real *of_particles);    // by sound, force, conduction, without safety factor
+  void lower_next(double value);
+
+  void init();
+  void begin_setup();
+  void end_setup(bool first);    // first: no step has been taken yet
+  void begin_step();
+  void end_step();
+  // refinement: the step that particle i would allow with another h
+  double of_size(int i, double h);
+  // of restart files
+  void restore(double now, double next, int cause);
+
+ private:
+  ParticleState &state;
+  double courant = 0.4, fixed = 0.0, most = 0.0;
+  double dt = 0.0, dt_ahead = 0.0, dt_next = 0.0;
+  double dt_largest = 0.0;                                 // of this run
+  int dt_cause = TM_DT_SOUND;
+  double limits[TM_DT_CAUSES];                             // of this rank, since the last reduction
+  const LAMMPS_NS::Fix *limited_by[TM_DT_CAUSES] = {};     // the fixes that set them, where fixes did
+
+  void clear();
+  double of_sound_speed();
+  void limit_by_bodies();
+  void reduce();
+  void apply(double value, LAMMPS_NS::bigint done);
+  void check_fixed(const double *of_causes);
+  void check_stall(const double *of_all_ranks);
+  std::string cause_in_words(int cause) const;
+  std::string limiting_particle();
+};
+
+}    // namespace SPHTM_NS
+
+#endif
