@@ -70,8 +70,10 @@ TM_FN tm_eigen tm_sym_eigen(tm_sym3 a)
     tm_jacobi_rotate(&a.xx, &a.yy, &a.xy, &a.xz, &a.yz, &u, &v);
   }
   tm_eigen e;
+  /* clang-format off */
   e.value[0] = a.xx; e.value[1] = a.yy; e.value[2] = a.zz;
   e.vector[0] = u; e.vector[1] = v; e.vector[2] = w;
+  /* clang-format on */
   return e;
 }
 
@@ -112,8 +114,10 @@ TM_FN tm_vec3 tm_sym_null_vector(tm_sym3 a)
   const tm_real n1 = tm_vec_dot(c1, c1), n2 = tm_vec_dot(c2, c2), n3 = tm_vec_dot(c3, c3);
   const tm_real n12 = tm_max(n1, n2), s = 1.0 / sqrt(tm_max(n12, n3));
   const int one = n1 >= n2, three = n3 >= n12;
+  /* clang-format off */
   return tm_vec(s * (three ? c3.x : one ? c1.x : c2.x), s * (three ? c3.y : one ? c1.y : c2.y),
                 s * (three ? c3.z : one ? c1.z : c2.z));
+  /* clang-format on */
 }
 
 TM_FN tm_real tm_sym_det(tm_sym3 s)
@@ -155,9 +159,11 @@ TM_FN tm_sym3 tm_sym_positive_part(tm_sym3 a)
   const tm_real xx = pu.x * u.x + pw.x * w.x + pv.x * v.x, yy = pu.y * u.y + pw.y * w.y + pv.y * v.y;
   const tm_real zz = pu.z * u.z + pw.z * w.z + pv.z * v.z, xy = pu.x * u.y + pw.x * w.y + pv.x * v.y;
   const tm_real xz = pu.x * u.z + pw.x * w.z + pv.x * v.z, yz = pu.y * u.z + pw.y * w.z + pv.y * v.z;
+  /* clang-format off */
   return tm_sym(all ? a.xx : none ? 0.0 : xx, all ? a.yy : none ? 0.0 : yy,
                 all ? a.zz : none ? 0.0 : zz, all ? a.xy : none ? 0.0 : xy,
                 all ? a.xz : none ? 0.0 : xz, all ? a.yz : none ? 0.0 : yz);
+  /* clang-format on */
 }
 
 /* --- inverse of a positive semidefinite tensor ------------------------------------------------ */

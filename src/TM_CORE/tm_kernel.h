@@ -35,6 +35,7 @@ TM_FN tm_real tm_kernel_norm(int kernel, int dim, tm_real h)
   const tm_real area = TM_PI * h * h;
   const tm_real v = dim == 1 ? 1.0 / h : dim == 2 ? 1.0 / area : 1.0 / (area * h);
   tm_real c1 = NAN, c2 = NAN, c3 = NAN;
+  /* clang-format off */
   switch (kernel) {
     case TM_KERNEL_HYPERBOLIC: c1 = 1.0 / 7.0; c2 = 1.0 / 3.0; c3 = 15.0 / 62.0; break;
     case TM_KERNEL_CUBIC: c1 = 2.0 / 3.0; c2 = 10.0 / 7.0; c3 = 1.0; break;
@@ -42,6 +43,7 @@ TM_FN tm_real tm_kernel_norm(int kernel, int dim, tm_real h)
     case TM_KERNEL_WENDLAND_C2: c1 = 3.0 / 4.0; c2 = 7.0 / 4.0; c3 = 21.0 / 16.0; break;
     case TM_KERNEL_WENDLAND_C4: c1 = 27.0 / 32.0; c2 = 9.0 / 4.0; c3 = 495.0 / 256.0; break;
   }
+  /* clang-format on */
   return v * (dim == 1 ? c1 : dim == 2 ? c2 : c3);
 }
 

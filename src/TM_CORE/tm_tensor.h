@@ -8,6 +8,7 @@
 
 #include "tm_layout.h"
 
+/* clang-format off */
 typedef struct { tm_real x, y, z; } tm_vec3;
 typedef struct { tm_real xx, yy, zz, xy, xz, yz; } tm_sym3;
 typedef struct { tm_real xx, xy, xz, yx, yy, yz, zx, zy, zz; } tm_mat3;
@@ -226,5 +227,6 @@ TM_FN tm_mat3 tm_mat_inverse(tm_mat3 a, int dim3, int *good)
   b.zz = (a.xx * a.yy - a.xy * a.yx) * per;
   return b;
 }
+/* clang-format on */
 
 #endif

@@ -2,9 +2,11 @@
 
 namespace SPHTM_NS {
 
+// clang-format off
 namespace isa_default { extern const ListRanges list_ranges; }
 namespace isa_avx2 { extern const ListRanges list_ranges; }
 namespace isa_avx512 { extern const ListRanges list_ranges; }
+// clang-format on
 
 namespace {
 

@@ -155,9 +155,11 @@ TM_FN void tm_tl_results(int i, const tm_tl_args *a, const tm_tl_sums *s, int vi
   tm_real A[9], l[16];
   for (int c = 0; c < 9; c++) A[c] = exported[tm_tl_export_column(c)];
   const tm_sum_mat *g = &s->gradient;
+  /* clang-format off */
   const tm_sum all[16] = {g->xx, g->xy, g->xz, g->yx, g->yy, g->yz, g->zx, g->zy, g->zz,
                           s->force.x, s->force.y, s->force.z, s->artificial_force.x, s->artificial_force.y,
                           s->artificial_force.z, s->artificial};
+  /* clang-format on */
   const tm_real *other_force = l + 9, *artificial_force = l + 12;
   tm_lanes_sums(all, 16, l);
   tm_real *L = a->gradient + tm_row(i, 9);

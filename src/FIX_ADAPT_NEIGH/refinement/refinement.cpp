@@ -248,8 +248,10 @@ bool Refinement::restore(const double *s, size_t n)
 
 std::vector<std::string> Refinement::outputs() const
 {
+  // clang-format off
   std::vector<std::string> names = {"splits", "merges", "kept at the box", "smallest h", "mass error", "momentum error",
                                     "angular momentum error", "kinetic energy error", "elastic energy error"};
+  // clang-format on
   for (int l = 0; l <= in.most_level; l++) names.push_back(fmt::format("particles of level {}", l));
   return names;
 }
@@ -270,8 +272,10 @@ void Refinement::sum_outputs()
   for (int i = 0; i < atom->nlocal; i++) count[(int) levels.level(i)] += 1.0;
   MPI_Allreduce(count.data(), all.data(), in.most_level + 1, MPI_DOUBLE, MPI_SUM, lmp()->world);
   const tm_vec3 momentum = tm_vec(s[PX], s[PY], s[PZ]), angular = tm_vec(s[LX], s[LY], s[LZ]);
+  // clang-format off
   summed = {s[SPLITS], s[MERGES], s[OUTSIDE], parts.state().sizes().smallest_h, s[MASS], tm_vec_norm(momentum),
             tm_vec_norm(angular), s[KINETIC] / unit.energy, s[ELASTIC] / unit.energy};
+  // clang-format on
   summed.insert(summed.end(), all.begin(), all.end());
 }
 

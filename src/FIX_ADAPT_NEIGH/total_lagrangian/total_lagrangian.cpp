@@ -377,8 +377,10 @@ std::vector<double> TotalLagrangian::state()
 {
   double sum = 0.0;
   MPI_Allreduce(&sum_ul, &sum, 1, MPI_DOUBLE, MPI_SUM, parts.host()->world);
+  // clang-format off
   return {(double) candidates.room(), first_step ? 1.0 : 0.0, sum, time, time_checked, next_check,
           (double) tl_pairs.kernel(), tl_pairs.h()};
+  // clang-format on
 }
 
 // rows of a file have the room of that run; a part without total-Lagrangian pairs has none of its own

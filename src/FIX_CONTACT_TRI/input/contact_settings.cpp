@@ -181,12 +181,14 @@ std::vector<ContactSettings::Hash> ContactSettings::hashes() const
   const double number = lumped_capacity > 0.0 ? 0.0 : temperature, lumped = lumped_capacity > 0.0 ? temperature : 0.0;
   const double variable = (double) hash_bytes(temperature_variable.data(), temperature_variable.size());
   const auto of = [](const std::vector<double> &v) { return hash_bytes(v.data(), v.size() * sizeof(double)); };
+  // clang-format off
   return {{"friction", of(mu)}, {"friction/shear", of({shear})}, {"penalty", of({penalty})},
           {"damping", of({damping})}, {"approach", of({(double) approach})}, {"method", of({(double) f15})},
           {"sides", of({(double) two_sided})}, {"heat", of({conductance})}, {"share", of({share})},
           {"effusivity", of({effusivity})}, {"particles", of({(double) body_type})},
           {"reference", of({(double) reference_given, reference[0], reference[1], reference[2]})},
           {"temperature", of({number, variable})}, {"lumped", of({lumped_capacity, lumped})}};
+  // clang-format on
 }
 
 }    // namespace SPHTM_NS

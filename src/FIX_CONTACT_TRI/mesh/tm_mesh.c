@@ -5,10 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* clang-format off */
 static const char *const status_name[] = {
     "ok",           "no file",      "empty file",        "not a mesh",   "truncated",
     "trailing data", "syntax error", "bad value",         "no triangles", "all facets degenerate",
     "too large",    "not triangles", "bad vertex index",  "unsupported",  "cannot write"};
+/* clang-format on */
 
 const char *tm_mesh_status_name(int status)
 {

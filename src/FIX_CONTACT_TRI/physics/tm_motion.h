@@ -72,9 +72,11 @@ TM_FN tm_mat3 tm_rotation_about(tm_vec3 axis, tm_real angle)
   const tm_real c = cos(angle), s = sin(angle), half = sin(0.5 * angle);
   const tm_real d = 2.0 * half * half;   /* 1 - cos, without cancellation */
   tm_mat3 m;
+  /* clang-format off */
   m.xx = c + d * u.x * u.x; m.xy = d * u.x * u.y - s * u.z; m.xz = d * u.x * u.z + s * u.y;
   m.yx = d * u.x * u.y + s * u.z; m.yy = c + d * u.y * u.y; m.yz = d * u.y * u.z - s * u.x;
   m.zx = d * u.x * u.z - s * u.y; m.zy = d * u.y * u.z + s * u.x; m.zz = c + d * u.z * u.z;
+  /* clang-format on */
   return m;
 }
 

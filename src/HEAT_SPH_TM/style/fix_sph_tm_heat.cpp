@@ -23,9 +23,11 @@ using namespace FixConst;
 static constexpr double STEFAN_BOLTZMANN = 5.670374419e-8;    // W/(m^2 K^4)
 
 // the modes, and how many values each takes: the strength, the surroundings
+// clang-format off
 static const struct { const char *name; bool strength, surroundings; } MODES[] = {
     {"temperature", true, false}, {"flux", true, false}, {"source", true, false},
     {"convection", true, true}, {"radiation", false, true}};
+// clang-format on
 
 FixSPHTMHeat::FixSPHTMHeat(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg), scene(Scene::of(lmp))
 {

@@ -15,9 +15,11 @@ class Scene;
 class EnergyReport : protected LAMMPS_NS::Pointers {
  public:
   // entries of the output vector
+  // clang-format off
   enum Entry {
     KINETIC, ELASTIC, PLASTIC, HEAT, CONTACT, FRICTION, ARTIFICIAL, EXTERNAL, SUM, DT, CAUSE, NEIGHBORS, ENTRIES
   };
+  // clang-format on
   EnergyReport(LAMMPS_NS::LAMMPS *, ParticleState &, const Scene &);
 
   double value(int entry);    // now; collective

@@ -24,11 +24,13 @@ struct Other {
   const char *name;
   double si;
 };
+// clang-format off
 const Other OTHERS[] = {
     {DENSITY, "g/cm3", 1e3},      {DENSITY, "kg/m3", 1.0},      {DENSITY, "t/mm3", 1e12},
     {STRESS, "MPa", 1e6},         {STRESS, "GPa", 1e9},         {STRESS, "Pa", 1.0},
     {CAPACITY, "J/(g K)", 1e3},   {CAPACITY, "J/(kg K)", 1.0},  {CAPACITY, "mJ/(t K)", 1e-6},
     {CONDUCTIVITY, "W/(m K)", 1.0}, {CONDUCTIVITY, "mW/(m K)", 1e-3}};
+// clang-format on
 
 class MetalCheck {
  public:

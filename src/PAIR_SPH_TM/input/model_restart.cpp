@@ -157,6 +157,7 @@ std::string change(const std::string &name, double then, double now)
 std::vector<std::string> changes(const Settings &then, const Settings &now)
 {
   using S = Settings;
+  // clang-format off
   static const struct { const char *name; double S::*value; } numbers[] = {
       {"ratio", &S::ratio}, {"spacing", &S::spacing}, {"viscosity alpha", &S::visc_alpha},
       {"viscosity beta", &S::visc_beta}, {"artstress", &S::art_eps}, {"xsph", &S::xsph}, {"hourglass", &S::hourglass}};
@@ -164,6 +165,7 @@ std::vector<std::string> changes(const Settings &then, const Settings &now)
       {"artstress component", &S::art_component}, {"artstress balanced", &S::art_balanced}, {"form f14", &S::form_f14},
       {"correction", &S::correction}, {"balsara", &S::balsara}, {"plane stress", &S::plane_stress},
       {"precision mixed", &S::mixed}};
+  // clang-format on
   std::vector<std::string> found;
   if (then.kernel != now.kernel)
     found.push_back(fmt::format("kernel was {}, is {}", kernel_name(then.kernel),

@@ -4,9 +4,11 @@
 
 namespace SPHTM_NS {
 
+// clang-format off
 namespace isa_default { extern const SearchRanges search_ranges; }
 namespace isa_avx2 { extern const SearchRanges search_ranges; }
 namespace isa_avx512 { extern const SearchRanges search_ranges; }
+// clang-format on
 
 namespace {
 

@@ -221,8 +221,10 @@ TM_FN void tm_rates_store(int i, const tm_rates_args *a, const tm_rates_terms *t
   const tm_real lscale = (t->form_f14 ? 1.0 : TM_SINGLE ? 1.0 / rhoi : own->inv_rho) * per_mass;
   const tm_sum none = tm_lanes_zero();
   const tm_sum_mat *G = &s->gradient;
+  /* clang-format off */
   const tm_sum all[16] = {G->xx, G->xy, G->xz, G->yx, G->yy, G->yz, G->zx, G->zy, G->zz,
                           s->acceleration.x, s->acceleration.y, s->acceleration.z, s->artificial, s->heat, none, none};
+  /* clang-format on */
   tm_real L[16];
   const tm_real *acceleration = L + 9;
   tm_lanes_sums(all, 16, L);

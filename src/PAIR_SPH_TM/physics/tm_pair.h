@@ -111,12 +111,14 @@ TM_FN tm_lanes_vec tm_lanes_product_rest(tm_lanes_mat P, tm_lanes_vec g)
 /* L -= v (x) g */
 TM_FN void tm_pair_gradient(tm_sum_mat *L, tm_lanes_vec v, tm_lanes_vec g, int dim3)
 {
+  /* clang-format off */
   L->xx -= v.x * g.x; L->xy -= v.x * g.y;
   L->yx -= v.y * g.x; L->yy -= v.y * g.y;
   if (dim3) {
     L->xz -= v.x * g.z; L->yz -= v.y * g.z;
     L->zx -= v.z * g.x; L->zy -= v.z * g.y; L->zz -= v.z * g.z;
   }
+  /* clang-format on */
 }
 
 /* a += P g */
