@@ -108,16 +108,16 @@ TM_HOST_FN int tm_search(int i, const tm_search_args *a)
   const int room = a->capacity;
   int *row = a->index + a->first[i];
   int begin, end, total = 0;
-  int found[TM_SEARCH_MOST + TM_COLUMN], place[TM_SEARCH_MOST + TM_COLUMN], n = 0, kept = 0;
+  int found[TM_SEARCH_MOST + TM_COLUMN], place[TM_SEARCH_MOST + TM_COLUMN], n = 0, taken = 0;
   tm_around around = tm_cells_around(&a->cells, x);
   while (n <= TM_SEARCH_MOST && tm_around_next(&around, &a->cells, &begin, &end))
     n = tm_search_run(a, begin, end, x, reach, n, TM_SEARCH_MOST, found);
   if (n > TM_SEARCH_MOST) return n;
   for (int k = 0; k < n; k++) {
-    found[kept] = found[k];
-    kept += tm_search_meets(i, found[k], a) != 0;
+    found[taken] = found[k];
+    taken += tm_search_meets(i, found[k], a) != 0;
   }
-  n = kept;
+  n = taken;
   tm_search_order(found, n, a->tag, place);
   for (int s = 0; s < TM_SEGMENTS; s++) {
     if (!(a->segments >> s & 1)) continue;
