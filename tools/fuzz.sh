@@ -1,5 +1,5 @@
 #!/bin/sh
-# Feeds mutated mesh files to the mesh readers under address and undefined-behaviour sanitizers:
+# Feeds mutated mesh files to the mesh readers under address and undefined-behavior sanitizers:
 #   tools/fuzz.sh [seconds] [folder]      default 600 s; found inputs and the grown corpus stay in the folder
 # The corpus starts from unittest/meshes. Needs clang with libFuzzer (Debian: clang, libclang-rt-dev).
 # Exits 77 where there is none, 1 when an input was found that breaks the readers.

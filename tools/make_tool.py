@@ -8,11 +8,11 @@
   make_tool.py plane  --size 1 1 --cells 30 30 -o plane.stl
   make_tool.py sphere --radius 0.5 --levels 4 -o ball.stl
 
-Insert: the tool moves along -x, cuts in the x-y plane and is centred on z = 0. The lowest point of
+Insert: the tool moves along -x, cuts in the x-y plane and is centered on z = 0. The lowest point of
 the rounded edge lies at y = 0 and the foremost point of the rounding at x = 0, so that `move X Y 0`
 puts the edge at depth -Y. The rake face leans back by the rake angle from +y, the clearance face
 rises by the clearance angle from +x; a circle of the edge radius touches both. Block, wedge and
-sphere are centred on the origin; the plane lies at z = 0 with normal +z and is open.
+sphere are centered on the origin; the plane lies at z = 0 with normal +z and is open.
 
 Lengths are plain numbers: scale them in LAMMPS (`scale 1e-3`) or here (--scale). All bodies but the
 plane are watertight with normals outward; the mesh is checked before it is written.
@@ -54,7 +54,7 @@ def insert_profile(a):
 
 
 def extrude(polygon, width):
-    """Prism over a convex polygon, centred on z = 0."""
+    """Prism over a convex polygon, centered on z = 0."""
     lo, hi, n = -0.5 * width, 0.5 * width, len(polygon)
     cx, cy = sum(p[0] for p in polygon) / n, sum(p[1] for p in polygon) / n
     tris = []

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The C tests and some scenes under the address and undefined-behaviour sanitizers of gcc:
+# The C tests and some scenes under the address and undefined-behavior sanitizers of gcc:
 #   sanitize.sh [SCENE...]      scenes as in unittest/scenes, without test_; default: those below
 # Only the plugin is instrumented, and its rate loops only once, for this processor; LAMMPS and MPI are not, and leaks are
 # looked for in the C tests only.
