@@ -32,7 +32,7 @@ enum tm_effect {
   TM_FX_LEDGER = 1 << 16,       /* energy bookkeeping */
   TM_FX_SMOOTHING = 1 << 17,    /* smoothing length and size of each particle of its own */
   TM_FX_MIXED = 1 << 18,        /* pair arithmetic in single */
-  TM_FX_HOURGLASS = 1 << 19,    /* resistance to patterns that no gradient sees */
+  TM_FX_HOURGLASS = 1 << 19,    /* hourglass control (zero-energy modes) */
 
   TM_FX_KERNEL_SHIFT = 20       /* three bits of enum tm_kernel */
 };

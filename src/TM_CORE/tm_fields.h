@@ -26,8 +26,8 @@ enum { TM_G_W = 0, TM_G_RATE = 3, TM_G_COLUMNS = 6 };
     xsph         XSPH velocity of the last step
     thickness    plane stress: thickness over initial thickness
     size         smoothing length; edge (m/rho0)^(1/d) of the particle without stress; smoothing length
-                 over spacing it was made with; target n_h of its neighbourhood (0: not known yet)
-    hourglass    displacement against the neighbourhood, see tm_hourglass.h, and its rate in the last step */
+                 over spacing it was made with; target n_h of its neighborhood (0: not known yet)
+    hourglass    displacement against the neighborhood, see tm_hourglass.h, and its rate in the last step */
 #define TM_FIELD_TABLE(FIELD)                                       \
   FIELD(TM_F_RHO, "density", 1, 0)                                  \
   FIELD(TM_F_STRESS, "stress", 6, 0)                                \

@@ -11,7 +11,7 @@
      Wendland C4   (1-q/2)+^6 (35q^2/12+3q+1)
    Shape and slope are exactly zero at and beyond the support. The norms make the integral over
    space 1 (checked by quadrature in unittest/c/test_kernel.c). In one dimension the Wendland
-   kernels are the same radial functions, normalised on the line. */
+   kernels are the same radial functions, normalized on the line. */
 #ifndef TM_KERNEL_H
 #define TM_KERNEL_H
 

@@ -1,9 +1,9 @@
 /* SPH-TM: where the values of a particle lie in memory.
 
-   On the host the values of one particle lie together, a row: what one neighbour delivers is one or
+   On the host the values of one particle lie together, a row: what one neighbor delivers is one or
    two cache lines, and vector loops transpose the rows they need. On a GPU the threads of a warp
    stand for particles side by side, and a load costs a pass for every cache line it touches: there
-   the same value of TM_BLOCK particles lies together. Records, which neighbours fetch 16 bytes at a
+   the same value of TM_BLOCK particles lies together. Records, which neighbors fetch 16 bytes at a
    time, keep two values side by side, or four in single. Rows of one value, and records of two (four), are alike in
    both. */
 #ifndef TM_LAYOUT_H

@@ -1,7 +1,7 @@
 /* SPH-TM: scalar type and the one qualifier of every physics function.
 
    Everything in tm_*.h is the common subset of C11, C++17 and CUDA: no designated
-   initialisers, no variable-length arrays, no compound literals, no globals. */
+   initializers, no variable-length arrays, no compound literals, no globals. */
 #ifndef TM_REAL_H
 #define TM_REAL_H
 
@@ -38,7 +38,7 @@
 #define TM_RESTRICT restrict
 #endif
 
-/* Precision of particle state and of the sums over neighbours. */
+/* Precision of particle state and of the sums over neighbors. */
 typedef double tm_real;
 
 /* Precision of pair arithmetic: that of the state, or single in a file that defines TM_PAIR_SINGLE

@@ -1,5 +1,5 @@
 /* Rows from the cells against all pairs: two and three dimensions, one reach and one each, types, rows that are full, cells
-   as wide as the largest reach and, where each has its own, narrower; how far a particle has to look;
+   as wide as the largest search radius and, where each has its own, narrower; how far a particle has to look;
    which rows one that has moved is near to; rows with a margin where each has its own reach, which grows. */
 #include "tm_candidates.h"
 #include "ut.h"
@@ -9,7 +9,7 @@
 enum { N = 600, OWN = 500, TYPES = 3, ROOM = 400 };
 
 static double x[N][3];
-static tm_real reach[N];
+static tm_real radius[N];
 static int type[N], tag[N], cell[N], order[N + TM_COLUMN], begin[100000], marked[N + 1];
 static tm_real column[4][N + TM_COLUMN], look[2][100000];
 static int row[N * ROOM], count[TM_SEGMENTS][N];
@@ -41,8 +41,8 @@ static void sort(tm_cells *c, int dim3, tm_real widest, tm_real width)
   begin[cells] = k;
   UT_TRUE(k == N);
   for (int d = 0; d < 2; d++) c->look[d] = look[d];
-  if (!c->reach) return;
-  for (int q = 0; q < cells; q++) look[1][q] = tm_cells_reach(c, q);
+  if (!c->radius) return;
+  for (int q = 0; q < cells; q++) look[1][q] = tm_cells_radius(c, q);
   for (int axis = 0; axis < 3; axis++)
     for (int q = 0; q < cells; q++) look[axis % 2][q] = tm_cells_look(c, q, axis, look[1 - axis % 2]);
 }
@@ -54,7 +54,7 @@ static int expected(int i, int s, int k, const tm_search_args *a)
   for (int n = 0;; n++) {
     int next = -1;
     for (int j = 0; j < N; j++) {
-      const tm_real r = a->cells.reach ? tm_max(reach[i], reach[j]) : a->reach;
+      const tm_real r = a->cells.radius ? tm_max(radius[i], radius[j]) : a->radius;
       const tm_real dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], dz = x[i][2] - x[j][2];
       const int segments = a->meets ? meets[type[i] * (TYPES + 1) + type[j]] : 1;
       if (j == i || !(segments >> s & 1) || dx * dx + dy * dy + dz * dz >= r * r) continue;
@@ -72,7 +72,7 @@ static int search_by_many(int i, const tm_search_args *a)
 {
   enum { THREADS = 32 };
   int found[N], tags[N], total = 0, begin, end;
-  const tm_real r = a->cells.reach ? reach[i] : a->reach;
+  const tm_real r = a->cells.radius ? radius[i] : a->radius;
   for (int s = 0; s < TM_SEGMENTS; s++) {
     if (!(a->segments >> s & 1)) continue;
     int n = 0;
@@ -108,12 +108,12 @@ static void check(const tm_search_args *a, int by_many)
   }
 }
 
-static void run(int dim3, int own_reach, int types, ptrdiff_t stride, tm_real width)
+static void run(int dim3, int own_radii, int types, ptrdiff_t stride, tm_real width)
 {
   const tm_real side = dim3 ? 8.0 : 24.0;
   for (int i = 0; i < N; i++) {
     for (int d = 0; d < 3; d++) x[i][d] = d == 2 && !dim3 ? 0.0 : ut_random(-0.3 * side, 0.7 * side);
-    reach[i] = ut_random(0.5, 2.4);
+    radius[i] = ut_random(0.5, 2.4);
     type[i] = 1 + (int) ut_random(0.0, TYPES);
     tag[i] = i < 550 ? (i * 7919) % 1009 : tag[i - 550];    /* ghosts: images of others */
     moved[i] = x[i][0] < -0.25 * side;
@@ -127,11 +127,11 @@ static void run(int dim3, int own_reach, int types, ptrdiff_t stride, tm_real wi
       meets[t * (TYPES + 1) + u] = meets[u * (TYPES + 1) + t] = (unsigned char) (t == u ? 1 : 2 * t % 8);
   tm_search_args a;
   memset(&a, 0, sizeof a);
-  a.cells.reach = own_reach ? reach : NULL;
+  a.cells.radius = own_radii ? radius : NULL;
   sort(&a.cells, dim3, 2.4, width);
   for (int k = 0; k < N; k++) marked[k + 1] = marked[k] + moved[order[k]];
   a.cells.marked = marked;
-  a.reach = 2.4;
+  a.radius = 2.4;
   a.meets = types ? meets : NULL;
   a.segments = types ? 7 : 1;
   a.type = type;
@@ -159,7 +159,7 @@ static void run(int dim3, int own_reach, int types, ptrdiff_t stride, tm_real wi
     int neighbor = 0;
     for (int j = 0; j < N; j++) {
       const tm_real dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], dz = x[i][2] - x[j][2];
-      const tm_real r = own_reach ? tm_max(reach[i], reach[j]) : 2.4;
+      const tm_real r = own_radii ? tm_max(radius[i], radius[j]) : 2.4;
       neighbor |= moved[j] && dx * dx + dy * dy + dz * dz < r * r;
     }
     UT_TRUE(is_near >= neighbor && dirty[i] == is_near);
@@ -180,13 +180,13 @@ static void run(int dim3, int own_reach, int types, ptrdiff_t stride, tm_real wi
   }
 }
 
-static tm_search_args search_of(int dim3, tm_real widest, tm_real width, const tm_real *reaches)
+static tm_search_args search_of(int dim3, tm_real widest, tm_real width, const tm_real *radii)
 {
   tm_search_args a;
   memset(&a, 0, sizeof a);
-  a.cells.reach = reaches;
+  a.cells.radius = radii;
   sort(&a.cells, dim3, widest, width);
-  a.reach = widest;
+  a.radius = widest;
   a.segments = 1;
   a.tag = tag;
   a.capacity = ROOM;
@@ -213,9 +213,9 @@ static int in_row(int i, int j)
 static void check_look(int i, const tm_cells *c)
 {
   const tm_real found = look[0][tm_cells_of(c, x[i])];
-  tm_real least = reach[i], most = reach[i];
+  tm_real least = radius[i], most = radius[i];
   for (int j = 0; j < N; j++) {
-    const tm_real dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], dz = x[i][2] - x[j][2], r = reach[j];
+    const tm_real dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], dz = x[i][2] - x[j][2], r = radius[j];
     if (dx * dx + dy * dy + dz * dz < r * r) least = tm_max(least, r);
     if (fabs(dx) < r + 2 * c->width[0] && fabs(dy) < r + 2 * c->width[1] && fabs(dz) < r + 2 * c->width[2])
       most = tm_max(most, r);
@@ -224,7 +224,7 @@ static void check_look(int i, const tm_cells *c)
 }
 
 /* A third of the particles is small and lies close. Rows of the small ones hold what is near them, not what the large
-   ones would want; they hold all within reach as long as nobody has moved and grown by half the margin in sum. */
+   ones would want; they hold all within the search radius as long as nobody has moved and grown by half the margin in sum. */
 static void own_reaches(int dim3)
 {
   static tm_real size[N][TM_REC_SIZE];
@@ -239,14 +239,14 @@ static void own_reaches(int dim3)
     tag[i] = i;
     first[i] = (ptrdiff_t) i * ROOM;
   }
-  tm_moved_args m = {x[0], place[0], margin, -1.0, marks, size[0], support, reach};
+  tm_moved_args m = {x[0], place[0], margin, -1.0, marks, size[0], support, radius};
   for (int i = 0; i < N; i++) {
     UT_TRUE(tm_moved(i, &m) == 1 && place[i][0] == x[i][0]);
-    UT_NEAR(reach[i], 1.2 * 2.0 / size[i][TM_SIZE_INV_H], 1e-15);
+    UT_NEAR(radius[i], 1.2 * 2.0 / size[i][TM_SIZE_INV_H], 1e-15);
   }
   const tm_real widest = 1.2 * 2.0 * 1.2;
   for (int own = 0; own < 2; own++) {
-    const tm_search_args a = search_of(dim3, widest, own ? 0.5 * widest : widest, own ? reach : NULL);
+    const tm_search_args a = search_of(dim3, widest, own ? 0.5 * widest : widest, own ? radius : NULL);
     for (int i = 0; i < N / 3; i++) mean[own] += count[0][i] / (N / 3.0);
     for (int i = 0; own && i < N; i++) check_look(i, &a.cells);
   }
@@ -286,7 +286,7 @@ static void own_reaches(int dim3)
     if (k == 2) size[k][TM_SIZE_INV_H] *= 2.0;
     m.part = 0.5;
     UT_TRUE(tm_moved(k, &m) == (k < 2) && marks[k] == (k < 2));
-    UT_NEAR(reach[k], 1.2 * s * (k == 1 ? 1.0 + 0.501 * margin : 1.0), 1e-14 * s);
+    UT_NEAR(radius[k], 1.2 * s * (k == 1 ? 1.0 + 0.501 * margin : 1.0), 1e-14 * s);
   }
 }
 

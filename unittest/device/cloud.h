@@ -101,7 +101,7 @@ TM_FN tm_row_args cloud_row_args(cloud *w)
 TM_FN tm_rates_args cloud_rates(cloud *w)
 {
   tm_rates_args a;
-  const tm_real support = tm_kernel_support(w->kernel), reach = support * w->h;
+  const tm_real support = tm_kernel_support(w->kernel), radius = support * w->h;
   memset(&a.single, 0, sizeof a.single);
   a.support2 = support * support;
   a.norm_of_one = tm_kernel_norm(w->kernel, w->dim, 1.0);
@@ -110,7 +110,7 @@ TM_FN tm_rates_args cloud_rates(cloud *w)
   a.rec = cloud_records(w);
   a.effects = w->effects;
   a.h = w->h;
-  a.support_radius2 = reach * reach;
+  a.support_radius2 = radius * radius;
   a.norm = tm_kernel_norm(w->kernel, w->dim, w->h);
   a.slope_norm = a.norm / w->h;
   a.visc_alpha = 0.7; a.visc_beta = 1.3;

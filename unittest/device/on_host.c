@@ -77,12 +77,12 @@ static void make_particle(cloud *w, int i, const int *at, int side)
 
 static void make_list(cloud *w)
 {
-  const double reach = 1.1 * tm_kernel_support(w->kernel) * w->h;
+  const double radius = 1.1 * tm_kernel_support(w->kernel) * w->h;
   for (int i = 0; i < w->n; i++) {
     w->length[i] = 0;
     for (int j = 0; j < w->n; j++) {
       const tm_vec3 d = tm_vec_sub(tm_load3(w->x + 3 * i), tm_load3(w->x + 3 * j));
-      if (i != j && tm_vec_dot(d, d) < reach * reach && w->length[i] < ROOM) w->list[i * ROOM + w->length[i]++] = j;
+      if (i != j && tm_vec_dot(d, d) < radius * radius && w->length[i] < ROOM) w->list[i * ROOM + w->length[i]++] = j;
     }
   }
 }

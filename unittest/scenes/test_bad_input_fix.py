@@ -78,7 +78,7 @@ wrong("vector of the fix out of range", {"thermo": "thermo 5\nthermo_style custo
 
 warned("Johnson-Cook with heat off", dict(coeff(JC + HEAT), **fix("effects heat off")), F, "heat is forced off",
        "softens")
-warned("Johnson-Cook without heat constants", coeff(JC), F, "Johnson-Cook", "heat constants")
+warned("Johnson-Cook without heat constants", coeff(JC), F, "softening by temperature", "heat constants")
 warned("plasticity forced off", fix("effects plasticity off"), F, "plasticity is forced off", "yields")
 warned("damage forced off", dict(coeff(JC + HEAT + " damage strain 0.3"), **fix("effects damage off")), F,
        "damage is forced off", "damage law")

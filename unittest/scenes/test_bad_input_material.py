@@ -150,6 +150,6 @@ wrong("contact keyword without value", dict(both, more=both["more"] + "contact p
 wrong("conductance of a bond", dict(both, more=both["more"] + "bond conductance 5"), C, "bond", "conductance")
 wrong("conductance negative", dict(both, more=both["more"] + "heat conductance -5"), C, "conductance", "-5")
 wrong("bond with a heat body", dict(TWO, more="pair_coeff 2 2 " + GOOD + HEAT + " body heat\npair_coeff 1 2 bond"),
-      "sph/tm", "heat body", "'heat' or 'none'")
+      "sph/tm", "conduction-only material", "'heat' or 'none'")
 
 run_all()

@@ -23,7 +23,7 @@ void CandidateLists::init(bool with_total_lagrangian)
   const int dim = parts.host()->domain->dimension;
   total_lagrangian = with_total_lagrangian;
   fixed_room = given_room || total_lagrangian;
-  cover_reach();
+  cover_radius();
   const double cut = (widest + skin) / set.spacing;
   const double lattice = dim == 3 ? 4.0 / 3.0 * TM_PI * cut * cut * cut : TM_PI * cut * cut;
   const double more = skin > 0.0 ? 1.5 : 2.0;    // than in the lattice
@@ -38,24 +38,24 @@ void CandidateLists::move_to(Backend &b)
   loops = &ListLoops::of(b);
   cells.move_to(b);
   for (auto *t : {&table, &other}) t->move_to(b);
-  for (auto *a : {&place, &reaches}) a->move_to(b);
+  for (auto *a : {&place, &radii}) a->move_to(b);
   for (auto *a : {&marks, &dirty}) a->move_to(b);
   which.move_to(b);
 }
 
-bool CandidateLists::own_reach() const { return parts.state().has(TM_FX_SMOOTHING); }
+bool CandidateLists::own_radii() const { return parts.state().has(TM_FX_SMOOTHING); }
 
-// Rows reach a little further than the rates take, which decide which pairs are within reach. Refinement reads rows at
+// Rows reach a little further than the rates take, which decide which pairs are within the search radius. Refinement reads rows at
 // the end of the step, half a step and perhaps a change of h later
 double CandidateLists::spare() const { return parts.uses("refine") ? 1.02 : 1.0 + 1e-9; }
 
-void CandidateLists::cover_reach()
+void CandidateLists::cover_radius()
 {
   const Settings &set = parts.model().settings_in_use();
   const double covered = tm_kernel_support(set.kernel) * std::max(set.h, parts.model().covered_h()) * spare();
   good = good && covered == widest;
   widest = covered;
-  skin = (skin_over_reach >= 0.0 ? skin_over_reach : total_lagrangian ? 0.15 : 0.0) * widest;
+  skin = (skin_over_radius >= 0.0 ? skin_over_radius : total_lagrangian ? 0.15 : 0.0) * widest;
 }
 
 /* ---------------------------------------------------------------------- search */
@@ -64,11 +64,11 @@ void CandidateLists::renumbered()
 {
   const int n = parts.owned();
   const bool others = cells.take_types();
-  cover_reach();
+  cover_radius();
   if (!total_lagrangian) table.make_room(n, room_of_row);
   other.make_room(n, others ? room_of_row : 0);
   const double *x = parts.state().arrays().x;
-  if (others) {    // those that may come within reach before the particles are renumbered
+  if (others) {    // those that may come within the search radius before the particles are renumbered
     const double within = widest + parts.host()->neighbor->skin;
     cells.make_grid(within, x, nullptr, skin > 0.0);
     cells.sort_into_cells(x);
@@ -94,18 +94,18 @@ bool CandidateLists::search_moved(bool all_rows)
   m.place = place.loop_write();
   m.skin = skin;
   m.part = 0.5;
-  if (own_reach()) {
-    reaches.make_room(true, all + 1);
+  if (own_radii()) {
+    radii.make_room(true, all + 1);
     m.size = parts.results().rate_args().rec.size;
     m.skin = skin / widest;
     m.support = tm_kernel_support(parts.model().settings_in_use().kernel) * spare();
-    m.reach = reaches.loop_write();
+    m.radius = radii.loop_write();
   }
   if (!all_rows && !loops->moved(*backend, all, m, 0u)) return false;
   m.part = all_rows ? -1.0 : 0.5 * EARLY;
   m.marks = marks.loop_write();
   loops->moved(*backend, all, m, 0u);
-  cells.make_grid(widest + skin, m.place, m.reach, skin > 0.0);
+  cells.make_grid(widest + skin, m.place, m.radius, skin > 0.0);
   cells.sort_into_cells(m.place);
   int n = owned;
   if (!all_rows) {
@@ -118,14 +118,14 @@ bool CandidateLists::search_moved(bool all_rows)
   return true;
 }
 
-void CandidateLists::search(RowTable &t, int segments, double reach, int n, const int *of)
+void CandidateLists::search(RowTable &t, int segments, double radius, int n, const int *of)
 {
-  const int longest = cells.search(t, segments, reach, n, of);
+  const int longest = cells.search(t, segments, radius, n, of);
   if (longest <= t.capacity) return;
   if (fixed_room || longest > TM_SEARCH_MOST) stop_on_long_row(t.capacity, longest);
   room_of_row = std::min((int) TM_SEARCH_MOST, 8 * (int) ceil(1.25 * longest / 8.0));
   t.make_room(parts.owned(), room_of_row);
-  search(t, segments, reach, parts.owned());
+  search(t, segments, radius, parts.owned());
 }
 
 void CandidateLists::stop_on_long_row(int capacity, int longest) const
@@ -147,7 +147,7 @@ double CandidateLists::entries()
 
 double CandidateLists::bytes() const
 {
-  return table.bytes() + other.bytes() + cells.bytes() + place.bytes() + reaches.bytes() + marks.bytes() +
+  return table.bytes() + other.bytes() + cells.bytes() + place.bytes() + radii.bytes() + marks.bytes() +
       dirty.bytes() + which.bytes();
 }
 

@@ -1,4 +1,4 @@
-/* SPH-TM: rows of neighbors within the support radius (reach) and a skin, from a search in cells. A row is searched
+/* SPH-TM: rows of neighbors within the support radius and a skin, from a search in cells. A row is searched
    again when a particle near it has moved by half the skin (tm_candidates.h); without a skin in every step. */
 #ifndef SPHTM_CANDIDATE_LISTS_H
 #define SPHTM_CANDIDATE_LISTS_H
@@ -12,7 +12,7 @@ namespace SPHTM_NS {
 class CandidateLists {
  public:
   explicit CandidateLists(AdaptParts &all) : parts(all), cells(all) {}
-  void set_skin(double over_reach) { skin_over_reach = over_reach; }
+  void set_skin(double over_radius) { skin_over_radius = over_radius; }
   void set_rows(int n) { given_room = n; }
   // total_lagrangian: rows are also those of total-Lagrangian pairs, which fixes their room
   void init(bool total_lagrangian);
@@ -23,9 +23,9 @@ class CandidateLists {
   bool exist() const { return table.capacity > 0; }
   bool fits(int n) const { return table.particles >= n; }        // there are rows of so many particles
   void forget() { good = false; }                                // all are searched again
-  double reach() const { return widest; }
+  double radius() const { return widest; }
   bool has_skin() const { return skin > 0.0; }
-  bool may_remain() const { return skin > 0.0 || own_reach(); }  // rows can outlive a step
+  bool may_remain() const { return skin > 0.0 || own_radii(); }  // rows can outlive a step
 
   // particles have other indices: room, types, reach; rows of heat-only and contact pairs
   void renumbered();
@@ -52,17 +52,17 @@ class CandidateLists {
   int given_room = 0;                    // keyword rows; 0: by the kernel
   int room_of_row = 0;
   bool fixed_room = false, total_lagrangian = false;
-  double skin_over_reach = -1.0;         // keyword margin; negative: by default
-  double widest = 0.0, skin = 0.0;       // the largest reach; skin: a distance
+  double skin_over_radius = -1.0;         // keyword margin; negative: by default
+  double widest = 0.0, skin = 0.0;       // the largest search radius; skin: a distance
   bool good = false;                     // rows are valid but for particles that have moved
-  LoopArray<double> place, reaches;      // at the last search of a row
+  LoopArray<double> place, radii;      // at the last search of a row
   LoopArray<unsigned char> marks, dirty;
   LoopArray<int> which;
 
-  bool own_reach() const;
+  bool own_radii() const;
   double spare() const;
-  void cover_reach();
-  void search(RowTable &, int segments, double reach, int n, const int *which = nullptr);
+  void cover_radius();
+  void search(RowTable &, int segments, double radius, int n, const int *which = nullptr);
 };
 
 }    // namespace SPHTM_NS

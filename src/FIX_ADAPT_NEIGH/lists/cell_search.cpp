@@ -35,21 +35,21 @@ bool CellSearch::take_types()
   return others;
 }
 
-void CellSearch::make_grid(double widest, const double *x, const double *reaches, bool marks)
+void CellSearch::make_grid(double widest, const double *x, const double *radii, bool marks)
 {
   const int n = parts.owned_and_ghosts();
   cells.n = n;
   cells.x = x;
-  cells.reach = reaches;
-  const double width = reaches ? 0.5 * widest : widest;
+  cells.radius = radii;
+  const double width = radii ? 0.5 * widest : widest;
   const tm_bounds box = loops->bounds(*backend, n, {x}, 0u);
   tm_cells_make(&cells, box, widest, width, parts.host()->domain->dimension == 3, 4 * n + 4096);
   cell.make_room(true, n + 1);
   begin.make_room(true, tm_cells_number(&cells) + 1);
   index.make_room(true, n + TM_COLUMN_MOST);
   marked.make_room(marks, n + 1);
-  for (int d = 0; d < 4; d++) column[d].make_room(d < 3 || reaches, n + TM_COLUMN_MOST);
-  for (auto &a : look) a.make_room(reaches, tm_cells_number(&cells));
+  for (int d = 0; d < 4; d++) column[d].make_room(d < 3 || radii, n + TM_COLUMN_MOST);
+  for (auto &a : look) a.make_room(radii, tm_cells_number(&cells));
 }
 
 void CellSearch::sort_into_cells(const double *x)
@@ -64,11 +64,11 @@ void CellSearch::sort_into_cells(const double *x)
   loops->sort_into_cells(*backend, cells);
 }
 
-int CellSearch::search(RowTable &t, int segments, double reach, int n, const int *which)
+int CellSearch::search(RowTable &t, int segments, double radius, int n, const int *which)
 {
   tm_search_args a = {};
   a.cells = cells;
-  a.reach = reach;
+  a.radius = radius;
   a.meets = all_mechanical ? nullptr : meets.loop_read();
   a.segments = segments;
   a.type = parts.state().arrays().type;

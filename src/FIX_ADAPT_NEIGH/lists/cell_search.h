@@ -15,13 +15,13 @@ class CellSearch {
   void move_to(Backend &);
   // where in a row particles of two types meet; true: some pairs exchange heat only or are in contact
   bool take_types();
-  // grid of all particles at x, for a reach up to `widest`; reaches: of each particle, or nullptr: all the widest;
+  // grid of all particles at x, for a radius up to `widest`; radii: of each particle, or nullptr: all the widest;
   // marks: moved particles are counted
-  void make_grid(double widest, const double *x, const double *reaches = nullptr, bool marks = false);
+  void make_grid(double widest, const double *x, const double *radii = nullptr, bool marks = false);
   void sort_into_cells(const double *x);
   const tm_cells &grid() const { return cells; }
   // rows of these n particles (which: or the first n); returns the longest
-  int search(RowTable &, int segments, double reach, int n, const int *which = nullptr);
+  int search(RowTable &, int segments, double radius, int n, const int *which = nullptr);
   double bytes() const;
 
  private:

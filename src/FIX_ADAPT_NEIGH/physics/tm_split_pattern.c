@@ -8,7 +8,7 @@ static const struct {
 } kinds[TM_SPLIT_KINDS] = {{"square", 2, 0, 4},
                            {"hexagon", 2, 1, 6},
                            {"cube", 3, 0, 8},
-                           {"cube/centre", 3, 1, 8},
+                           {"cube/center", 3, 1, 8},
                            {"icosahedron", 3, 1, 12}};
 
 const char *tm_split_name(int kind) { return kind >= 0 && kind < TM_SPLIT_KINDS ? kinds[kind].name : NULL; }

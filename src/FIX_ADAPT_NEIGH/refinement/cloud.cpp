@@ -67,7 +67,7 @@ const std::vector<int> &Cloud::neighbors(int i)
   return near;
 }
 
-int Cloud::count_within_reach(int i)
+int Cloud::count_within_support(int i)
 {
   int count = 0;
   const double reach = tm_kernel_support(table.kernel) * size(i);

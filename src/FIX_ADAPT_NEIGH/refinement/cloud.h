@@ -28,7 +28,7 @@ class Cloud {
   double size(int i) const;                            // smoothing length of owned particle i
   // mechanical neighbors of owned particle i, skin included; valid until the next call
   const std::vector<int> &neighbors(int i);
-  int count_within_reach(int i);
+  int count_within_support(int i);
 
  private:
   AdaptParts &parts;

@@ -197,7 +197,7 @@ std::vector<char> RefineCriteria::test(const Term &t, Cloud &cloud)
     for (int i = 0; i < n; i++) {
       double value;
       if (t.kind == VALUE) value = sources[t.source].values[i];
-      else if (t.kind == NEIGHBORS) value = cloud.count_within_reach(i);
+      else if (t.kind == NEIGHBORS) value = cloud.count_within_support(i);
       else {
         const std::vector<int> &near = cloud.neighbors(i);
         const double h = cloud.size(i);

@@ -159,7 +159,7 @@ void RefineMerge::make()
     }
     remap.write_row(m.i, m.row.data());
     levels.merged(m.i);
-    remap.book(m.change, temperature >= 0 ? m.heat : 0.0);
+    remap.tally(m.change, temperature >= 0 ? m.heat : 0.0);
     levels.set_fresh(m.i, true);
     n_merges += 1.0;
   }

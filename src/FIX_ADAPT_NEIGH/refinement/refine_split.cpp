@@ -176,7 +176,7 @@ void RefineSplit::make()
       for (int d = 0; d < 3; d++) atom->x[i][d] = x[d] + h * s.place[3 * k + d];
       levels.set_fresh(i, true);
     }
-    remap.book(s.change, 0.0);
+    remap.tally(s.change, 0.0);
     n_splits += 1.0;
   }
 }

@@ -153,7 +153,7 @@ void Relaxation::run()
     tm_content change = tm_content_nothing();
     remap.add_content(change, 1.0, rows[i].data(), at, atom->type[i]);
     remap.add_content(change, -1.0, cloud.row(i), at, atom->type[i]);
-    remap.book(change, 0.0);
+    remap.tally(change, 0.0);
   }
   for (int i = 0; i < n; i++) {
     if (!moves[i]) continue;

@@ -75,7 +75,7 @@ void Remap::write_row(int i, const double *row)
     if (cloud.column(id) >= 0) std::copy_n(row + cloud.column(id), tm_field_table[id].columns, tm_field_row(&s, id, i));
 }
 
-void Remap::book(const tm_content &change, double heat)
+void Remap::tally(const tm_content &change, double heat)
 {
   tm_content_sum(&error, &change);
   parts.state().energy().add_remap(change.kinetic, change.elastic, heat);

@@ -19,7 +19,7 @@ class Remap {
   // sign times the row to the sums; angular momentum about a point near
   void add_content(tm_content &, double sign, const double *row, const double *about, int type) const;
   // a change of the sums, and energy that becomes heat
-  void book(const tm_content &change, double heat);
+  void tally(const tm_content &change, double heat);
   const tm_content &errors() const { return error; }    // all changes of the run, of this rank
   void restore(const tm_content &c) { error = c; }
 

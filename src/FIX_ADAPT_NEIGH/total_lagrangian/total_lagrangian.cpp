@@ -23,11 +23,11 @@ namespace SPHTM_NS {
 static constexpr int DECIDE_EVERY = 10, MEASURE_EVERY = 50, FREEZE_EVERY = 100;
 static_assert(MEASURE_EVERY % DECIDE_EVERY == 0 && FREEZE_EVERY % DECIDE_EVERY == 0, "both in steps of decision");
 
-void TotalLagrangian::init(double of_plastic, double stretch, double of_reach)
+void TotalLagrangian::init(double of_plastic, double stretch, double of_radius)
 {
   threshold = of_plastic;
   strain = stretch >= 0.0 ? stretch : std::isinf(threshold) ? INFINITY : 0.2;
-  approach = of_reach >= 0.0 ? of_reach : std::isinf(threshold) ? INFINITY : 0.01;
+  approach = of_radius >= 0.0 ? of_radius : std::isinf(threshold) ? INFINITY : 0.01;
   tl_pairs.check_kernel(threshold);
   backend = &parts.state().loops();
   loops = &ListLoops::of(*backend);
@@ -175,7 +175,7 @@ void TotalLagrangian::drop_gone(int pairs)
   dropped += pairs;
 }
 
-// Done when two particles may have come nearer by a tenth of the reach, at the latest after 50 steps: by the time of
+// Done when two particles may have come nearer by a tenth of the support radius, at the latest after 50 steps: by the time of
 // steps alone, so that it does not depend on ranks, skin and restarts
 void TotalLagrangian::proximity_check()
 {
@@ -200,7 +200,7 @@ void TotalLagrangian::proximity_check()
   const double fastest = 0.5 * std::hypot(most[0] + most[3], most[1] + most[4], most[2] + most[5]);
   came_near = most[6] > 0.0;
   const double longest = 50.0 * parts.state().time_step().now();
-  next_check = time + (fastest > 0.0 ? std::min(0.05 * candidates.reach() / fastest, longest) : longest);
+  next_check = time + (fastest > 0.0 ? std::min(0.05 * candidates.radius() / fastest, longest) : longest);
   time_checked = time;
 }
 

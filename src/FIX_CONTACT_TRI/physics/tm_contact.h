@@ -1,6 +1,6 @@
 /* SPH-TM: contact between a particle and a rigid surface: the law of tm_contact_law.h, and what a surface adds to it.
 
-   Penetration F15 (9): delta = r - d, r = dp/2 the particle's radius, d the distance of its centre.
+   Penetration F15 (9): delta = r - d, r = dp/2 the particle's radius, d the distance of its center.
    Stiffness and damping are those against a rigid body, with the particle's own mass.
    Friction F15 (13): |f_t| <= min(mu(T) f_n, m Y/sqrt(3) A): Coulomb's law up to the shear flow
    stress of the particle's material (Zorev; m = 1 sticking, 0 leaves the limit out). F15 prints
@@ -65,7 +65,7 @@ TM_FN tm_real tm_contact_share(const tm_contact_law *w, tm_real effusivity)
   return sum > 0.0 ? effusivity / sum : 0.5;
 }
 
-/* Conductance from the surface to the centre of a particle with conductivity k. */
+/* Conductance from the surface to the center of a particle with conductivity k. */
 TM_FN tm_real tm_contact_conductance(const tm_contact_law *w, tm_real k)
 {
   const tm_real inside = k / w->radius;

@@ -81,13 +81,13 @@ void FixContactTri::init()
   results.live_in(state->loops());
   checks.empty_group();
   checks.heat(*state);
-  temperature.begin(state->start_temperature());
+  temperature.begin(state->start_temperatures().of_all());
   motion.init();
   checks.extent(model->settings_in_use().spacing);
   const bool first = spacing == 0.0;
   if (spacing != model->settings_in_use().spacing) index_tool();
   checks.body_material(*model);
-  laws.make(set, *model, state->start_temperature(), domain->dimension);
+  laws.make(set, *model, state->start_temperatures().of_all(), domain->dimension);
   if (first) report();
   limit_time_step();    // the first step of the run keeps to it too
 }
@@ -133,7 +133,7 @@ void FixContactTri::report() const
     const std::string mu = w.friction.n ? "by table" : fmt::format("{:.4g}", w.friction.value);
     utils::logmesg(lmp, "contact/tri {}: type {}: stiffness {:.6g}, damping {:.4g} of critical, friction {}{}\n", id, t,
                    w.stiffness / model->units().force, w.damping, mu,
-                   heat ? heat_in_words(w, model->materials()[t], state->start_temperature(), given) : "");
+                   heat ? heat_in_words(w, model->materials()[t], state->start_temperatures().of_all(), given) : "");
   }
 }
 

@@ -67,7 +67,7 @@ void FixSPHTMDrive::setup(int)
   drive(rest, false);
 }
 
-// who is not integrated would not move
+// a particle that is not integrated would not move
 void FixSPHTMDrive::check_group()
 {
   const int *mask = atom->mask;

@@ -196,7 +196,7 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::surroundings(AuditSearch &sear
 
   AuditPatch wider;
   if ((effects & TM_FX_CORRECTION) || rule.table)
-    wider = search.around(own, rule.table ? search.farthest : search.reach);
+    wider = search.around(own, rule.table ? search.farthest : search.radius);
   else wider = search.alone(own);
   std::vector<Around> known = of_centers(wider, effects, rule);
   std::vector<Around> given = of_all_ranks(std::vector<Around>(known.begin() + mine, known.end()), world);

@@ -34,8 +34,8 @@ AuditSearch::AuditSearch(LAMMPS *lmp, const ParticleState &state, const tm_recor
   const Settings &set = model.settings_in_use();
   const Atom &atoms = *atom;
   const int n = atoms.nlocal + atoms.nghost, dim = domain->dimension;
-  reach = tm_kernel_support(set.kernel) * std::max(set.h, model.covered_h()) * (1.0 + 1e-9);
-  farthest = reach + neighbor->skin;
+  radius = tm_kernel_support(set.kernel) * std::max(set.h, model.covered_h()) * (1.0 + 1e-9);
+  farthest = radius + neighbor->skin;
   x.resize(3 * (size_t) n);
   for (int i = 0; i < n; i++) std::copy_n(rec.main + (size_t) i * TM_REC, 3, x.data() + 3 * (size_t) i);
   Backend &host = Backend::host();
@@ -79,7 +79,7 @@ AuditPatch AuditSearch::around(const std::vector<int> &centers, double within)
   for (;;) {
     found.resize((size_t) n * room + 1);
     for (int k = 0; k < n; k++) first[centers[k]] = (ptrdiff_t) k * room;
-    args.reach = within;
+    args.radius = within;
     args.capacity = room;
     args.which = centers.data();
     args.index = found.data();

@@ -33,7 +33,7 @@ void check_materials(LAMMPS *lmp, const Model &model, const char *hybrid_style)
                              "<file> <card>' or the constants inline", i, hybrid_style);
 }
 
-void check_styles(LAMMPS *lmp, const Model &model, const std::string &restart_fix, const ParticleState &state)
+void check_styles(LAMMPS *lmp, const Model &model, const std::string &restart_fix, ParticleState &state)
 {
   Error *error = lmp->error;
   if (lmp->modify->get_fix_by_style("^sph/tm$").size() > 1)

@@ -16,7 +16,7 @@ class ParticleState;
 
 void check_materials(LAMMPS_NS::LAMMPS *, const Model &, const char *hybrid_style);    // every type has one
 // other styles; restart_fix: whose state the restart file holds, or empty
-void check_styles(LAMMPS_NS::LAMMPS *, const Model &, const std::string &restart_fix, const ParticleState &);
+void check_styles(LAMMPS_NS::LAMMPS *, const Model &, const std::string &restart_fix, ParticleState &);
 void check_volume(LAMMPS_NS::LAMMPS *, const Model &, const ParticleState &);
 void check_masses(LAMMPS_NS::LAMMPS *, const Model &, const ParticleState &);
 void give_masses(LAMMPS_NS::LAMMPS *, const Model &);    // to particles that have none

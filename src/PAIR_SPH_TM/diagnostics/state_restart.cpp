@@ -65,7 +65,7 @@ void StateRestart::check_rows()
   read_ = {};
 }
 
-// global state: the rows of all particles, which fields they hold, who made their sizes, the time step, the energies
+// global state: the rows of all particles, which fields they hold, what made their sizes, the time step, the energies
 namespace {
 enum {
   VERSION = ROWS_HASH_VALUES,
@@ -77,9 +77,9 @@ enum {
   CAUSE,
   DT,
   DT_NEXT,
-  BOOK
+  BALANCE
 };
-constexpr int BOOK_VALUES = EnergyBalance::TERMS, WATCH = BOOK + BOOK_VALUES,
+constexpr int BALANCE_VALUES = EnergyBalance::TERMS, WATCH = BALANCE + BALANCE_VALUES,
               VALUES = WATCH + EnergyWatch::VALUES;
 constexpr double THIS_VERSION = 3.0;
 }    // namespace
@@ -95,8 +95,8 @@ void StateRestart::write(FILE *fp, EnergyWatch &energy_watch)
     mine[1] += hash_bytes(row.data(), state.fields().columns() * sizeof(double));
   }
   MPI_Reduce(mine, all, 2, MPI_UINT64_T, MPI_SUM, 0, world);
-  double book[EnergyBalance::TERMS];
-  MPI_Reduce(state.energy().values(), book, BOOK_VALUES, MPI_DOUBLE, MPI_SUM, 0, world);
+  double sums[EnergyBalance::TERMS];
+  MPI_Reduce(state.energy().values(), sums, BALANCE_VALUES, MPI_DOUBLE, MPI_SUM, 0, world);
   if (comm->me) return;
   const TimeStep &step = state.time_step();
   std::vector<double> value;
@@ -107,7 +107,7 @@ void StateRestart::write(FILE *fp, EnergyWatch &energy_watch)
   value.insert(value.end(),
                {(double) state.fields().mask(), (double) state.history().begun(), (double) sized_by(), (double) step.cause(),
                 step.now(), step.next()});
-  value.insert(value.end(), book, book + BOOK_VALUES);
+  value.insert(value.end(), sums, sums + BALANCE_VALUES);
   const std::vector<double> watched = energy_watch.state();
   value.insert(value.end(), watched.begin(), watched.end());
   write_restart_block(fp, value);
@@ -127,7 +127,7 @@ void StateRestart::read(char *buf, EnergyWatch &energy_watch)
   sized_in_file = (int) v[SIZED_BY];
   state.time_step().restore(v[DT], v[DT_NEXT], (int) v[CAUSE]);
   energy_watch.restore(&v[WATCH]);
-  if (comm->me == 0) state.energy().restore(&v[BOOK]);
+  if (comm->me == 0) state.energy().restore(&v[BALANCE]);
 }
 
 // which parts of fix adapt/neigh give particles sizes of their own

@@ -26,13 +26,13 @@ void sort_into_cells(Backend &backend, const tm_cells &c)
     if (c.cell[i] + 2 <= cells) c.begin[c.cell[i] + 2]++;
   for (int k = 2; k <= cells; k++) c.begin[k] += c.begin[k - 1];
   for (int i = 0; i < c.n; i++) tm_cells_put(&c, i, c.begin[c.cell[i] + 1]++);
-  if (!c.reach) return;
+  if (!c.radius) return;
   const auto of_cells = [&](tm_real *to, auto value) {
     backend.blocks(cells, [&](int begin, int end) {
       for (int k = begin; k < end; k++) to[k] = value(k);
     });
   };
-  of_cells(c.look[1], [&](int k) { return tm_cells_reach(&c, k); });
+  of_cells(c.look[1], [&](int k) { return tm_cells_radius(&c, k); });
   for (int axis = 0; axis < 3; axis++)
     of_cells(c.look[axis % 2], [&](int k) { return tm_cells_look(&c, k, axis, c.look[1 - axis % 2]); });
 }

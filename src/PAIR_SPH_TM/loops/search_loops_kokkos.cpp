@@ -34,9 +34,9 @@ struct PutInCell {
     tm_cells_put(&c, i, Kokkos::atomic_fetch_add(c.begin + c.cell[i] + 1, 1));
   }
 };
-struct CellReach {
+struct CellRadius {
   tm_cells c;
-  KOKKOS_FUNCTION void operator()(int cell) const { c.look[1][cell] = tm_cells_reach(&c, cell); }
+  KOKKOS_FUNCTION void operator()(int cell) const { c.look[1][cell] = tm_cells_radius(&c, cell); }
 };
 struct CellLook {
   tm_cells c;
@@ -53,8 +53,8 @@ void sort_into_cells(Backend &backend, const tm_cells &c)
   kokkos_each("sph/tm count in cells", c.n, CountCell{c, cells});
   Kokkos::parallel_scan("sph/tm place cells", Kokkos::RangePolicy<LMPDeviceType>(0, cells + 1), PlaceCells{c});
   kokkos_each("sph/tm put in cells", c.n, PutInCell{c});
-  if (!c.reach) return;
-  kokkos_each("sph/tm reach of cells", cells, CellReach{c});
+  if (!c.radius) return;
+  kokkos_each("sph/tm radius of cells", cells, CellRadius{c});
   for (int axis = 0; axis < 3; axis++)
     kokkos_each("sph/tm look from cells", cells, CellLook{c, axis, c.look[1 - axis % 2], c.look[axis % 2]});
 }
@@ -75,7 +75,7 @@ struct Search {
     const Ints number(team.thread_scratch(0), 1);
     int *found = found_view.data(), *tag = tag_view.data(), *found_of_all = number.data();
     const double *x = a.cells.x + 3 * (ptrdiff_t) i;
-    const tm_real reach = a.cells.reach ? a.cells.reach[i] : a.reach;
+    const tm_real radius = a.cells.radius ? a.cells.radius[i] : a.radius;
     int *row = a.index + a.first[i], total = 0;
     for (int s = 0; s < TM_SEGMENTS; s++) {
       if (!(a.segments >> s & 1)) continue;
@@ -85,7 +85,7 @@ struct Search {
       int begin, end;
       while (tm_around_next(&around, &a.cells, &begin, &end)) {
         Kokkos::parallel_for(Kokkos::ThreadVectorRange(team, begin, end), [&](int k) {
-          if (!tm_search_takes(i, k, s, x, reach, &a)) return;
+          if (!tm_search_takes(i, k, s, x, radius, &a)) return;
           const int at = Kokkos::atomic_fetch_add(found_of_all, 1);
           if (at >= room) return;
           found[at] = a.cells.index[k];

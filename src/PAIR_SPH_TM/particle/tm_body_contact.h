@@ -2,7 +2,7 @@
 
    The law of tm_contact_law.h, F15 (9)-(14), between two particles instead of a particle and a triangle: penetration
    delta = dp - r of two spheres of diameter dp (one particle spacing; the mean of the two where
-   particles have a size of their own), normal along the line of centres. Damping is critical at DFAC = 1 for the
+   particles have a size of their own), normal along the line of centers. Damping is critical at DFAC = 1 for the
    reduced mass of the pair. Heat of friction is shared by effusivity sqrt(k rho c_p). Forces of the two sides are
    equal and opposite, and central but for friction. */
 #ifndef TM_BODY_CONTACT_H

@@ -3,9 +3,9 @@
    Cells are cubes, x fastest; particles of cells that are neighbors in x follow one another in the order. Particles
    beyond the grid are put into its outermost cells, which are searched all the same.
 
-   Where all have one reach cells are at least as wide, and the neighbors of a particle are in 9 (2D: 3) runs of
+   Where all have one search radius cells are at least as wide, and the neighbors of a particle are in 9 (2D: 3) runs of
    three cells. Where each has its own, cells may be narrower. Each cell has a search radius for its particles: the
-   largest reach of those in it, and of those in other cells that reach it. So a small particle among small ones
+   largest search radius of those in it, and of those in other cells that reach it. So a small particle among small ones
    searches a few small cells. */
 #ifndef TM_CELLS_H
 #define TM_CELLS_H
@@ -21,14 +21,14 @@ typedef struct {
   int cells[3];
   int n;                    /* particles, owned and ghost */
   const double *x;          /* 3 of each */
-  const tm_real *reach;     /* of each, or NULL: all the same */
+  const tm_real *radius;     /* of each, or NULL: all the same */
   /* results */
   int *cell;                /* of each particle */
   int *begin;               /* of each cell, and the end of the last */
   int *index;               /* particles in order of cells, TM_COLUMN more entries than n */
   int *marked;              /* how many before each entry of the order are marked; or NULL */
-  tm_real *column[4];       /* x y z of these, and their reach where each has its own; as long */
-  tm_real *look[2];         /* with a reach of each: search radius of the particles in a cell, and scratch */
+  tm_real *column[4];       /* x y z of these, and their search radius where each has its own; as long */
+  tm_real *look[2];         /* with a radius of each: search radius of the particles in a cell, and scratch */
 } tm_cells;
 
 TM_FN int tm_cells_of_axis(const tm_cells *c, int axis, double x)
@@ -48,7 +48,7 @@ TM_FN void tm_cells_put(const tm_cells *c, int i, int k)
 {
   c->index[k] = i;
   for (int d = 0; d < 3; d++) c->column[d][k] = c->x[3 * (ptrdiff_t) i + d];
-  if (c->reach) c->column[3][k] = c->reach[i];
+  if (c->radius) c->column[3][k] = c->radius[i];
 }
 
 typedef struct {
@@ -80,9 +80,9 @@ TM_FN void tm_bounds_sum(tm_bounds *sum, const tm_bounds *b)
 
 /* The grid of b for reaches up to the given one, with cells of a width of at least `least`; at most `most` cells, which
    are made wider for that. */
-TM_FN void tm_cells_make(tm_cells *c, tm_bounds b, tm_real reach, tm_real least, int dim3, int most)
+TM_FN void tm_cells_make(tm_cells *c, tm_bounds b, tm_real radius, tm_real least, int dim3, int most)
 {
-  c->widest = TM_CELLS_SPARE * reach;
+  c->widest = TM_CELLS_SPARE * radius;
   for (tm_real width = least;; width *= 1.26) {
     double number = 1.0;
     for (int d = 0; d < 3; d++) {
@@ -100,25 +100,25 @@ TM_FN void tm_cells_make(tm_cells *c, tm_bounds b, tm_real reach, tm_real least,
 
 /* ---- search radii of cells */
 
-/* The largest reach in a cell. */
-TM_FN tm_real tm_cells_reach(const tm_cells *c, int cell)
+/* The largest search radius in a cell. */
+TM_FN tm_real tm_cells_radius(const tm_cells *c, int cell)
 {
   tm_real most = 0.0;
   for (int k = c->begin[cell]; k < c->begin[cell + 1]; k++) most = tm_max(most, c->column[3][k]);
   return TM_CELLS_SPARE * most;
 }
 
-/* The largest of the reaches in a line of cells along an axis that reach this one. Taken along x, then y, then z it is
+/* The largest of the search radii in a line of cells along an axis that reach this one. Taken along x, then y, then z it is
    the largest of all within a cube. */
-TM_FN tm_real tm_cells_look(const tm_cells *c, int cell, int axis, const tm_real *reach)
+TM_FN tm_real tm_cells_look(const tm_cells *c, int cell, int axis, const tm_real *radius)
 {
   const int step = axis == 0 ? 1 : axis == 1 ? c->cells[0] : c->cells[0] * c->cells[1];
   const int at = cell / step % c->cells[axis];
-  tm_real most = reach[cell];
+  tm_real most = radius[cell];
   for (int k = 1; (k - 1) * c->width[axis] < c->widest && (at >= k || at + k < c->cells[axis]); k++) {
     const tm_real gap = (k - 1) * c->width[axis];
-    if (at >= k && reach[cell - k * step] > gap) most = tm_max(most, reach[cell - k * step]);
-    if (at + k < c->cells[axis] && reach[cell + k * step] > gap) most = tm_max(most, reach[cell + k * step]);
+    if (at >= k && radius[cell - k * step] > gap) most = tm_max(most, radius[cell - k * step]);
+    if (at + k < c->cells[axis] && radius[cell + k * step] > gap) most = tm_max(most, radius[cell + k * step]);
   }
   return most;
 }
@@ -135,9 +135,9 @@ TM_FN tm_around tm_cells_around(const tm_cells *c, const double *x)
   tm_around a;
   int at[3];
   for (int d = 0; d < 3; d++) at[d] = tm_cells_of_axis(c, d, x[d]);
-  const tm_real look = c->reach ? c->look[0][(at[2] * c->cells[1] + at[1]) * c->cells[0] + at[0]] : 0.0;
+  const tm_real look = c->radius ? c->look[0][(at[2] * c->cells[1] + at[1]) * c->cells[0] + at[0]] : 0.0;
   for (int d = 0; d < 3; d++) {
-    if (c->reach) {
+    if (c->radius) {
       a.lo[d] = tm_cells_of_axis(c, d, x[d] - look);
       a.hi[d] = tm_cells_of_axis(c, d, x[d] + look);
     } else {

@@ -8,13 +8,13 @@
      dw_i/dt = v_i - a_i + Omega_i w_i - |D_i|/eps w_i,   min over a, B of sum_j m_j/rho_j W |v_j - a - B (x_j - x_i)|^2
 
    with the spin Omega and the rate of deformation D. A linear field, and so every homogeneous strain and
-   rotation, makes none, at free surfaces too. Neighbors resist the difference along the line between them:
+   rotation, makes none, at free surfaces too. Hourglass control opposes the difference along the line between them:
 
      a_i = sum_j m_j k_ij/(rho_i rho_j) (w_i - w_j).x/r^2 gradW,   k_ij = 2 k_i k_j/(k_i + k_j),  k = xi rho c^2
 
    central and equal and opposite: both momenta stay to round-off. xi is the stiffness over that of
    longitudinal waves. Displacements are forgotten with the deformation, over a strain eps: so what has
-   flowed is not held back, while a pattern, which grows slowly, meets a stiff resistance.
+   flowed is not held back, while a pattern, which grows slowly, meets a stiff restoring force.
 
    Own construction; the idea of a penalty on what differs from the linear field is that of Ganzenmueller
    2015 (doi 10.1016/j.cma.2014.12.005), there with positions of the reference state. */
@@ -77,7 +77,7 @@ TM_FN tm_vec3 tm_hourglass_rate(tm_real weights, tm_vec3 x, tm_vec3 v, tm_sym3 x
   const tm_real det = tm_sym_det(M);
   if (!(det > TM_HOURGLASS_LEAST)) return none;
   const tm_sym3 inverse = tm_sym_inverse_bounded(M, dim3, 0.0);
-  const tm_vec3 b = tm_vec_scale(1.0 / mean, tm_sym_mul_vec(inverse, x));    /* B x = C b, C of the centred v (x) x */
+  const tm_vec3 b = tm_vec_scale(1.0 / mean, tm_sym_mul_vec(inverse, x));    /* B x = C b, C of the centered v (x) x */
   const tm_real bx = tm_vec_dot(b, x);
   return tm_vec(s * (vx.xx * b.x + vx.xy * b.y + vx.xz * b.z) - v.x * bx - v.x,
                 s * (vx.yx * b.x + vx.yy * b.y + vx.yz * b.z) - v.y * bx - v.y,

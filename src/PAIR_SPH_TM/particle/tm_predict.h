@@ -26,7 +26,7 @@ typedef struct {
   const tm_real *gradient;  /* tm_gradient_table, with particles of their own size */
   int art_component;     /* nonzero: F14 (18) per component instead of principal axes */
   const tm_real *share;  /* tm_tensile_table where the artificial stress is balanced, else NULL */
-  tm_real hourglass;     /* xi, stiffness of the hourglass resistance over rho c^2 */
+  tm_real hourglass;     /* xi, stiffness of hourglass control over rho c^2 */
   tm_real ratio;         /* h over spacing, of particles without a size of their own */
 } tm_predict_args;
 

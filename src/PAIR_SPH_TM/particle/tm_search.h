@@ -1,6 +1,6 @@
 /* SPH-TM: the row of one particle from the cells, in order of tag.
 
-   Particles i and j are neighbors within the larger of their reaches, so that both are in each
+   Particles i and j are neighbors within the larger of their search radiuses, so that both are in each
    other's row. A row has room for `capacity` entries; a longer one is reported, never cut silently. */
 #ifndef TM_SEARCH_H
 #define TM_SEARCH_H
@@ -14,7 +14,7 @@ enum { TM_SEARCH_MOST = 2048 };   /* entries a row can have */
 
 typedef struct {
   tm_cells cells;
-  tm_real reach;                 /* where particles have none of their own */
+  tm_real radius;                 /* where particles have none of their own */
   const unsigned char *meets;    /* per type pair: segments, or NULL: all are mechanical neighbors */
   int segments;                  /* those wanted, bits of TM_MEETS_... */
   const int *type, *tag;
@@ -36,13 +36,13 @@ TM_FN int tm_search_meets(int i, int j, const tm_search_args *a)
   return a->segments & a->meets[(ptrdiff_t) a->type[i] * (a->ntypes + 1) + a->type[j]];
 }
 
-/* Entries k of the order, begin <= k < end, within reach of x: appended to found; returns the new n,
+/* Entries k of the order, begin <= k < end, within the search radius of x: appended to found; returns the new n,
    more than most as soon as they are too many. found has room for TM_COLUMN more than most. */
-TM_FN int tm_search_run(const tm_search_args *a, int begin, int end, const double *x, tm_real reach,
+TM_FN int tm_search_run(const tm_search_args *a, int begin, int end, const double *x, tm_real radius,
                         int n, int most, int *found)
 {
   const tm_cells *c = &a->cells;
-  const tm_real r2i = reach * reach;
+  const tm_real r2i = radius * radius;
 #if TM_VECTOR >= 32 && !TM_SINGLE
   for (int k = begin; k < end && n <= most; k += TM_LANES) {
     const int left = end - k;
@@ -51,7 +51,7 @@ TM_FN int tm_search_run(const tm_search_args *a, int begin, int end, const doubl
     const tm_lanes dz = x[2] - tm_lanes_load_any(c->column[2] + k);
     const tm_lanes r2 = dx * dx + dy * dy + dz * dz;
     unsigned inside = tm_lanes_below(r2, r2i, mask);
-    if (c->reach) {
+    if (c->radius) {
       const tm_lanes rj = tm_lanes_load_any(c->column[3] + k);
       inside |= tm_lanes_below(r2 - rj * rj, 0.0, mask);
     }
@@ -60,7 +60,7 @@ TM_FN int tm_search_run(const tm_search_args *a, int begin, int end, const doubl
 #else
   for (int k = begin; k < end && n <= most; k++) {
     const tm_real dx = x[0] - c->column[0][k], dy = x[1] - c->column[1][k], dz = x[2] - c->column[2][k];
-    const tm_real rj = c->reach ? c->column[3][k] : reach, r2j = rj * rj;
+    const tm_real rj = c->radius ? c->column[3][k] : radius, r2j = rj * rj;
     found[n] = c->index[k];
     n += dx * dx + dy * dy + dz * dz < (r2i > r2j ? r2i : r2j);
   }
@@ -104,14 +104,14 @@ TM_HOST_FN void tm_search_order(const int *found, int n, const int *tag, int *pl
 TM_HOST_FN int tm_search(int i, const tm_search_args *a)
 {
   const double *x = a->cells.x + 3 * (ptrdiff_t) i;
-  const tm_real reach = a->cells.reach ? a->cells.reach[i] : a->reach;
+  const tm_real radius = a->cells.radius ? a->cells.radius[i] : a->radius;
   const int room = a->capacity;
   int *row = a->index + a->first[i];
   int begin, end, total = 0;
   int found[TM_SEARCH_MOST + TM_COLUMN], place[TM_SEARCH_MOST + TM_COLUMN], n = 0, taken = 0;
   tm_around around = tm_cells_around(&a->cells, x);
   while (n <= TM_SEARCH_MOST && tm_around_next(&around, &a->cells, &begin, &end))
-    n = tm_search_run(a, begin, end, x, reach, n, TM_SEARCH_MOST, found);
+    n = tm_search_run(a, begin, end, x, radius, n, TM_SEARCH_MOST, found);
   if (n > TM_SEARCH_MOST) return n;
   for (int k = 0; k < n; k++) {
     found[taken] = found[k];
@@ -145,10 +145,10 @@ TM_HOST_FN int tm_search(int i, const tm_search_args *a)
    The threads of a GPU do this; a thread of the host takes whole rows. */
 
 /* Does entry k of the order stand in segment s of row i? */
-TM_FN int tm_search_takes(int i, int k, int s, const double *x, tm_real reach, const tm_search_args *a)
+TM_FN int tm_search_takes(int i, int k, int s, const double *x, tm_real radius, const tm_search_args *a)
 {
   int found[1 + TM_COLUMN];
-  return tm_search_run(a, k, k + 1, x, reach, 0, 1, found) && (tm_search_meets(i, a->cells.index[k], a) >> s & 1);
+  return tm_search_run(a, k, k + 1, x, radius, 0, 1, found) && (tm_search_meets(i, a->cells.index[k], a) >> s & 1);
 }
 
 /* Those of n entries that belong to one of the threads, into the segment at `row`; tag: of each; images as above. */

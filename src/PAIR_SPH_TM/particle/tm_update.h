@@ -45,7 +45,7 @@ typedef struct {
   tm_real *source;               /* heat given to the particle by contact and fluxes (power); emptied */
   int group;                     /* x and v are integrated for these */
   tm_real dt, visc_alpha;
-  tm_real hourglass;             /* xi of the hourglass resistance, 0: none */
+  tm_real hourglass;             /* xi of hourglass control, 0: none */
   tm_real h;                     /* smoothing length of all, where particles have none of their own */
   tm_real accel_unit;            /* force of the unit style / mass -> acceleration */
   tm_real temperature;           /* of every particle where heat is off */

@@ -1,6 +1,6 @@
 /* SPH-TM: smoothing length from the neighbors' distances (ASPH), S13 section 3 after Owen 2010.
 
-     Psi_i = (sum over j != i of W(|x_ij|/h_i))^(1/d), kernel normalised for h = 1       S13 (1)
+     Psi_i = (sum over j != i of W(|x_ij|/h_i))^(1/d), kernel normalized for h = 1       S13 (1)
    On the regular lattice of spacing dp, Psi is a rising function of n_h = h/dp; the table is that
    function, and its inverse gives the effective n_h of any neighborhood. With the target n_h of the
    particle's own first neighborhood and s = target/n_h, kept within [1/4, 4]:

@@ -44,7 +44,7 @@ TM_FN tm_real tm_effusivity(tm_real k, tm_real rho, tm_real cp) { return sqrt(k 
    slope at r = 0, so its W'/r has no bound. Tension can draw particles together; at 1e-3 of their spacing, with a step
    a hundred times below that of the lattice, they would swap more heat than evens them out, and swing ever farther
    apart until one is below 0 K. Closer than TM_HEAT_CORE h a pair conducts as at that distance: five times what
-   neighbours in a lattice do, as with Wendland C2 in one place. Both ends take the same: no heat is lost. */
+   neighbors in a lattice do, as with Wendland C2 in one place. Both ends take the same: no heat is lost. */
 #define TM_HEAT_CORE 0.25
 TM_FN tm_pair tm_conduction_slope(int kernel, tm_pair q, tm_pair g)
 {

@@ -86,7 +86,7 @@ void Reasons::materials()
 {
   for (int t = 1; t <= model.types(); t++) {
     const tm_material &m = model.materials()[t];
-    if (m.body == TM_BODY_HEAT) on(TM_FX_HEAT, of_type(t) + " is a heat body");
+    if (m.body == TM_BODY_HEAT) on(TM_FX_HEAT, of_type(t) + " only conducts heat (body heat)");
     if (m.heat && (m.conductivity.n || m.conductivity.value > 0.0) && conducts.empty())
       conducts = of_type(t) + " has a conductivity";
     if (m.body != TM_BODY_SOLID) continue;

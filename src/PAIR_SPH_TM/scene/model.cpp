@@ -66,7 +66,7 @@ void Model::complete_laws()
         if (i != j && l.meeting == BOND) welded += fmt::format("{}{} and {}", welded.empty() ? "" : ", ", i, j);
       }
       if ((heat_i || heat_j) && (l.meeting == BOND || l.meeting == CONTACT))
-        error->all(FLERR, "Pair sph/tm coeff {} {}: a heat body takes no part in mechanics; use "
+        error->all(FLERR, "Pair sph/tm coeff {} {}: a conduction-only material (body heat) takes no part in mechanics; use "
                           "'heat' or 'none'", i, j);
       set_law(i, j, l);
     }

@@ -54,7 +54,8 @@ int ParticleState::group_bit() const { return lmp->group->bitmask[igroup]; }
 
 void ParticleState::need(unsigned effect, const std::string &reason)
 {
-  if (plan.ask(effect, reason) && used_model) derive_effects();
+  if (!plan.ask(effect, reason) || !used_model) return;
+  if (scene->has_pair() && used_model == &scene->model()) derive_effects();    // else at the next init
 }
 
 void ParticleState::init(Model &model)

@@ -88,7 +88,6 @@ class ParticleState : protected LAMMPS_NS::Pointers {
   AtomArrays &atoms() { return *lammps_arrays; }
   double temperature(int i);    // of owned particle i, K; on the host
   StartTemperatures &start_temperatures() { return temperatures; }
-  double start_temperature() const { return temperatures.of_all(); }
   tm_size_range sizes();        // of all particles; collective. Where all are the same, those of the model
   void initialize_new();        // particles that have no state yet
   void begin_setup();           // reports effects, drops fields that none of them calls for
@@ -101,7 +100,6 @@ class ParticleState : protected LAMMPS_NS::Pointers {
   EnergyBalance &energy() { return balance; }
   RunClock &clock() { return run_clock; }
   RunHistory &history() { return run_history; }
-  const RunHistory &history() const { return run_history; }
 
  private:
   std::string fix_id;

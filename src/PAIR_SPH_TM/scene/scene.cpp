@@ -30,14 +30,14 @@ ParticleState &Scene::state(const std::string &style) const
   return *states.front();
 }
 
-bool Scene::is_current(const ParticleState *known) const
+bool Scene::is_current(ParticleState *known) const
 {
   return known && known == state() && known->history().has_forces() && pair.model &&
       known->model_in_use() == pair.model && is_bound() &&
       lmp->force->pair_match("^sph/tm", 0);
 }
 
-void Scene::check_current(const ParticleState *known, const std::string &style) const
+void Scene::check_current(ParticleState *known, const std::string &style) const
 {
   if (!is_current(known))
     lmp->error->all(FLERR, "{} has no current values: there was no run since {} written; use 'run 0' first", style,
@@ -52,7 +52,9 @@ void Scene::leave(ParticleState *s)
 
 void Scene::leave(Model *m)
 {
-  if (pair.model == m) pair = {};
+  if (pair.model != m) return;
+  pair = {};
+  bound = nullptr;    // another pair style may lie in the same place
 }
 
 void Scene::bind() { bound = state(); }

@@ -33,9 +33,9 @@ class Scene {
   bool has_pair() const { return pair.model != nullptr; }
 
   // between runs: is what `known` holds that of this run, set up and with its pair style?
-  bool is_current(const ParticleState *known) const;
+  bool is_current(ParticleState *known) const;
   // the same as an error in the name of the style: its values are not current
-  void check_current(const ParticleState *known, const std::string &style) const;
+  void check_current(ParticleState *known, const std::string &style) const;
 
   // owners enter and leave
   void enter(ParticleState *s) { states.push_back(s); }

@@ -49,7 +49,7 @@ tm_update_args update_args(ParticleState &state, StepResults &results)
   a.visc_alpha = set.visc_alpha;
   a.hourglass = set.hourglass;
   a.accel_unit = model.units().force;
-  a.temperature = state.start_temperature();
+  a.temperature = state.start_temperatures().of_all();
   a.heat_rate = model.fastest_heat_rate();
   a.k_max = model.largest_conductivity();
   a.hottest = a.densest = 1e300;

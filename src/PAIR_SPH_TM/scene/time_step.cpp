@@ -125,7 +125,7 @@ void TimeStep::end_setup(bool first)
       utils::logmesg(lmp,
                      "sph/tm: {} particles begin without stress and strain, at {:.6g} K where no "
                      "other temperature is set\n",
-                     atom->natoms, state.start_temperature());
+                     atom->natoms, state.start_temperatures().of_all());
       utils::logmesg(lmp, "sph/tm: time step {:.6g}, limited by {}; rate loops: {}\n",
                      fixed > 0.0 ? fixed : dt_next, CAUSES[dt_cause], state.loops().name());
     }

@@ -81,7 +81,7 @@ tm_output_args ComputeSPHTMAtom::output_args()
     }
   }
   a.measure = model.surface_measure();
-  a.temperature = state->start_temperature();
+  a.temperature = state->start_temperatures().of_all();
   a.h = model.settings_in_use().h;
   a.stress = model.units().stress;
   a.density = model.units().density;

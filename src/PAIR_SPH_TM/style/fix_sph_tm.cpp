@@ -152,10 +152,7 @@ bool FixSPHTM::check_lost()
   return some;
 }
 
-void FixSPHTM::pre_exchange()
-{
-  if (check_lost()) delete_lost();
-}
+void FixSPHTM::pre_exchange() { check_lost(); }
 
 void FixSPHTM::post_neighbor()
 {

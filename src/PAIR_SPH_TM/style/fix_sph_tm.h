@@ -61,7 +61,7 @@ class FixSPHTM : public Fix, public SPHTM_NS::StepOwner {
 
  protected:
   FixSPHTM(class LAMMPS *, int, char **, SPHTM_NS::Backend &, std::unique_ptr<SPHTM_NS::AtomArrays>);
-  virtual void delete_lost() {}    // LAMMPS does, in the exchange that follows
+  bool check_lost();    // whether there is a particle that LAMMPS deletes in the exchange that follows
   std::shared_ptr<SPHTM_NS::Scene> scene;
   SPHTM_NS::ParticleState state;
 
@@ -82,7 +82,6 @@ class FixSPHTM : public Fix, public SPHTM_NS::StepOwner {
 
   void read_keywords(SPHTM_NS::Keywords &&);
   bool read_setting(SPHTM_NS::Keywords &);
-  bool check_lost();
 };
 
 }    // namespace LAMMPS_NS

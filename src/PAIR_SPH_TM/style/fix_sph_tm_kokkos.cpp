@@ -177,6 +177,11 @@ void FixSPHTMKokkos::exchange_as_before()
 
 void FixSPHTMKokkos::setup_pre_exchange() { delete_lost(); }
 
+void FixSPHTMKokkos::pre_exchange()
+{
+  if (check_lost()) delete_lost();
+}
+
 void FixSPHTMKokkos::post_neighbor()
 {
   exchange_as_before();

@@ -18,6 +18,7 @@ class FixSPHTMKokkos : public FixSPHTM, public KokkosBase {
   void init() override;
   void setup(int) override;
   void setup_pre_exchange() override;
+  void pre_exchange() override;
   void post_neighbor() override;
   int pack_exchange_kokkos(const int &, DAT::tdual_xfloat_2d &, DAT::tdual_int_1d, DAT::tdual_int_1d,
                            ExecutionSpace) override;
@@ -25,10 +26,8 @@ class FixSPHTMKokkos : public FixSPHTM, public KokkosBase {
                               ExecutionSpace) override;
   void sort_kokkos(Kokkos::BinSort<KeyViewType, BinOp> &) override;
 
- protected:
-  void delete_lost() override;
-
  private:
+  void delete_lost();
   void exchange_as_before();
   bool exchanges_on_host = false;    // this time
 };

@@ -98,7 +98,7 @@ void PairSPHTM::init_style()
   set_skin(lmp, model);
   check_bins(lmp, model);
   rows->init(*state, scene->adaptation().rows);
-  model.make_tables(state->start_temperature());
+  model.make_tables(state->start_temperatures().of_all());
   if (!rows->source()) neighbor->add_request(this, NeighConst::REQ_FULL);
 }
 
@@ -203,8 +203,8 @@ void PairSPHTM::rates(const tm_state &s, tm_rates_args &args)
   const unsigned effects = state->effects();
   RowSource *source = rows->source();
   tm_rates_args ul = args;    // of updated-Lagrangian pairs
-  const int searched = source ? source->ul_rows(ul) : nlocal;
-  if (effects & TM_FX_CORRECTION) correct_gradients(searched, ul);
+  const int n_ul = source ? source->ul_rows(ul) : nlocal;
+  if (effects & TM_FX_CORRECTION) correct_gradients(n_ul, ul);
   if (source) source->tl_export(results.records());
   if (effects & TM_FX_MIXED) {
     const auto timed = state->clock().timed(RunClock::RATES);
@@ -228,7 +228,7 @@ void PairSPHTM::rates(const tm_state &s, tm_rates_args &args)
   ul.force_begins = args.force_begins = (clear || internal) && !source;    // parts of rows add theirs
   {
     const auto timed = state->clock().timed(RunClock::RATES);
-    loops.rates(backend, searched, ul, effects);
+    loops.rates(backend, n_ul, ul, effects);
     if (source) source->tl_rates(args, effects);
   }
   if (effects & TM_FX_HOURGLASS) control_hourglass(args);
