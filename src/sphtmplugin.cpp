@@ -46,8 +46,7 @@ using DriveKokkos = FixSPHTMDrive;
 using AtomComputeKokkos = ComputeSPHTMAtom;
 #endif
 
-extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *ptr, void *handle,
-                                                                        void *regfunc)
+extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *ptr, void *handle, void *regfunc)
 {
   auto *lmp = static_cast<LAMMPS *>(ptr);
   if (strcmp(lmp->version, SPHTM_LAMMPS_VERSION) != 0) {
@@ -65,11 +64,11 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *p
   registry.fix<FixSPHTMDrive, DriveKokkos>("sph/tm/drive", "prescribed velocity of a group of sph/tm particles");
   registry.compute<ComputeSPHTMAtom, AtomComputeKokkos>("sph/tm/atom", "per-particle values of sph/tm");
   registry.fix<FixContactTri, ContactKokkos>("contact/tri", "contact, friction and heat with a tool of triangles");
-  registry.state_fix<FixAdaptNeigh, AdaptKokkos>(
-      "adapt/neigh", "what follows the deformation: lists, smoothing length, refinement");
+  registry.state_fix<FixAdaptNeigh, AdaptKokkos>("adapt/neigh",
+                                                 "what follows the deformation: lists, smoothing length, refinement");
 #ifdef LMP_KOKKOS
-  registry.kokkos_fix<FixAveTimeKokkos>(
-      "ave/time", "time averages, without particles on the host where none are needed");
+  registry.kokkos_fix<FixAveTimeKokkos>("ave/time",
+                                        "time averages, without particles on the host where none are needed");
 #endif
   registry.compute<ComputeCuttingForce>("cutting/force", "forces of a tool in terms of cutting");
 }

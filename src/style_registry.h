@@ -37,8 +37,10 @@ template <class STYLE, class KOKKOS> void *create_with_args(void *ptr, int narg,
 inline void *refuse(void *lmp, const char *name)
 {
   static_cast<LAMMPS_NS::LAMMPS *>(lmp)->error->all(
-      FLERR, "{} needs a LAMMPS with the KOKKOS package, started with '-k on'; here write the style "
-             "without /kk", name);
+      FLERR,
+      "{} needs a LAMMPS with the KOKKOS package, started with '-k on'; here write the style "
+      "without /kk",
+      name);
   return nullptr;
 }
 inline void *refuse_pair(void *lmp) { return refuse(lmp, "Pair style sph/tm/kk"); }

@@ -40,8 +40,7 @@ class Backend {
   virtual void blocks(int n, const std::function<void(int, int)> &f);
 
   // the sum of part(begin, end) over the blocks
-  template <class RESULT, class PART, class JOIN>
-  RESULT sum_blocks(int n, const RESULT &nothing, PART part, JOIN join)
+  template <class RESULT, class PART, class JOIN> RESULT sum_blocks(int n, const RESULT &nothing, PART part, JOIN join)
   {
     std::vector<RESULT> parts((n + LOOP_BLOCK - 1) / LOOP_BLOCK, nothing);
     blocks(n, [&](int begin, int end) { parts[begin / LOOP_BLOCK] = part(begin, end); });

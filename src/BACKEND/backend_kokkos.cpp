@@ -15,10 +15,7 @@ namespace {
 using Memory = LMPDeviceType::memory_space;
 using Unmanaged = Kokkos::MemoryTraits<Kokkos::Unmanaged>;
 template <class SPACE> using Bytes = Kokkos::View<char *, SPACE, Unmanaged>;
-template <class SPACE> Bytes<SPACE> bytes_at(const void *p, size_t n)
-{
-  return Bytes<SPACE>((char *) p, n);
-}
+template <class SPACE> Bytes<SPACE> bytes_at(const void *p, size_t n) { return Bytes<SPACE>((char *) p, n); }
 
 struct FillBytes {
   unsigned char *p, value;
@@ -74,8 +71,7 @@ class ThreadBackend : public Backend {
   }
   void blocks(int n, const std::function<void(int, int)> &f) override
   {
-    Kokkos::parallel_for("sph/tm blocks",
-                         Kokkos::RangePolicy<LMPDeviceType>(0, (n + LOOP_BLOCK - 1) / LOOP_BLOCK),
+    Kokkos::parallel_for("sph/tm blocks", Kokkos::RangePolicy<LMPDeviceType>(0, (n + LOOP_BLOCK - 1) / LOOP_BLOCK),
                          [&](int b) { f(b * LOOP_BLOCK, std::min(n, (b + 1) * LOOP_BLOCK)); });
   }
 };

@@ -13,8 +13,7 @@ namespace SPHTM_NS {
 Backend &kokkos_backend();
 
 // one(i) for i = 0..n-1
-template <class BOUNDS = Kokkos::LaunchBounds<>, class ONE>
-void kokkos_each(const char *label, int n, const ONE &one)
+template <class BOUNDS = Kokkos::LaunchBounds<>, class ONE> void kokkos_each(const char *label, int n, const ONE &one)
 {
   Kokkos::parallel_for(label, Kokkos::RangePolicy<LMPDeviceType, BOUNDS>(0, n), one);
 }
@@ -46,15 +45,13 @@ RESULT kokkos_sum(const char *label, int n, const RESULT &nothing, const ONE &on
 
 // the same into memory that the host sees, without waiting for it
 template <class BOUNDS = Kokkos::LaunchBounds<>, class RESULT, class ONE, class JOIN>
-void kokkos_sum_later(const char *label, int n, const RESULT &nothing, const ONE &one, const JOIN &join,
-                      RESULT *result)
+void kokkos_sum_later(const char *label, int n, const RESULT &nothing, const ONE &one, const JOIN &join, RESULT *result)
 {
   using Result = Kokkos::View<RESULT, Kokkos::SharedHostPinnedSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
   if (n > 0)
     Kokkos::parallel_reduce(label, Kokkos::RangePolicy<LMPDeviceType, BOUNDS>(0, n),
                             KokkosSum<RESULT, ONE, JOIN>{nothing, one, join}, Result(result));
-  else
-    *result = nothing;
+  else *result = nothing;
 }
 
 }    // namespace SPHTM_NS

@@ -15,10 +15,10 @@ const char *instruction_set_name();
 
 // the object of that name in the namespace of the instruction set in use
 #if defined(SPHTM_X86_ISAS)
-#define SPHTM_FOR_INSTRUCTION_SET(object)                                       \
-  (SPHTM_NS::instruction_set() == SPHTM_NS::ISA_AVX512 ? isa_avx512::object :   \
-   SPHTM_NS::instruction_set() == SPHTM_NS::ISA_AVX2   ? isa_avx2::object :     \
-                                                         isa_default::object)
+#define SPHTM_FOR_INSTRUCTION_SET(object)                                   \
+  (SPHTM_NS::instruction_set() == SPHTM_NS::ISA_AVX512 ? isa_avx512::object \
+   : SPHTM_NS::instruction_set() == SPHTM_NS::ISA_AVX2 ? isa_avx2::object   \
+                                                       : isa_default::object)
 #else
 #define SPHTM_FOR_INSTRUCTION_SET(object) (isa_default::object)
 #endif

@@ -47,29 +47,29 @@
 // ---- loops of the host. Those of kinds HOT and RANGE need a function ranges() that returns the table of ranges
 
 #define SPHTM_HOST_LOOP(KIND, ...) SPHTM_HOST_##KIND(__VA_ARGS__)
-#define SPHTM_HOST_EACH(NAME, ARGS, ...)                                            \
-  void NAME(Backend &backend, int n, const ARGS &a, unsigned effects)               \
-  {                                                                                 \
-    (void) effects;                                                                 \
-    backend.blocks(n, [&](int begin, int end) {                                     \
-      for (int i = begin; i < end; i++) { __VA_ARGS__; }                            \
-    });                                                                             \
+#define SPHTM_HOST_EACH(NAME, ARGS, ...)                              \
+  void NAME(Backend &backend, int n, const ARGS &a, unsigned effects) \
+  {                                                                   \
+    (void) effects;                                                   \
+    backend.blocks(n, [&](int begin, int end) {                       \
+      for (int i = begin; i < end; i++) { __VA_ARGS__; }              \
+    });                                                               \
   }
-#define SPHTM_HOST_SUM(NAME, ARGS, RESULT, FAMILY, ...)                             \
-  RESULT NAME(Backend &backend, int n, const ARGS &a, unsigned effects)             \
-  {                                                                                 \
-    (void) effects;                                                                 \
-    return backend.sum_blocks(                                                      \
-        n, FAMILY##_nothing(),                                                      \
-        [&](int begin, int end) {                                                   \
-          RESULT sum = FAMILY##_nothing();                                          \
-          for (int i = begin; i < end; i++) {                                       \
-            const RESULT value = __VA_ARGS__;                                       \
-            FAMILY##_sum(&sum, &value);                                             \
-          }                                                                         \
-          return sum;                                                               \
-        },                                                                          \
-        [](RESULT *sum, const RESULT *value) { FAMILY##_sum(sum, value); });        \
+#define SPHTM_HOST_SUM(NAME, ARGS, RESULT, FAMILY, ...)                      \
+  RESULT NAME(Backend &backend, int n, const ARGS &a, unsigned effects)      \
+  {                                                                          \
+    (void) effects;                                                          \
+    return backend.sum_blocks(                                               \
+        n, FAMILY##_nothing(),                                               \
+        [&](int begin, int end) {                                            \
+          RESULT sum = FAMILY##_nothing();                                   \
+          for (int i = begin; i < end; i++) {                                \
+            const RESULT value = __VA_ARGS__;                                \
+            FAMILY##_sum(&sum, &value);                                      \
+          }                                                                  \
+          return sum;                                                        \
+        },                                                                   \
+        [](RESULT *sum, const RESULT *value) { FAMILY##_sum(sum, value); }); \
   }
 #define SPHTM_HOST_RANGE(NAME, ARGS)                                                \
   void NAME(Backend &backend, int n, const ARGS &a, unsigned effects)               \
@@ -77,13 +77,13 @@
     const auto range = ranges().NAME;                                               \
     backend.blocks(n, [&](int begin, int end) { range(begin, end, &a, effects); }); \
   }
-#define SPHTM_HOST_RANGE_SUM(NAME, ARGS, RESULT, FAMILY)                            \
-  RESULT NAME(Backend &backend, int n, const ARGS &a, unsigned effects)             \
-  {                                                                                 \
-    const auto range = ranges().NAME;                                               \
-    return backend.sum_blocks(                                                      \
+#define SPHTM_HOST_RANGE_SUM(NAME, ARGS, RESULT, FAMILY)                                           \
+  RESULT NAME(Backend &backend, int n, const ARGS &a, unsigned effects)                            \
+  {                                                                                                \
+    const auto range = ranges().NAME;                                                              \
+    return backend.sum_blocks(                                                                     \
         n, FAMILY##_nothing(), [&](int begin, int end) { return range(begin, end, &a, effects); }, \
-        [](RESULT *sum, const RESULT *value) { FAMILY##_sum(sum, value); });        \
+        [](RESULT *sum, const RESULT *value) { FAMILY##_sum(sum, value); });                       \
   }
 #define SPHTM_HOST_HOT_EACH(NAME, ARGS, ...) SPHTM_HOST_RANGE(NAME, ARGS)
 #define SPHTM_HOST_HOT_SUM(NAME, ARGS, RESULT, FAMILY, ...) SPHTM_HOST_RANGE_SUM(NAME, ARGS, RESULT, FAMILY)
@@ -108,24 +108,24 @@
 #define SPHTM_RANGE_LOOP_OWN(...)
 #define SPHTM_RANGE_LOOP_RANGE(...)
 #define SPHTM_RANGE_LOOP_RANGE_SUM(...)
-#define SPHTM_RANGE_LOOP_HOT_EACH(NAME, ARGS, ...)                                  \
-  void NAME(int begin, int end, const ARGS *args, unsigned effects)                 \
-  {                                                                                 \
-    const ARGS &a = *args;                                                          \
-    (void) effects;                                                                 \
-    for (int i = begin; i < end; i++) { __VA_ARGS__; }                              \
+#define SPHTM_RANGE_LOOP_HOT_EACH(NAME, ARGS, ...)                  \
+  void NAME(int begin, int end, const ARGS *args, unsigned effects) \
+  {                                                                 \
+    const ARGS &a = *args;                                          \
+    (void) effects;                                                 \
+    for (int i = begin; i < end; i++) { __VA_ARGS__; }              \
   }
-#define SPHTM_RANGE_LOOP_HOT_SUM(NAME, ARGS, RESULT, FAMILY, ...)                   \
-  RESULT NAME(int begin, int end, const ARGS *args, unsigned effects)               \
-  {                                                                                 \
-    const ARGS &a = *args;                                                          \
-    (void) effects;                                                                 \
-    RESULT sum = FAMILY##_nothing();                                                \
-    for (int i = begin; i < end; i++) {                                             \
-      const RESULT value = __VA_ARGS__;                                             \
-      FAMILY##_sum(&sum, &value);                                                   \
-    }                                                                               \
-    return sum;                                                                     \
+#define SPHTM_RANGE_LOOP_HOT_SUM(NAME, ARGS, RESULT, FAMILY, ...)     \
+  RESULT NAME(int begin, int end, const ARGS *args, unsigned effects) \
+  {                                                                   \
+    const ARGS &a = *args;                                            \
+    (void) effects;                                                   \
+    RESULT sum = FAMILY##_nothing();                                  \
+    for (int i = begin; i < end; i++) {                               \
+      const RESULT value = __VA_ARGS__;                               \
+      FAMILY##_sum(&sum, &value);                                     \
+    }                                                                 \
+    return sum;                                                       \
   }
 
 #define SPHTM_RANGE_NAME(KIND, ...) SPHTM_RANGE_NAME_##KIND(__VA_ARGS__)

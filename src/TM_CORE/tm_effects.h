@@ -11,17 +11,17 @@
 #include "tm_real.h"
 
 enum tm_effect {
-  TM_FX_3D = 1 << 0,            /* three dimensions */
-  TM_FX_VISCOSITY = 1 << 1,     /* Monaghan artificial viscosity */
-  TM_FX_ARTSTRESS = 1 << 2,     /* artificial stress against the tensile instability */
-  TM_FX_CONDUCTION = 1 << 3,    /* heat conduction between particles */
-  TM_FX_EXTENDED = 1 << 4,      /* this instantiation reads the bits below at run time */
+  TM_FX_3D = 1 << 0,         /* three dimensions */
+  TM_FX_VISCOSITY = 1 << 1,  /* Monaghan artificial viscosity */
+  TM_FX_ARTSTRESS = 1 << 2,  /* artificial stress against the tensile instability */
+  TM_FX_CONDUCTION = 1 << 3, /* heat conduction between particles */
+  TM_FX_EXTENDED = 1 << 4,   /* this instantiation reads the bits below at run time */
 
-  TM_FX_FORM_F14 = 1 << 5,      /* momentum form F14 (6) instead of F15 (4) */
-  TM_FX_CORRECTION = 1 << 6,    /* kernel-gradient correction */
-  TM_FX_BALSARA = 1 << 7,       /* shear switch of the artificial viscosity */
-  TM_FX_XSPH = 1 << 8,          /* positions move with a smoothed velocity */
-  TM_FX_SURFACE = 1 << 9,       /* free surface area and normal per particle */
+  TM_FX_FORM_F14 = 1 << 5,   /* momentum form F14 (6) instead of F15 (4) */
+  TM_FX_CORRECTION = 1 << 6, /* kernel-gradient correction */
+  TM_FX_BALSARA = 1 << 7,    /* shear switch of the artificial viscosity */
+  TM_FX_XSPH = 1 << 8,       /* positions move with a smoothed velocity */
+  TM_FX_SURFACE = 1 << 9,    /* free surface area and normal per particle */
 
   TM_FX_HEAT = 1 << 10,         /* temperature is a state */
   TM_FX_PLASTICITY = 1 << 11,   /* plastic strain is a state */
@@ -34,25 +34,22 @@ enum tm_effect {
   TM_FX_MIXED = 1 << 18,        /* pair arithmetic in single */
   TM_FX_HOURGLASS = 1 << 19,    /* hourglass control (zero-energy modes) */
 
-  TM_FX_KERNEL_SHIFT = 20       /* three bits of enum tm_kernel */
+  TM_FX_KERNEL_SHIFT = 20 /* three bits of enum tm_kernel */
 };
 
-#define TM_FX_RATE_MASK \
-  ((unsigned) (TM_FX_3D | TM_FX_VISCOSITY | TM_FX_ARTSTRESS | TM_FX_CONDUCTION))
+#define TM_FX_RATE_MASK ((unsigned) (TM_FX_3D | TM_FX_VISCOSITY | TM_FX_ARTSTRESS | TM_FX_CONDUCTION))
 #define TM_FX_EXTENDED_MASK \
-  ((unsigned) (TM_FX_FORM_F14 | TM_FX_CORRECTION | TM_FX_BALSARA | TM_FX_XSPH | TM_FX_SURFACE | \
-               TM_FX_SMOOTHING))
+  ((unsigned) (TM_FX_FORM_F14 | TM_FX_CORRECTION | TM_FX_BALSARA | TM_FX_XSPH | TM_FX_SURFACE | TM_FX_SMOOTHING))
 #define TM_FX_KERNEL_MASK (7u << TM_FX_KERNEL_SHIFT)
 
 /* Effects a build has: all, or of those that a scene may call for only TM_FX_MINIMAL, and the others
    are not in its machine code (CMake: SPHTM_MINIMAL_EFFECTS). */
 #ifdef TM_FX_MINIMAL
-#define TM_FX_PRESENT                                                                              \
-  ((unsigned) (TM_FX_MINIMAL) |                                                                    \
-   ~((unsigned) (TM_FX_VISCOSITY | TM_FX_ARTSTRESS | TM_FX_CONDUCTION | TM_FX_CORRECTION |         \
-                 TM_FX_BALSARA | TM_FX_XSPH | TM_FX_SURFACE | TM_FX_HEAT | TM_FX_PLASTICITY |      \
-                 TM_FX_DAMAGE | TM_FX_ENERGY | TM_FX_BODIES | TM_FX_LEDGER | TM_FX_SMOOTHING |          \
-                 TM_FX_HOURGLASS)))
+#define TM_FX_PRESENT                                                                                       \
+  ((unsigned) (TM_FX_MINIMAL) |                                                                             \
+   ~((unsigned) (TM_FX_VISCOSITY | TM_FX_ARTSTRESS | TM_FX_CONDUCTION | TM_FX_CORRECTION | TM_FX_BALSARA |  \
+                 TM_FX_XSPH | TM_FX_SURFACE | TM_FX_HEAT | TM_FX_PLASTICITY | TM_FX_DAMAGE | TM_FX_ENERGY | \
+                 TM_FX_BODIES | TM_FX_LEDGER | TM_FX_SMOOTHING | TM_FX_HOURGLASS)))
 #else
 #define TM_FX_PRESENT (~0u)
 #endif

@@ -10,11 +10,11 @@
 
 typedef struct {
   tm_real value[3];
-  tm_vec3 vector[3];  /* orthonormal, vector[k] belongs to value[k]; no order */
+  tm_vec3 vector[3]; /* orthonormal, vector[k] belongs to value[k]; no order */
 } tm_eigen;
 
 typedef struct {
-  tm_real c, s, t;  /* cosine, sine, tangent */
+  tm_real c, s, t; /* cosine, sine, tangent */
 } tm_rotation;
 
 /* Rotation that makes the off-diagonal b of [a b; b d] vanish; the smaller angle. */
@@ -44,8 +44,8 @@ TM_FN void tm_jacobi_turn_vec(tm_rotation r, tm_vec3 *p, tm_vec3 *q)
 
 /* One rotation in the plane of two axes: diagonals app, aqq, their off-diagonal apq, and the
    couplings apr, aqr to the third axis. */
-TM_FN void tm_jacobi_rotate(tm_real *app, tm_real *aqq, tm_real *apq, tm_real *apr, tm_real *aqr,
-                            tm_vec3 *vp, tm_vec3 *vq)
+TM_FN void tm_jacobi_rotate(tm_real *app, tm_real *aqq, tm_real *apq, tm_real *apr, tm_real *aqr, tm_vec3 *vp,
+                            tm_vec3 *vq)
 {
   const tm_rotation r = tm_jacobi_angle(*app, *apq, *aqq);
   const tm_real d = r.t * *apq;
@@ -80,8 +80,8 @@ TM_FN tm_eigen tm_sym_eigen(tm_sym3 a)
 /* a + k v v^T */
 TM_FN tm_sym3 tm_sym_add_dyad(tm_sym3 a, tm_real k, tm_vec3 v)
 {
-  return tm_sym(a.xx + k * v.x * v.x, a.yy + k * v.y * v.y, a.zz + k * v.z * v.z,
-                a.xy + k * v.x * v.y, a.xz + k * v.x * v.z, a.yz + k * v.y * v.z);
+  return tm_sym(a.xx + k * v.x * v.x, a.yy + k * v.y * v.y, a.zz + k * v.z * v.z, a.xy + k * v.x * v.y,
+                a.xz + k * v.x * v.z, a.yz + k * v.y * v.z);
 }
 
 /* --- positive part: sum_k max(lambda_k, 0) e_k e_k^T, without eigenvectors where possible ---- */
@@ -122,14 +122,10 @@ TM_FN tm_vec3 tm_sym_null_vector(tm_sym3 a)
 
 TM_FN tm_real tm_sym_det(tm_sym3 s)
 {
-  return s.xx * (s.yy * s.zz - s.yz * s.yz) - s.xy * (s.xy * s.zz - s.yz * s.xz)
-       + s.xz * (s.xy * s.yz - s.yy * s.xz);
+  return s.xx * (s.yy * s.zz - s.yz * s.yz) - s.xy * (s.xy * s.zz - s.yz * s.xz) + s.xz * (s.xy * s.yz - s.yy * s.xz);
 }
 /* a : (u v^T) */
-TM_FN tm_real tm_sym_between(tm_vec3 u, tm_sym3 a, tm_vec3 v)
-{
-  return tm_vec_dot(u, tm_sym_mul_vec(a, v));
-}
+TM_FN tm_real tm_sym_between(tm_vec3 u, tm_sym3 a, tm_vec3 v) { return tm_vec_dot(u, tm_sym_mul_vec(a, v)); }
 
 /* In three dimensions, after Scherzinger and Dohrmann 2008: the eigenvalue farthest from the two
    others (mean +- 2p cos(phi), well conditioned) and its vector, then the plane across it in
@@ -142,7 +138,7 @@ TM_FN tm_sym3 tm_sym_positive_part(tm_sym3 a)
   const tm_real p = sqrt(tm_sym_ddot(dev, dev) / 6.0);
   const int all = mean >= 2.0 * p, none = mean <= -2.0 * p;
 
-  const tm_sym3 s = tm_sym_scale(1.0 / p, dev);  /* eigenvalues 2 cos(phi), phi + 2 pi/3 ... */
+  const tm_sym3 s = tm_sym_scale(1.0 / p, dev); /* eigenvalues 2 cos(phi), phi + 2 pi/3 ... */
   const tm_real half = 0.5 * tm_sym_det(s);
   const tm_real c = 2.0 * tm_cos_third(tm_min(fabs(half), 1.0));
   const tm_vec3 v = tm_sym_null_vector(tm_sym_add_iso(s, half < 0.0 ? c : -c));
@@ -151,8 +147,8 @@ TM_FN tm_sym3 tm_sym_positive_part(tm_sym3 a)
   const tm_real sign = v.z < 0.0 ? -1.0 : 1.0, f = -1.0 / (sign + v.z), g = v.x * v.y * f;
   const tm_vec3 u = tm_vec(1.0 + sign * v.x * v.x * f, sign * g, -sign * v.x);
   const tm_vec3 w = tm_vec(g, sign + v.y * v.y * f, -v.y);
-  const tm_sym3 plane = tm_sym_positive_part_2d(tm_sym(
-      tm_sym_between(u, a, u), tm_sym_between(w, a, w), 0, tm_sym_between(u, a, w), 0, 0));
+  const tm_sym3 plane = tm_sym_positive_part_2d(
+      tm_sym(tm_sym_between(u, a, u), tm_sym_between(w, a, w), 0, tm_sym_between(u, a, w), 0, 0));
   const tm_vec3 pu = tm_vec_axpy(tm_vec_scale(plane.xx, u), plane.xy, w);
   const tm_vec3 pw = tm_vec_axpy(tm_vec_scale(plane.xy, u), plane.yy, w);
   const tm_vec3 pv = tm_vec_scale(tm_max(tm_sym_between(v, a, v), 0.0), v);
@@ -187,9 +183,8 @@ TM_FN tm_sym3 tm_sym_inverse_bounded(tm_sym3 a, int dim3, tm_real low)
   }
   const tm_real d = 1.0 / det;
   if (!dim3) return tm_sym(d * a.yy, d * a.xx, 1.0, -d * a.xy, 0.0, 0.0);
-  return tm_sym(d * (a.yy * a.zz - a.yz * a.yz), d * (a.xx * a.zz - a.xz * a.xz),
-                d * (a.xx * a.yy - a.xy * a.xy), d * (a.xz * a.yz - a.xy * a.zz),
-                d * (a.xy * a.yz - a.xz * a.yy), d * (a.xy * a.xz - a.xx * a.yz));
+  return tm_sym(d * (a.yy * a.zz - a.yz * a.yz), d * (a.xx * a.zz - a.xz * a.xz), d * (a.xx * a.yy - a.xy * a.xy),
+                d * (a.xz * a.yz - a.xy * a.zz), d * (a.xy * a.yz - a.xz * a.yy), d * (a.xy * a.xz - a.xx * a.yz));
 }
 
 #endif

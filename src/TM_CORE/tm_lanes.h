@@ -33,7 +33,7 @@
 #define TM_LANES (TM_VECTOR ? TM_VECTOR / (TM_SINGLE ? 4 : 8) : 1)
 
 /* Neighbors looked at together; multiples of 8 keep columns aligned. On a GPU one. */
-#define TM_COLUMN_MOST 112    /* of all kinds of files */
+#define TM_COLUMN_MOST 112 /* of all kinds of files */
 #if defined(__CUDACC__)
 #define TM_CHUNK 1
 #define TM_COLUMN 1
@@ -256,13 +256,13 @@ TM_FN void tm_lanes_sums(const tm_sum *v, int n, tm_real *out)
   for (; k + 8 <= n; k += 8, v += 8) {
     tm_v8 s[4], t[2];
     for (int p = 0; p < 4; p++)
-      s[p] = __builtin_shufflevector(v[2 * p], v[2 * p + 1], 0, 1, 2, 3, 8, 9, 10, 11)
-          + __builtin_shufflevector(v[2 * p], v[2 * p + 1], 4, 5, 6, 7, 12, 13, 14, 15);
+      s[p] = __builtin_shufflevector(v[2 * p], v[2 * p + 1], 0, 1, 2, 3, 8, 9, 10, 11) +
+             __builtin_shufflevector(v[2 * p], v[2 * p + 1], 4, 5, 6, 7, 12, 13, 14, 15);
     for (int p = 0; p < 2; p++)
-      t[p] = __builtin_shufflevector(s[2 * p], s[2 * p + 1], 0, 1, 4, 5, 8, 9, 12, 13)
-          + __builtin_shufflevector(s[2 * p], s[2 * p + 1], 2, 3, 6, 7, 10, 11, 14, 15);
-    const tm_v8 u = __builtin_shufflevector(t[0], t[1], 0, 2, 4, 6, 8, 10, 12, 14)
-        + __builtin_shufflevector(t[0], t[1], 1, 3, 5, 7, 9, 11, 13, 15);
+      t[p] = __builtin_shufflevector(s[2 * p], s[2 * p + 1], 0, 1, 4, 5, 8, 9, 12, 13) +
+             __builtin_shufflevector(s[2 * p], s[2 * p + 1], 2, 3, 6, 7, 10, 11, 14, 15);
+    const tm_v8 u = __builtin_shufflevector(t[0], t[1], 0, 2, 4, 6, 8, 10, 12, 14) +
+                    __builtin_shufflevector(t[0], t[1], 1, 3, 5, 7, 9, 11, 13, 15);
     for (int l = 0; l < 8; l++) out[k + l] = u[l];
   }
 #endif

@@ -11,7 +11,7 @@
 
 #include "tm_real.h"
 
-#if !defined(TM_BLOCK)    /* particles; who shares arrays with the host says 1 */
+#if !defined(TM_BLOCK) /* particles; who shares arrays with the host says 1 */
 #if defined(__CUDACC__)
 #define TM_BLOCK 32
 #else
@@ -31,10 +31,7 @@ TM_FN ptrdiff_t tm_packed(int i, int columns, int together)
 {
   return (ptrdiff_t) ((unsigned) i / TM_BLOCK) * (TM_BLOCK * columns) + (unsigned) i % TM_BLOCK * together;
 }
-TM_FN int tm_packed_part(int c, int together)
-{
-  return c / together * (together * TM_BLOCK) + c % together;
-}
+TM_FN int tm_packed_part(int c, int together) { return c / together * (together * TM_BLOCK) + c % together; }
 TM_FN ptrdiff_t tm_record(int i, int columns) { return tm_packed(i, columns, 2); }
 TM_FN int tm_part(int c) { return tm_packed_part(c, 2); }
 

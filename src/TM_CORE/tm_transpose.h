@@ -31,8 +31,8 @@ TM_FN tm_lanes tm_join_quads(const float *const *r, int k)
   const tm_f4 d = *(const tm_f4_mem *) (r[12] + k);
 #if defined(__clang__)
   return __builtin_shufflevector(__builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7),
-                                 __builtin_shufflevector(c, d, 0, 1, 2, 3, 4, 5, 6, 7), 0, 1, 2, 3, 4, 5,
-                                 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+                                 __builtin_shufflevector(c, d, 0, 1, 2, 3, 4, 5, 6, 7), 0, 1, 2, 3, 4, 5, 6, 7, 8, 9,
+                                 10, 11, 12, 13, 14, 15);
 #else
   tm_lanes x = __builtin_ia32_ps512_ps(a);
   x = __builtin_ia32_insertf32x4_mask(x, b, 1, x, (unsigned short) -1);
@@ -49,9 +49,9 @@ TM_FN tm_lanes tm_join_quads(const float *const *r, int k)
 #define TM_QUADS(a, b, A, B, C, D) \
   __builtin_shufflevector(a, b, A, B, (C) + 8, (D) + 8, (A) + 4, (B) + 4, (C) + 12, (D) + 12)
 #else
-#define TM_QUADS(a, b, A, B, C, D)                                                                    \
-  __builtin_shufflevector(a, b, A, B, (C) + 16, (D) + 16, (A) + 4, (B) + 4, (C) + 20, (D) + 20, (A) + 8, \
-                          (B) + 8, (C) + 24, (D) + 24, (A) + 12, (B) + 12, (C) + 28, (D) + 28)
+#define TM_QUADS(a, b, A, B, C, D)                                                                                \
+  __builtin_shufflevector(a, b, A, B, (C) + 16, (D) + 16, (A) + 4, (B) + 4, (C) + 20, (D) + 20, (A) + 8, (B) + 8, \
+                          (C) + 24, (D) + 24, (A) + 12, (B) + 12, (C) + 28, (D) + 28)
 #endif
 #endif
 
@@ -118,8 +118,7 @@ TM_FN tm_v8 tm_join_four_pairs(const tm_real *p, const tm_real *q, const tm_real
 
 /* out[c * TM_COLUMN + l] = rec[jj[l] * stride + c] for the lanes l and c < columns, which is even
    and a literal. */
-TM_FN void tm_transpose(const tm_real *rec, ptrdiff_t stride, const int *jj, int columns,
-                        tm_real *out)
+TM_FN void tm_transpose(const tm_real *rec, ptrdiff_t stride, const int *jj, int columns, tm_real *out)
 {
   const tm_real *r0 = rec + jj[0] * stride;
 #if TM_VECTOR
@@ -149,8 +148,7 @@ TM_FN void tm_transpose(const tm_real *rec, ptrdiff_t stride, const int *jj, int
     const tm_v8 a = tm_join_four_pairs(r0 + k, r2 + k, r4 + k, r6 + k);
     const tm_v8 b = tm_join_four_pairs(r1 + k, r3 + k, r5 + k, r7 + k);
     tm_lanes_store(out + k * TM_COLUMN, __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14));
-    tm_lanes_store(out + (k + 1) * TM_COLUMN,
-                   __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15));
+    tm_lanes_store(out + (k + 1) * TM_COLUMN, __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15));
   }
 #elif TM_VECTOR == 32
   for (int k = 0; k < columns; k += 2) {
@@ -172,11 +170,9 @@ TM_FN void tm_transpose(const tm_real *rec, ptrdiff_t stride, const int *jj, int
 #endif
 
 /* The same for n records, n a multiple of TM_LANES. */
-TM_FN void tm_transpose_rows(const tm_pair *rec, ptrdiff_t stride, const int *jj, int n,
-                             int columns, tm_pair *out)
+TM_FN void tm_transpose_rows(const tm_pair *rec, ptrdiff_t stride, const int *jj, int n, int columns, tm_pair *out)
 {
-  for (int l = 0; l < n; l += TM_LANES)
-    tm_transpose(rec, stride, jj + tm_at(l), columns, out + tm_at(l));
+  for (int l = 0; l < n; l += TM_LANES) tm_transpose(rec, stride, jj + tm_at(l), columns, out + tm_at(l));
 }
 
 /* ---- columns of the neighbors jj, `lanes` of them: a multiple of TM_LANES, on a GPU one */

@@ -46,8 +46,7 @@ void AdaptLists::init()
 // entries of rows become tags: particles are about to get other indices
 void AdaptLists::begin_renumbering()
 {
-  if (lists.has_skin() && !map.in_use() && lists.exist())
-    map.begin(parts.rows().loop_tags(), parts.owned_and_ghosts());
+  if (lists.has_skin() && !map.in_use() && lists.exist()) map.begin(parts.rows().loop_tags(), parts.owned_and_ghosts());
 }
 
 void AdaptLists::setup_pre_exchange()
@@ -112,8 +111,7 @@ void AdaptLists::renew(bool renumbered)
     const bool same = !renumbered || (all == parts.owned() && map.same_indices(parts.rows().loop_tags(), all));
     map.end();
     lists.search_moved(!same || !lists.are_good() || !lists.has_skin());
-  } else
-    lists.search_all();
+  } else lists.search_all();
 }
 
 tm_rows AdaptLists::mechanical() { return has_tl() && stored.only() ? stored.pairs().mechanical() : lists.rows(); }

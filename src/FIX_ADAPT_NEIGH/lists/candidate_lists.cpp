@@ -1,6 +1,5 @@
 #include "candidate_lists.h"
 
-
 #include "domain.h"
 #include "error.h"
 #include "lammps.h"
@@ -111,8 +110,7 @@ bool CandidateLists::search_moved(bool all_rows)
   if (!all_rows) {
     loops->count_marked(*backend, cells.grid(), m.marks);
     n = loops->near_moved(*backend, owned, {cells.grid(), dirty.loop_write()}, which.loop_write());
-  } else
-    backend->fill(dirty.loop_write(), 1, owned);
+  } else backend->fill(dirty.loop_write(), 1, owned);
   search(table, TM_MEETS_MECHANICAL, widest + skin, n, all_rows ? nullptr : which.loop_read());
   good = true;
   return true;
@@ -130,10 +128,11 @@ void CandidateLists::search(RowTable &t, int segments, double radius, int n, con
 
 void CandidateLists::stop_on_long_row(int capacity, int longest) const
 {
-  parts.host()->error->one(FLERR, "Fix adapt/neigh: at step {} a particle has {}{} neighbors, its row has room for {}; "
-                                  "write 'rows {}'", parts.host()->update->ntimestep,
-                           longest > TM_SEARCH_MOST ? "at least " : "", longest, capacity,
-                           8 * (int) ceil(1.5 * longest / 8.0));
+  parts.host()->error->one(FLERR,
+                           "Fix adapt/neigh: at step {} a particle has {}{} neighbors, its row has room for {}; "
+                           "write 'rows {}'",
+                           parts.host()->update->ntimestep, longest > TM_SEARCH_MOST ? "at least " : "", longest,
+                           capacity, 8 * (int) ceil(1.5 * longest / 8.0));
 }
 
 double CandidateLists::entries()
@@ -147,8 +146,8 @@ double CandidateLists::entries()
 
 double CandidateLists::bytes() const
 {
-  return table.bytes() + other.bytes() + cells.bytes() + place.bytes() + radii.bytes() + marks.bytes() +
-      dirty.bytes() + which.bytes();
+  return table.bytes() + other.bytes() + cells.bytes() + place.bytes() + radii.bytes() + marks.bytes() + dirty.bytes() +
+         which.bytes();
 }
 
 }    // namespace SPHTM_NS

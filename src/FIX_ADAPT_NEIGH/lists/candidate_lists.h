@@ -18,28 +18,28 @@ class CandidateLists {
   void init(bool total_lagrangian);
   void move_to(Backend &);
   int room() const { return room_of_row; }
-  void set_room(int n) { room_of_row = n; }                      // of a restart file
+  void set_room(int n) { room_of_row = n; }    // of a restart file
   void make_room(int n) { table.make_room(n, room_of_row); }
   bool exist() const { return table.capacity > 0; }
-  bool fits(int n) const { return table.particles >= n; }        // there are rows of so many particles
-  void forget() { good = false; }                                // all are searched again
+  bool fits(int n) const { return table.particles >= n; }    // there are rows of so many particles
+  void forget() { good = false; }                            // all are searched again
   double radius() const { return widest; }
   bool has_skin() const { return skin > 0.0; }
-  bool may_remain() const { return skin > 0.0 || own_radii(); }  // rows can outlive a step
+  bool may_remain() const { return skin > 0.0 || own_radii(); }    // rows can outlive a step
 
   // particles have other indices: room, types, reach; rows of heat-only and contact pairs
   void renumbered();
-  void search_all();                                             // rows of this step, without a skin
+  void search_all();    // rows of this step, without a skin
   // rows that are out of date, or all; true: there were some, and changed() marks them
   bool search_moved(bool all_rows);
-  bool are_good() const { return good; }                         // but for particles that have moved
+  bool are_good() const { return good; }    // but for particles that have moved
   void none(int n) { backend->zero(table.count[0].loop_write(), n * sizeof(int)); }    // rows of n particles are empty
-  LoopArray<unsigned char> &changed() { return dirty; }          // rows since they were last looked at
+  LoopArray<unsigned char> &changed() { return dirty; }    // rows since they were last looked at
 
   tm_rows rows() { return table.loop_rows(); }
   tm_rows host_rows() { return table.host_rows(); }
   tm_rows other_rows() { return other.loop_rows(); }
-  double entries();                                              // in all rows of this rank
+  double entries();    // in all rows of this rank
   double bytes() const;
   [[noreturn]] void stop_on_long_row(int capacity, int longest) const;
 
@@ -48,14 +48,14 @@ class CandidateLists {
   Backend *backend = nullptr;
   const ListLoops *loops = nullptr;
   CellSearch cells;
-  RowTable table, other;                 // mechanical neighbors; heat-only and contact pairs
-  int given_room = 0;                    // keyword rows; 0: by the kernel
+  RowTable table, other;    // mechanical neighbors; heat-only and contact pairs
+  int given_room = 0;       // keyword rows; 0: by the kernel
   int room_of_row = 0;
   bool fixed_room = false, total_lagrangian = false;
-  double skin_over_radius = -1.0;         // keyword margin; negative: by default
-  double widest = 0.0, skin = 0.0;       // the largest search radius; skin: a distance
-  bool good = false;                     // rows are valid but for particles that have moved
-  LoopArray<double> place, radii;      // at the last search of a row
+  double skin_over_radius = -1.0;     // keyword margin; negative: by default
+  double widest = 0.0, skin = 0.0;    // the largest search radius; skin: a distance
+  bool good = false;                  // rows are valid but for particles that have moved
+  LoopArray<double> place, radii;     // at the last search of a row
   LoopArray<unsigned char> marks, dirty;
   LoopArray<int> which;
 

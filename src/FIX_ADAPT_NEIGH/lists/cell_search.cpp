@@ -1,6 +1,5 @@
 #include "cell_search.h"
 
-
 #include "atom.h"
 #include "domain.h"
 #include "lammps.h"

@@ -52,10 +52,7 @@ struct OfKind {
   tm_kind_args a;
   KOKKOS_FUNCTION int operator()(int i) const { return tm_is_of_kind(i, &a); }
 };
-int of_kind(Backend &, int n, const tm_kind_args &a, int *which)
-{
-  return list("sph/tm of kind", n, which, OfKind{a});
-}
+int of_kind(Backend &, int n, const tm_kind_args &a, int *which) { return list("sph/tm of kind", n, which, OfKind{a}); }
 
 struct ChainTags {
   tm_tag_map_args a;

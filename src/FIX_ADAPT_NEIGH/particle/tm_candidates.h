@@ -13,15 +13,15 @@
 #include "tm_search.h"
 
 typedef struct {
-  const double *x;             /* owned and ghost */
-  double *place;               /* at the last search of its row */
-  tm_real skin;                /* skin: a distance; where particles have a size of their own: over their search radius */
-  tm_real part;                /* of the skin that a particle may move; negative: all count as moved */
-  unsigned char *marks;        /* result: has moved; place is then set to x. NULL: place is not changed */
+  const double *x;      /* owned and ghost */
+  double *place;        /* at the last search of its row */
+  tm_real skin;         /* skin: a distance; where particles have a size of their own: over their search radius */
+  tm_real part;         /* of the skin that a particle may move; negative: all count as moved */
+  unsigned char *marks; /* result: has moved; place is then set to x. NULL: place is not changed */
   /* particles with a size of their own */
-  const tm_real *size;         /* records of size, or NULL: all have the same radius */
-  tm_real support;             /* support radius over h */
-  tm_real *radius;              /* of each, skin included; set together with place */
+  const tm_real *size; /* records of size, or NULL: all have the same radius */
+  tm_real support;     /* support radius over h */
+  tm_real *radius;     /* of each, skin included; set together with place */
 } tm_moved_args;
 
 TM_FN int tm_moved(int i, const tm_moved_args *a)
@@ -44,8 +44,8 @@ TM_FN int tm_moved(int i, const tm_moved_args *a)
 }
 
 typedef struct {
-  tm_cells cells;              /* with the number of moved particles up to each, see tm_cells.h */
-  unsigned char *dirty;        /* result: 1 for rows to be searched */
+  tm_cells cells;       /* with the number of moved particles up to each, see tm_cells.h */
+  unsigned char *dirty; /* result: 1 for rows to be searched */
 } tm_near_moved_args;
 
 /* Has a particle in the cells around i moved? */

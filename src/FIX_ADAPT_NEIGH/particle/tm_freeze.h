@@ -6,24 +6,24 @@
 #include "tm_tl_rates.h"
 #include "tm_state.h"
 
-enum { TM_FREEZE_EXPORT = 9 };  /* what a particle exports before pairs are frozen: the pull-back E = D^-1, row major */
+enum { TM_FREEZE_EXPORT = 9 }; /* what a particle exports before pairs are frozen: the pull-back E = D^-1, row major */
 
 typedef struct {
   tm_tl_rows rows;
-  tm_rows candidates;          /* rows of all neighbors within reach */
-  tm_records rec;              /* of this step's force point */
+  tm_rows candidates; /* rows of all neighbors within reach */
+  tm_records rec;     /* of this step's force point */
   tm_state state;
-  const tm_real *gradient;     /* L */
-  tm_real *history;            /* TM_TL_HISTORY */
-  tm_real *pull_back;          /* TM_FREEZE_EXPORT, owned and ghost */
-  tm_real *next_ul;            /* 1: updated-Lagrangian in the next step, 0: not; owned and ghost */
-  const unsigned char *was_ul, *is_ul;    /* updated-Lagrangian in this step, in the next one; owned and ghost */
-  const unsigned char *dirty;  /* particles that changed kind, or with a neighbor or a row that did; NULL: none */
-  const int *which;            /* the particles, or NULL: all */
-  int freezes, measures;       /* in this step pairs may be frozen; G is summed from the positions */
-  int corrected;               /* gradients are, and no pair returns: Q = 1 */
-  int permanent;               /* pairs are frozen once, at the start */
-  tm_real threshold, strain;   /* of plastic strain, of total strain since the freezing; infinite: never */
+  const tm_real *gradient;             /* L */
+  tm_real *history;                    /* TM_TL_HISTORY */
+  tm_real *pull_back;                  /* TM_FREEZE_EXPORT, owned and ghost */
+  tm_real *next_ul;                    /* 1: updated-Lagrangian in the next step, 0: not; owned and ghost */
+  const unsigned char *was_ul, *is_ul; /* updated-Lagrangian in this step, in the next one; owned and ghost */
+  const unsigned char *dirty; /* particles that changed kind, or with a neighbor or a row that did; NULL: none */
+  const int *which;           /* the particles, or NULL: all */
+  int freezes, measures;      /* in this step pairs may be frozen; G is summed from the positions */
+  int corrected;              /* gradients are, and no pair returns: Q = 1 */
+  int permanent;              /* pairs are frozen once, at the start */
+  tm_real threshold, strain;  /* of plastic strain, of total strain since the freezing; infinite: never */
   tm_real dt, h, support_radius2, slope_norm, visc_alpha, visc_beta;
 } tm_freeze_args;
 
@@ -31,8 +31,7 @@ typedef struct {
 TM_FN tm_mat3 tm_freeze_map(int i, const tm_freeze_args *a)
 {
   const tm_real *k = a->history + (ptrdiff_t) i * TM_TL_HISTORY;
-  if (tm_is_ul(k))
-    return tm_mat_scale(1.0 / tm_main_record(&a->rec, i)[tm_part(TM_REC_RHO)], tm_mat_identity());
+  if (tm_is_ul(k)) return tm_mat_scale(1.0 / tm_main_record(&a->rec, i)[tm_part(TM_REC_RHO)], tm_mat_identity());
   return tm_mat_load(k + TM_TL_B);
 }
 
@@ -42,10 +41,10 @@ TM_FN int tm_freeze_yields(int i, const tm_freeze_args *a, unsigned effects)
   const tm_real *k = a->history + (ptrdiff_t) i * TM_TL_HISTORY;
   if (k[TM_TL_PROXIMITY] > 0.5) return 1;
   if ((effects & TM_FX_PLASTICITY) &&
-      tm_field_row(&a->state, TM_F_PSTRAIN, i)[0] - k[TM_TL_PSTRAIN] > a->threshold)    /* F14: adapt_thresh */
+      tm_field_row(&a->state, TM_F_PSTRAIN, i)[0] - k[TM_TL_PSTRAIN] > a->threshold) /* F14: adapt_thresh */
     return 1;
   return (a->threshold < 1e300) && (effects & TM_FX_DAMAGE) &&
-      tm_field_row(&a->state, TM_F_DAMAGE, i)[tm_column(1)] > 0.5;
+         tm_field_row(&a->state, TM_F_DAMAGE, i)[tm_column(1)] > 0.5;
 }
 
 /* Has a total-Lagrangian particle yielded so far beyond the threshold that it cannot wait for the next regular step
@@ -55,7 +54,7 @@ TM_FN int tm_freeze_is_urgent(int i, const tm_freeze_args *a)
 {
   const tm_real *k = a->history + (ptrdiff_t) i * TM_TL_HISTORY;
   return !a->is_ul[i] &&
-      tm_field_row(&a->state, TM_F_PSTRAIN, i)[0] - k[TM_TL_PSTRAIN] > a->threshold + TM_FREEZE_URGENT;
+         tm_field_row(&a->state, TM_F_PSTRAIN, i)[0] - k[TM_TL_PSTRAIN] > a->threshold + TM_FREEZE_URGENT;
 }
 
 /* Is the Green-Lagrange strain of its isochoric part since the freezing above the limit? E = J F^T, J = det F. */
@@ -63,8 +62,8 @@ TM_FN int tm_freeze_strained(const tm_freeze_args *a, tm_mat3 E, int dim3)
 {
   if (!(a->threshold < 1e300) || !(a->strain < 1e300)) return 0;
   const tm_mat3 C = tm_mat_mul(E, tm_mat_transposed(E));
-  const tm_real det = dim3 ? E.xx * (E.yy * E.zz - E.yz * E.zy) - E.xy * (E.yx * E.zz - E.yz * E.zx)
-                                 + E.xz * (E.yx * E.zy - E.yy * E.zx)
+  const tm_real det = dim3 ? E.xx * (E.yy * E.zz - E.yz * E.zy) - E.xy * (E.yx * E.zz - E.yz * E.zx) +
+                                 E.xz * (E.yx * E.zy - E.yy * E.zx)
                            : E.xx * E.yy - E.xy * E.yx;
   const tm_real J = dim3 ? sqrt(sqrt(fabs(det))) : cbrt(fabs(det)), s = 1.0 / (J * J);
   const tm_real xx = s * C.xx - 1.0, yy = s * C.yy - 1.0, zz = dim3 ? s * C.zz - 1.0 : 0.0;
@@ -208,7 +207,7 @@ TM_FN void tm_freeze(int i, const tm_freeze_args *a, unsigned effects)
       tm_mat_store(k + TM_TL_Q, tm_mat_mul(tm_mat_transposed(was_ul ? G : ahead), tm_mat_load(k + TM_TL_B)));
     else if (changed) tm_mat_store(k + TM_TL_Q, tm_mat_identity());
     tm_mat_store(k + TM_TL_G, ahead);
-  } else if (was_ul || a->rows.tl[i] == 0) {    /* without pairs: B is integrated with L */
+  } else if (was_ul || a->rows.tl[i] == 0) { /* without pairs: B is integrated with L */
     tm_mat_store(k + TM_TL_G, tm_mat_scale(0.0, L));
     tm_tl_advance_map(k, L, a->dt, dim3);
     return;

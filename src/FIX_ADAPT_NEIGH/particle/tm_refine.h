@@ -24,7 +24,7 @@ enum {
   TM_CLOUD_MARK = 8,   /* what is to be done to it */
   TM_CLOUD_FAMILY = 9, /* its family, 0 without */
   TM_CLOUD_LEVEL = 10,
-  TM_CLOUD_STATE = 11  /* and on: state fields, one after the other */
+  TM_CLOUD_STATE = 11 /* and on: state fields, one after the other */
 };
 
 typedef struct {
@@ -133,8 +133,7 @@ TM_FN void tm_cloud_spread(const tm_cloud *c, int i, const int *j, int neighbors
   }
   for (int k = 0; k < n; k++)
     for (int m = 0; m < n_col && m < MOST; m++) {
-      const tm_real step =
-          size * tm_vec_dot(s[m].gradient, tm_vec(place[3 * k], place[3 * k + 1], place[3 * k + 2]));
+      const tm_real step = size * tm_vec_dot(s[m].gradient, tm_vec(place[3 * k], place[3 * k + 1], place[3 * k + 2]));
       tm_real *value = children + (ptrdiff_t) k * c->width + col + m;
       /* the bounds once more, against the last bit */
       *value = tm_min(tm_max(*value + phi * step, s[m].least), s[m].most);

@@ -11,17 +11,17 @@
 
 typedef struct {
   tm_tl_store store;
-  const int *entry_tag;        /* of each entry of the tag map */
-  const int *tag;              /* owned and ghost */
+  const int *entry_tag; /* of each entry of the tag map */
+  const int *tag;       /* owned and ghost */
   const double *x;
-  int largest;                 /* tag */
-  int *first;                  /* of each tag up to the largest: index + 1 of a particle with it, 0: none */
-  int *next;                   /* of each particle: the same for another image of its tag */
-  int back_to_ul;              /* a particle that loses a pair becomes updated-Lagrangian; else it keeps the others */
-  unsigned char *gone;         /* result: 1 for entries whose particle was not found. NULL: not wanted */
-  tm_records rec;              /* of this force point */
-  tm_real slope_norm;          /* as in tm_rates_args */
-  int corrected, dim3;         /* corrected: as in tm_freeze_args */
+  int largest;         /* tag */
+  int *first;          /* of each tag up to the largest: index + 1 of a particle with it, 0: none */
+  int *next;           /* of each particle: the same for another image of its tag */
+  int back_to_ul;      /* a particle that loses a pair becomes updated-Lagrangian; else it keeps the others */
+  unsigned char *gone; /* result: 1 for entries whose particle was not found. NULL: not wanted */
+  tm_records rec;      /* of this force point */
+  tm_real slope_norm;  /* as in tm_rates_args */
+  int corrected, dim3; /* corrected: as in tm_freeze_args */
 } tm_tag_map_args;
 
 /* Index of the image of a tag that is closest to particle i, or -1. */

@@ -15,11 +15,11 @@
 #include "tm_moment.h"
 
 typedef struct {
-  tm_rates_args ul;            /* with the updated-Lagrangian pairs of total-Lagrangian particles as rows */
-  const int *tl;               /* number of total-Lagrangian pairs of each particle */
-  const unsigned char *is_ul;  /* updated-Lagrangian particles: tm_moment() does those */
-  const tm_real *history;      /* TM_TL_HISTORY */
-  tm_real *correction;         /* result: K, 9 in rows */
+  tm_rates_args ul;           /* with the updated-Lagrangian pairs of total-Lagrangian particles as rows */
+  const int *tl;              /* number of total-Lagrangian pairs of each particle */
+  const unsigned char *is_ul; /* updated-Lagrangian particles: tm_moment() does those */
+  const tm_real *history;     /* TM_TL_HISTORY */
+  tm_real *correction;        /* result: K, 9 in rows */
 } tm_tl_correction_args;
 
 /* K_i into correction, P_i K_i^T into the record. */
@@ -36,8 +36,7 @@ TM_FN void tm_tl_correction(int i, const tm_tl_correction_args *a, unsigned effe
   int good = 0;
   tm_mat3 K = tm_mat_identity();
   if (stored) K = tm_mat_inverse(M, dim3, &good);
-  if (!good)
-    K = tm_mat_from_sym(tm_sym_inverse_bounded(tm_mat_symmetric(M), dim3, TM_MOMENT_LOW));
+  if (!good) K = tm_mat_from_sym(tm_sym_inverse_bounded(tm_mat_symmetric(M), dim3, TM_MOMENT_LOW));
   tm_mat_store(a->correction + (ptrdiff_t) i * 9, K);
   /* with total-Lagrangian pairs, tm_tl_rates() applies K to the sum of both kinds of pairs */
   tm_sym_store(r->correction + (ptrdiff_t) i * 6, stored ? tm_sym(1, 1, 1, 0, 0, 0) : tm_mat_symmetric(K));

@@ -8,9 +8,9 @@
 typedef struct {
   tm_tl_rows rows;
   tm_rows candidates;
-  const tm_real *next_ul;      /* as in tm_freeze_args */
-  unsigned char *was_ul, *is_ul, *dirty;    /* as there */
-  int own, ghosts;             /* particles */
+  const tm_real *next_ul;                /* as in tm_freeze_args */
+  unsigned char *was_ul, *is_ul, *dirty; /* as there */
+  int own, ghosts;                       /* particles */
 } tm_interface_args;
 
 /* The kinds of the next step; returns whether that of particle i changes. */
@@ -35,8 +35,7 @@ TM_FN void tm_interface_mark(int i, const tm_interface_args *a)
       const int j = rows[r][e * a->rows.stride];
       if (j < a->own) {
         if (change) a->dirty[j] = 1;
-      } else if (a->was_ul[j] != a->is_ul[j])
-        a->dirty[i] = 1;
+      } else if (a->was_ul[j] != a->is_ul[j]) a->dirty[i] = 1;
     }
 }
 
@@ -59,7 +58,7 @@ TM_FN void tm_interface_row(int i, const tm_interface_args *a)
 
 typedef struct {
   tm_interface_args interface;
-  int updated;                 /* updated-Lagrangian particles; 0: the others that have such neighbors, or no pairs */
+  int updated; /* updated-Lagrangian particles; 0: the others that have such neighbors, or no pairs */
 } tm_kind_args;
 
 TM_FN int tm_is_of_kind(int i, const tm_kind_args *a)

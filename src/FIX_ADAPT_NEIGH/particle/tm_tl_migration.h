@@ -66,11 +66,11 @@ TM_FN int tm_tl_unpack(int i, const tm_tl_store *a, const double *buf, int first
 /* Particles that are sent to another rank or received, packed with a fixed width. */
 typedef struct {
   tm_tl_store store;
-  int *tag;                    /* of each entry in the tag map */
-  const int *place;            /* index of particle k; -1: it is not for this rank */
-  const int *filled_by;        /* sent: index of the particle that takes its place, or -1 */
+  int *tag;             /* of each entry in the tag map */
+  const int *place;     /* index of particle k; -1: it is not for this rank */
+  const int *filled_by; /* sent: index of the particle that takes its place, or -1 */
   double *buf;
-  int width, first_entry;      /* the tags of received particle k begin at first_entry + k capacity of a row */
+  int width, first_entry; /* the tags of received particle k begin at first_entry + k capacity of a row */
 } tm_tl_migration_args;
 
 TM_FN void tm_tl_send(int k, const tm_tl_migration_args *a)
@@ -81,8 +81,8 @@ TM_FN void tm_tl_send(int k, const tm_tl_migration_args *a)
 TM_FN void tm_tl_receive(int k, const tm_tl_migration_args *a)
 {
   if (a->place[k] >= 0)
-    tm_tl_unpack(a->place[k], &a->store, a->buf + (ptrdiff_t) k * a->width,
-                   a->first_entry + k * a->store.rows.capacity, a->tag);
+    tm_tl_unpack(a->place[k], &a->store, a->buf + (ptrdiff_t) k * a->width, a->first_entry + k * a->store.rows.capacity,
+                 a->tag);
 }
 
 #endif

@@ -7,12 +7,12 @@
 
 typedef struct {
   tm_tl_rows rows;
-  tm_rows candidates;          /* of all within reach */
+  tm_rows candidates; /* of all within reach */
   tm_records rec;
   tm_real *history;
-  const unsigned char *is_ul;    /* updated-Lagrangian */
-  tm_real h, support, near, change;  /* radius, near distance, displacement: in units of h */
-  tm_real time;                /* since the last check, taken for that to the next one */
+  const unsigned char *is_ul;       /* updated-Lagrangian */
+  tm_real h, support, near, change; /* radius, near distance, displacement: in units of h */
+  tm_real time;                     /* since the last check, taken for that to the next one */
 } tm_proximity_args;
 
 /* Counts of a row: pairs that are near or will be so at the next check at their present velocity, those of them whose

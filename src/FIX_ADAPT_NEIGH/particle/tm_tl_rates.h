@@ -33,22 +33,22 @@ TM_FN int tm_tl_export_column(int c) { return c == 8 ? TM_TL_EXPORT_A - 1 : TM_T
 typedef struct {
   tm_tl_rows rows;
   tm_records rec;
-  const tm_real *exported;        /* TM_TL_EXPORT, owned and ghost */
-  tm_real *history;             /* TM_TL_HISTORY, owned; B and G go on to the next force point */
-  tm_real dt;                  /* to that */
-  tm_real h, slope_norm;       /* as in tm_rates_args */
-  const tm_real *correction;   /* K, 9 in rows: see tm_tl_correction.h. NULL: K = 1 */
+  const tm_real *exported;   /* TM_TL_EXPORT, owned and ghost */
+  tm_real *history;          /* TM_TL_HISTORY, owned; B and G go on to the next force point */
+  tm_real dt;                /* to that */
+  tm_real h, slope_norm;     /* as in tm_rates_args */
+  const tm_real *correction; /* K, 9 in rows: see tm_tl_correction.h. NULL: K = 1 */
   tm_real force_unit;
-  int force_begins;            /* as in tm_rates_args */
+  int force_begins; /* as in tm_rates_args */
   /* results; added to those of updated-Lagrangian pairs */
   double *force;
-  tm_real *gradient;           /* L, 9 in rows of tm_layout.h */
+  tm_real *gradient; /* L, 9 in rows of tm_layout.h */
   tm_real *heat, *artificial;
 } tm_tl_args;
 
 /* G of row i at the current positions; S: its TM_TL_SUM. */
 TM_FN tm_mat3 tm_tl_position_gradient(int i, const tm_tl_rows *r, const tm_records *rec, tm_real slope_norm, int dim3,
-                              tm_real *S)
+                                      tm_real *S)
 {
   const tm_real *ri = tm_main_record(rec, i);
   const tm_real xi = ri[tm_part(0)], yi = ri[tm_part(1)], zi = ri[tm_part(2)];
@@ -58,7 +58,7 @@ TM_FN tm_mat3 tm_tl_position_gradient(int i, const tm_tl_rows *r, const tm_recor
   for (int c = 0; c < 12; c++) sum[c] = tm_lanes_zero();
   int jj[TM_COLUMN];
   tm_pair TM_ALIGNED col[4][TM_COLUMN];
-  for (int k = 0; k < r->tl[i]; k += TM_LANES) {    /* padded with weights of 0 */
+  for (int k = 0; k < r->tl[i]; k += TM_LANES) { /* padded with weights of 0 */
     for (int l = 0; l < TM_LANES; l++) jj[tm_at(l)] = row[(k + l) * r->stride];
     if (TM_COLUMN > 1) tm_transpose_rows(rec->main, TM_REC, jj, TM_LANES, 4, col[0]);
     else tm_fetch(tm_main_record(rec, jj[0]), 4, col[0]);
@@ -103,7 +103,9 @@ TM_FN void tm_tl_advance_map(tm_real *history, tm_mat3 L, tm_real dt, int dim3)
   if (good) B = tm_mat_mul(tm_mat_transposed(inverse), tm_mat_load(history + TM_TL_Q));
   else {
     tm_mat3 step = tm_mat_scale(dt, L);
-    step.xx += 1.0; step.yy += 1.0; step.zz += 1.0;
+    step.xx += 1.0;
+    step.yy += 1.0;
+    step.zz += 1.0;
     const tm_mat3 back = tm_mat_inverse(step, dim3, &good);
     if (good) B = tm_mat_mul(tm_mat_transposed(back), B);
   }
@@ -114,7 +116,7 @@ TM_FN void tm_tl_advance_map(tm_real *history, tm_mat3 L, tm_real dt, int dim3)
 /* Columns of a chunk. */
 enum {
   TM_TL_COL_EXPORT = 4,
-  TM_TL_COL_RHO = TM_TL_COL_EXPORT + TM_TL_EXPORT,    /* with heat conduction; the one before it is not needed */
+  TM_TL_COL_RHO = TM_TL_COL_EXPORT + TM_TL_EXPORT, /* with heat conduction; the one before it is not needed */
   TM_TL_COL_HEAT = TM_TL_COL_RHO + 2,
   TM_TL_COL_CONDUCTED = TM_TL_COL_HEAT + TM_REC_HEAT,
   TM_TL_COLS
@@ -165,8 +167,8 @@ TM_FN void tm_tl_results(int i, const tm_tl_args *a, const tm_tl_sums *s, int vi
   tm_real *L = a->gradient + tm_row(i, 9);
   for (int r = 0; r < 3; r++) {
     for (int c = 0; c < 3; c++)
-      L[tm_column(3 * r + c)] = (add ? L[tm_column(3 * r + c)] : 0.0)
-                   + w * (l[3 * r] * B[3 * c] + l[3 * r + 1] * B[3 * c + 1] + l[3 * r + 2] * B[3 * c + 2]);
+      L[tm_column(3 * r + c)] = (add ? L[tm_column(3 * r + c)] : 0.0) +
+                                w * (l[3 * r] * B[3 * c] + l[3 * r + 1] * B[3 * c + 1] + l[3 * r + 2] * B[3 * c + 2]);
     if (!a->correction) continue;
     const tm_real *K = a->correction + (ptrdiff_t) i * 9;
     const tm_real x = L[tm_column(3 * r)], y = L[tm_column(3 * r + 1)], z = L[tm_column(3 * r + 2)];
@@ -176,10 +178,9 @@ TM_FN void tm_tl_results(int i, const tm_tl_args *a, const tm_tl_sums *s, int vi
   double *f = a->force + 3 * (ptrdiff_t) i;
   if (a->force_begins && !add) f[0] = f[1] = f[2] = 0.0;
   for (int c = 0; c < 3; c++)
-    f[c] += mf * (w * (A[3 * c] * S[0] + A[3 * c + 1] * S[1] + A[3 * c + 2] * S[2] + other_force[c])
-                  + artificial_force[c]);
-  if (viscosity && a->artificial)
-    a->artificial[i] = (add ? a->artificial[i] : 0.0) + 0.5 * mi * l[15];
+    f[c] +=
+        mf * (w * (A[3 * c] * S[0] + A[3 * c + 1] * S[1] + A[3 * c + 2] * S[2] + other_force[c]) + artificial_force[c]);
+  if (viscosity && a->artificial) a->artificial[i] = (add ? a->artificial[i] : 0.0) + 0.5 * mi * l[15];
   if (conduction) a->heat[i] = (add ? a->heat[i] : 0.0) + tm_lanes_sum(s->heat);
   for (int c = 0; c < 9; c++) G[c] += a->dt * w * l[c];
   tm_tl_advance_map(history, tm_mat_from_row(L), a->dt, dim3);
@@ -190,7 +191,7 @@ TM_FN void tm_tl_rates(int i, const tm_tl_args *a, unsigned effects)
 {
   const int dim3 = (effects & TM_FX_3D) != 0, viscosity = (effects & TM_FX_VISCOSITY) != 0;
   const int conduction = (effects & TM_FX_CONDUCTION) != 0, n_row = a->rows.tl[i];
-  const ptrdiff_t stride = TM_VECTOR >= 32 ? 1 : a->rows.stride;    /* no GPU */
+  const ptrdiff_t stride = TM_VECTOR >= 32 ? 1 : a->rows.stride; /* no GPU */
   const int *row = a->rows.index + a->rows.first[i];
   const short *weight = tm_weight(&a->rows, i);
   const tm_real *history = a->history + (ptrdiff_t) i * TM_TL_HISTORY;
@@ -222,7 +223,7 @@ TM_FN void tm_tl_rates(int i, const tm_tl_args *a, unsigned effects)
       jj = some;
     }
     tm_tl_fetch(a, jj, lanes, conduction, col);
-    if (conduction)    /* F15 (6) */
+    if (conduction) /* F15 (6) */
       for (int l = 0; l < lanes; l++) {
         const int m = tm_at(l);
         col[TM_TL_COL_CONDUCTED][m] =
@@ -235,7 +236,8 @@ TM_FN void tm_tl_rates(int i, const tm_tl_args *a, unsigned effects)
       /* those of the first entry; others of the eight follow, then the next weight: tm_weight_place() */
       const int at = (k + l) / 8 * 8, in = (k + l) % 8;
       const short *own = weight + ((ptrdiff_t) at * TM_W_OTHER + in) * stride;
-      const short *other = weight +
+      const short *other =
+          weight +
           ((ptrdiff_t) TM_W_OTHER * a->rows.capacity + (ptrdiff_t) at * (TM_W_SLOPE - TM_W_OTHER) + in) * stride;
 #if TM_VECTOR
       /* the next row lies far away, and memory is slow: it is asked for in good time, a part at a time */
@@ -248,20 +250,21 @@ TM_FN void tm_tl_rates(int i, const tm_tl_args *a, unsigned effects)
       }
 #endif
       const tm_lanes m = tm_values_load(col[TM_REC_M], l);
-      const tm_lanes_vec d = tm_pair_difference(x, col, l, dim3);                                 /* x_i - x_j */
-      const tm_lanes_vec v = tm_pair_difference(vi, col + TM_TL_COL_EXPORT + TM_TL_EXPORT_V, l, dim3);    /* v_i - v_j */
-      const tm_lanes_vec ai = tm_lanes_scale(m, tm_weight_vec(own, stride));                      /* m_j a_i */
-      const tm_lanes_vec aj = mixed ? tm_lanes_scale(m, tm_weight_vec(other, stride)) : ai;       /* m_j a_j */
+      const tm_lanes_vec d = tm_pair_difference(x, col, l, dim3);                                      /* x_i - x_j */
+      const tm_lanes_vec v = tm_pair_difference(vi, col + TM_TL_COL_EXPORT + TM_TL_EXPORT_V, l, dim3); /* v_i - v_j */
+      const tm_lanes_vec ai = tm_lanes_scale(m, tm_weight_vec(own, stride));                           /* m_j a_i */
+      const tm_lanes_vec aj = mixed ? tm_lanes_scale(m, tm_weight_vec(other, stride)) : ai;            /* m_j a_j */
 #define TM_A(c) tm_values_load(col[TM_TL_COL_EXPORT + tm_tl_export_column(c)], l)
       const tm_lanes_mat A = {TM_A(0), TM_A(1), TM_A(2), TM_A(3), TM_A(4), TM_A(5), TM_A(6), TM_A(7), TM_A(8)};
 #undef TM_A
-      tm_pair_gradient(&s.gradient, v, ai, dim3);     /* sum of m_j (v_j - v_i) (x) a_i */
-      tm_pair_momentum(&s.force, A, aj, dim3);        /* F15 (4): sum of m_j A_j a_j */
-      if (viscosity) {                                /* F14 (15) */
+      tm_pair_gradient(&s.gradient, v, ai, dim3); /* sum of m_j (v_j - v_i) (x) a_i */
+      tm_pair_momentum(&s.force, A, aj, dim3);    /* F15 (4): sum of m_j A_j a_j */
+      if (viscosity) {                            /* F14 (15) */
         const tm_lanes pi = tm_pair_viscosity_frozen(m, tm_lanes_dot(v, d, dim3), shock,
                                                      tm_weight_upper_lanes(own + TM_W_SHOCK * 8 * stride, stride), bulk,
                                                      tm_weight_upper_lanes(own + TM_W_BULK * 8 * stride, stride));
-        const tm_lanes_vec f = {-pi * d.x, -pi * d.y, -pi * d.z};    /* not scaled by a -pi: the products round as before */
+        const tm_lanes_vec f = {-pi * d.x, -pi * d.y,
+                                -pi * d.z}; /* not scaled by a -pi: the products round as before */
         tm_pair_artificial(&s.artificial_force, &s.artificial, f, v);
       }
       if (conduction) s.heat += tm_values_load(col[TM_TL_COL_CONDUCTED], l);

@@ -17,12 +17,12 @@
 #endif
 
 enum {
-  TM_W_OWN = 0,        /* a_i, the gradient pulled back to particle i */
-  TM_W_BULK = 3,       /* alpha c/rho slope(q)/q / (q^2 + 0.01), c and rho means of the pair */
-  TM_W_SHOCK,          /* beta/rho slope(q)/q / (q^2 + 0.01)^2 */
-  TM_W_OTHER,          /* a_j, the gradient pulled back to particle j */
-  TM_W_SLOPE = 8,      /* slope(q)/q of conduction, a float: upper and lower half */
-  TM_W_DISTANCE = 10,  /* q = r/h when the pair was frozen, over TM_DISTANCE_UNIT */
+  TM_W_OWN = 0,       /* a_i, the gradient pulled back to particle i */
+  TM_W_BULK = 3,      /* alpha c/rho slope(q)/q / (q^2 + 0.01), c and rho means of the pair */
+  TM_W_SHOCK,         /* beta/rho slope(q)/q / (q^2 + 0.01)^2 */
+  TM_W_OTHER,         /* a_j, the gradient pulled back to particle j */
+  TM_W_SLOPE = 8,     /* slope(q)/q of conduction, a float: upper and lower half */
+  TM_W_DISTANCE = 10, /* q = r/h when the pair was frozen, over TM_DISTANCE_UNIT */
   TM_WEIGHTS
 };
 #define TM_DISTANCE_UNIT (1.0 / 8192.0)
@@ -35,10 +35,10 @@ enum {
 typedef struct {
   int *index, *tl, *ul;
   const ptrdiff_t *first;
-  ptrdiff_t *ul_first;         /* where the ul[i] updated-Lagrangian pairs of row i begin */
+  ptrdiff_t *ul_first; /* where the ul[i] updated-Lagrangian pairs of row i begin */
   ptrdiff_t stride;
   int capacity;
-  tm_real unit;                /* of gradients */
+  tm_real unit; /* of gradients */
   short *weight;
 } tm_tl_rows;
 
@@ -51,10 +51,7 @@ TM_HOST_FN tm_real tm_tl_unit(int kernel)
 }
 
 /* The nearest integer, halves away from 0. */
-TM_FN short tm_weight_whole(tm_real v)
-{
-  return (short) tm_clamp(v < 0.0 ? v - 0.5 : v + 0.5, -32767.0, 32767.0);
-}
+TM_FN short tm_weight_whole(tm_real v) { return (short) tm_clamp(v < 0.0 ? v - 0.5 : v + 0.5, -32767.0, 32767.0); }
 
 /* The halves of a float. */
 TM_FN unsigned tm_weight_bits(float v)
@@ -90,19 +87,19 @@ TM_FN int tm_tl_padded(int n) { return (n + 7) / 8 * 8; }
 
 /* History variables of a particle, TM_TL_HISTORY columns. */
 enum {
-  TM_TL_B = 0,         /* B at the next force point */
+  TM_TL_B = 0, /* B at the next force point */
   TM_TL_Q = 9,
-  TM_TL_G = 18,        /* G at the next force point */
-  TM_TL_PSTRAIN = 27,  /* plastic strain when it was updated-Lagrangian last */
-  TM_TL_IS_UL = 28,    /* 1: updated-Lagrangian in the coming step */
-  TM_TL_WAS_UL = 29,   /* 1: was so in the last step, AdaptNode of F14 */
-  TM_TL_UL_STEPS = 30, /* number of steps in which it was so */
-  TM_TL_PROXIMITY = 31,    /* above 0: a particle came near, slid or was deleted; proximity checks that it remains so */
-  TM_TL_TWO_SIDED = 32,    /* 1: a_i and a_j differ in a pair of the row */
-  TM_TL_SUM = 33,      /* sum over the row of m_j a_i, in units of its weights */
+  TM_TL_G = 18,         /* G at the next force point */
+  TM_TL_PSTRAIN = 27,   /* plastic strain when it was updated-Lagrangian last */
+  TM_TL_IS_UL = 28,     /* 1: updated-Lagrangian in the coming step */
+  TM_TL_WAS_UL = 29,    /* 1: was so in the last step, AdaptNode of F14 */
+  TM_TL_UL_STEPS = 30,  /* number of steps in which it was so */
+  TM_TL_PROXIMITY = 31, /* above 0: a particle came near, slid or was deleted; proximity checks that it remains so */
+  TM_TL_TWO_SIDED = 32, /* 1: a_i and a_j differ in a pair of the row */
+  TM_TL_SUM = 33,       /* sum over the row of m_j a_i, in units of its weights */
   TM_TL_HISTORY = 36
 };
-enum { TM_PROXIMITY_HOLD = 10 };    /* proximity checks after which TM_TL_PROXIMITY ends */
+enum { TM_PROXIMITY_HOLD = 10 }; /* proximity checks after which TM_TL_PROXIMITY ends */
 
 /* Is the particle with history k updated-Lagrangian in this step? New particles are. */
 TM_FN int tm_is_ul(const tm_real *k) { return k[TM_TL_IS_UL] > 0.5 || k[TM_TL_UL_STEPS] < 0.5; }

@@ -5,11 +5,8 @@
 static const struct {
   const char *name;
   int dim, center, corners;
-} kinds[TM_SPLIT_KINDS] = {{"square", 2, 0, 4},
-                           {"hexagon", 2, 1, 6},
-                           {"cube", 3, 0, 8},
-                           {"cube/center", 3, 1, 8},
-                           {"icosahedron", 3, 1, 12}};
+} kinds[TM_SPLIT_KINDS] = {
+    {"square", 2, 0, 4}, {"hexagon", 2, 1, 6}, {"cube", 3, 0, 8}, {"cube/center", 3, 1, 8}, {"icosahedron", 3, 1, 12}};
 
 const char *tm_split_name(int kind) { return kind >= 0 && kind < TM_SPLIT_KINDS ? kinds[kind].name : NULL; }
 int tm_split_dim(int kind) { return kind >= 0 && kind < TM_SPLIT_KINDS ? kinds[kind].dim : 0; }
@@ -81,7 +78,7 @@ static double mean_on_shell(const overlap *o, double r)
   int n = panels(cut, 3, lo, hi);
   double sum = 0.0;
   for (int p = 0; p + 1 < n; p++) {
-    if (o->dim == 3) {    /* the share of a shell with distance s is s ds/(2 r d) */
+    if (o->dim == 3) { /* the share of a shell with distance s is s ds/(2 r d) */
       const double mid = 0.5 * (cut[p] + cut[p + 1]), half = 0.5 * (cut[p + 1] - cut[p]);
       for (int i = 0; i < NODES; i++) {
         const double s = mid + half * o->x[i];
@@ -145,7 +142,7 @@ static void places(tm_split_pattern *p)
     if (p->kind == TM_SPLIT_HEXAGON) {
       x[0] = e * cos(TM_PI * k / 3.0);
       x[1] = e * sin(TM_PI * k / 3.0);
-    } else if (p->kind == TM_SPLIT_ICOSAHEDRON) {    /* (0, +-1, +-golden) and its rotations */
+    } else if (p->kind == TM_SPLIT_ICOSAHEDRON) { /* (0, +-1, +-golden) and its rotations */
       const double unit = e / sqrt(1.0 + golden * golden);
       const int axis = k / 4;
       x[(axis + 1) % 3] = (k & 1 ? unit : -unit);
@@ -158,7 +155,7 @@ static void places(tm_split_pattern *p)
 /* Solves the symmetric positive definite a y = b for two right hand sides; 0 when it is not. */
 static int solve(int n, double a[TM_SPLIT_MOST][TM_SPLIT_MOST], double *b, double *c)
 {
-  for (int i = 0; i < n; i++) {    /* Cholesky's factor in the lower half */
+  for (int i = 0; i < n; i++) { /* Cholesky's factor in the lower half */
     for (int j = 0; j <= i; j++) {
       double s = a[i][j];
       for (int k = 0; k < j; k++) s -= a[i][k] * a[j][k];
@@ -168,12 +165,18 @@ static int solve(int n, double a[TM_SPLIT_MOST][TM_SPLIT_MOST], double *b, doubl
     }
   }
   for (int i = 0; i < n; i++) {
-    for (int k = 0; k < i; k++) { b[i] -= a[i][k] * b[k]; c[i] -= a[i][k] * c[k]; }
+    for (int k = 0; k < i; k++) {
+      b[i] -= a[i][k] * b[k];
+      c[i] -= a[i][k] * c[k];
+    }
     b[i] /= a[i][i];
     c[i] /= a[i][i];
   }
   for (int i = n - 1; i >= 0; i--) {
-    for (int k = i + 1; k < n; k++) { b[i] -= a[k][i] * b[k]; c[i] -= a[k][i] * c[k]; }
+    for (int k = i + 1; k < n; k++) {
+      b[i] -= a[k][i] * b[k];
+      c[i] -= a[k][i] * c[k];
+    }
     b[i] /= a[i][i];
     c[i] /= a[i][i];
   }
@@ -182,8 +185,8 @@ static int solve(int n, double a[TM_SPLIT_MOST][TM_SPLIT_MOST], double *b, doubl
 
 int tm_split_make(int kind, int kernel, double epsilon, double alpha, tm_split_pattern *p)
 {
-  if (kind < 0 || kind >= TM_SPLIT_KINDS || kernel < 0 || kernel >= TM_KERNEL_COUNT ||
-      !(epsilon > 0.0) || !(alpha > 0.0) || !(epsilon < 1e3) || !(alpha < 1e3))
+  if (kind < 0 || kind >= TM_SPLIT_KINDS || kernel < 0 || kernel >= TM_KERNEL_COUNT || !(epsilon > 0.0) ||
+      !(alpha > 0.0) || !(epsilon < 1e3) || !(alpha < 1e3))
     return TM_SPLIT_BAD_INPUT;
   p->kind = kind;
   p->dim = kinds[kind].dim;
@@ -201,11 +204,11 @@ int tm_split_make(int kind, int kernel, double epsilon, double alpha, tm_split_p
       double d2 = 0.0;
       for (int c = 0; c < 3; c++) d2 += (p->x[r][c] - p->x[s][c]) * (p->x[r][c] - p->x[s][c]);
       a[r][s] = a[s][r] = a0[r][s] = a0[s][r] =
-          scale * tm_kernel_overlap(kernel, p->dim, 1.0, sqrt(d2) / alpha);    /* A, S13 (8) */
+          scale * tm_kernel_overlap(kernel, p->dim, 1.0, sqrt(d2) / alpha); /* A, S13 (8) */
     }
     double d2 = 0.0;
     for (int c = 0; c < 3; c++) d2 += p->x[r][c] * p->x[r][c];
-    b[r] = b0[r] = tm_kernel_overlap(kernel, p->dim, alpha, sqrt(d2));    /* b, S13 (8) */
+    b[r] = b0[r] = tm_kernel_overlap(kernel, p->dim, alpha, sqrt(d2)); /* b, S13 (8) */
     one[r] = 1.0;
   }
   if (!solve(n, a, b, one)) return TM_SPLIT_SINGULAR;
@@ -217,10 +220,10 @@ int tm_split_make(int kind, int kernel, double epsilon, double alpha, tm_split_p
   const double mu = (1.0 - sum_b) / sum_one, c = tm_kernel_overlap(kernel, p->dim, 1.0, 0.0);
   double value = c, least = 1.0;
   for (int r = 0; r < n; r++) {
-    p->mass[r] = b[r] + mu * one[r];    /* S13 (9) with sum 1: A lambda = b + mu 1 */
+    p->mass[r] = b[r] + mu * one[r]; /* S13 (9) with sum 1: A lambda = b + mu 1 */
     least = tm_min(least, p->mass[r]);
   }
-  for (int r = 0; r < n; r++) {    /* S13 (8) */
+  for (int r = 0; r < n; r++) { /* S13 (8) */
     value -= 2.0 * p->mass[r] * b0[r];
     for (int s = 0; s < n; s++) value += p->mass[r] * a0[r][s] * p->mass[s];
   }

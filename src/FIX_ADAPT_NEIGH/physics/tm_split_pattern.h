@@ -14,29 +14,29 @@
 #include "tm_kernel.h"
 
 enum tm_split_kind {
-  TM_SPLIT_SQUARE = 0,      /* 2D: 4 on the corners of a square of edge epsilon */
-  TM_SPLIT_HEXAGON,         /* 2D: 6 at distance epsilon and the center */
-  TM_SPLIT_CUBE,            /* 3D: 8 on the corners of a cube of edge epsilon */
-  TM_SPLIT_CUBE_CENTRE,     /* the same and the center */
-  TM_SPLIT_ICOSAHEDRON,     /* 3D: 12 at distance epsilon and the center */
+  TM_SPLIT_SQUARE = 0,  /* 2D: 4 on the corners of a square of edge epsilon */
+  TM_SPLIT_HEXAGON,     /* 2D: 6 at distance epsilon and the center */
+  TM_SPLIT_CUBE,        /* 3D: 8 on the corners of a cube of edge epsilon */
+  TM_SPLIT_CUBE_CENTRE, /* the same and the center */
+  TM_SPLIT_ICOSAHEDRON, /* 3D: 12 at distance epsilon and the center */
   TM_SPLIT_KINDS
 };
 enum { TM_SPLIT_MOST = 13 };
-#define TM_SPLIT_LEAST 1e-6    /* a smaller share of the mass is none: alpha 1 leaves it all in the center */
+#define TM_SPLIT_LEAST 1e-6 /* a smaller share of the mass is none: alpha 1 leaves it all in the center */
 
 enum tm_split_status {
   TM_SPLIT_OK = 0,
-  TM_SPLIT_BAD_INPUT,       /* unknown kind or kernel, epsilon or alpha not positive */
-  TM_SPLIT_SINGULAR,        /* children so close that masses are not determined */
-  TM_SPLIT_NEGATIVE         /* a child would get no or a negative mass */
+  TM_SPLIT_BAD_INPUT, /* unknown kind or kernel, epsilon or alpha not positive */
+  TM_SPLIT_SINGULAR,  /* children so close that masses are not determined */
+  TM_SPLIT_NEGATIVE   /* a child would get no or a negative mass */
 };
 
 typedef struct {
-  int kind, dim, n;                     /* n children; a center, where there is one, is the first */
-  double epsilon, alpha;                /* edge or distance in h of the parent; h of a child over it */
-  double x[TM_SPLIT_MOST][3];           /* places about the parent, in its h */
-  double mass[TM_SPLIT_MOST];           /* shares of its mass, sum 1 */
-  double error;                         /* S13 (8): sqrt of the least value over C */
+  int kind, dim, n;           /* n children; a center, where there is one, is the first */
+  double epsilon, alpha;      /* edge or distance in h of the parent; h of a child over it */
+  double x[TM_SPLIT_MOST][3]; /* places about the parent, in its h */
+  double mass[TM_SPLIT_MOST]; /* shares of its mass, sum 1 */
+  double error;               /* S13 (8): sqrt of the least value over C */
 } tm_split_pattern;
 
 #ifdef __cplusplus
@@ -45,7 +45,7 @@ extern "C" {
 
 /* Name as written in input: square, hexagon, cube, cube/center, icosahedron; NULL beyond. */
 const char *tm_split_name(int kind);
-int tm_split_dim(int kind);    /* 2 or 3; 0 for an unknown kind */
+int tm_split_dim(int kind); /* 2 or 3; 0 for an unknown kind */
 
 /* Integral over space of W(x, 1) W(x - d, alpha), dim 2 or 3, to about 1e-11 of its value at d = 0. */
 double tm_kernel_overlap(int kernel, int dim, double alpha, double d);

@@ -1,6 +1,5 @@
 #include "cloud.h"
 
-
 #include "atom.h"
 #include "domain.h"
 

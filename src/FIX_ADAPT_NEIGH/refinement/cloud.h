@@ -16,11 +16,11 @@ namespace SPHTM_NS {
 class Cloud {
  public:
   explicit Cloud(AdaptParts &all) : parts(all) {}
-  static constexpr int MOST_COLUMNS = 80;              // for the buffers of the communication
+  static constexpr int MOST_COLUMNS = 80;    // for the buffers of the communication
   // the owned particles, with the columns of all state fields, or with values as the only one
   void take_state();
   void take_values(const std::vector<double> &values);
-  void forward();                                      // to the ghosts, on all ranks
+  void forward();    // to the ghosts, on all ranks
 
   double *row(int i) { return rows.data() + (size_t) i * table.width; }
   const tm_cloud &view() const { return table; }

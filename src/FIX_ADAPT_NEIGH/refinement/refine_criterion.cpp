@@ -102,8 +102,10 @@ int RefineCriteria::read_source(const std::string &what, const std::string &text
     if (sources[k].kind == s.kind && sources[k].name == s.name && sources[k].column == s.column) return (int) k;
   if (s.kind == Source::OWN) {    // its compute refuses a name that it does not know
     if (!is_attribute(name))
-      lmp->error->all(FLERR, "{}: unknown criterion {}; known are region, neighbors, gradient, c_ID, f_ID, v_name "
-                             "and the attributes of compute sph/tm/atom", what, name);
+      lmp->error->all(FLERR,
+                      "{}: unknown criterion {}; known are region, neighbors, gradient, c_ID, f_ID, v_name "
+                      "and the attributes of compute sph/tm/atom",
+                      what, name);
     s.compute_id = fmt::format("{}_{}_{}", parts.id(), label, sources.size());
     lmp->modify->add_compute(fmt::format("{} all sph/tm/atom {}", s.compute_id, name));
   }
@@ -121,9 +123,12 @@ void RefineCriteria::init(int every)
   auto fits = [&](const Source &s, const char *kind, bool per_atom, int columns) {
     if (!per_atom || (s.column > 0) != (columns > 0) || s.column > columns)
       error->all(FLERR, "{}: {} {} has {}; write {}", what, kind, s.name,
-                 !per_atom ? "no values of particles" : columns ? fmt::format("{} columns", columns) : "one column",
-                 !per_atom ? "one that has" : columns ? fmt::format("{}[n] with n from 1 to {}", s.name, columns)
-                                                      : fmt::format("{} without [n]", s.name));
+                 !per_atom ? "no values of particles"
+                 : columns ? fmt::format("{} columns", columns)
+                           : "one column",
+                 !per_atom ? "one that has"
+                 : columns ? fmt::format("{}[n] with n from 1 to {}", s.name, columns)
+                           : fmt::format("{} without [n]", s.name));
   };
   for (const Source &s : sources) {
     if (s.kind == Source::COMPUTE) {

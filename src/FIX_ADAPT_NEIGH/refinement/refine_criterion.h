@@ -20,17 +20,17 @@ class RefineCriteria {
   // reads 'criterion [and|or criterion] ...'
   void read(const std::string &what, Keywords &);
   bool empty() const { return terms.empty(); }
-  void init(int every);                         // checks that what the terms name is there, every so many steps
+  void init(int every);    // checks that what the terms name is there, every so many steps
   // whether the criteria hold, for every particle of this rank; at the end of a step
   std::vector<char> hold(Cloud &);
 
  private:
   enum Kind { VALUE, GRADIENT, NEIGHBORS, REGION };
-  struct Source {                 // of per-atom values
+  struct Source {    // of per-atom values
     enum { OWN, COMPUTE, FIX, VARIABLE } kind = OWN;
-    std::string name;             // ID or attribute
-    int column = 0;               // of an array, from 1; 0: a vector
-    std::string compute_id;       // OWN: the compute that was made for it
+    std::string name;          // ID or attribute
+    int column = 0;            // of an array, from 1; 0: a vector
+    std::string compute_id;    // OWN: the compute that was made for it
     std::vector<double> values;
   };
   struct Term {

@@ -16,8 +16,7 @@ bool RefineInput::keyword(Keywords &k)
   else if (k.is("coarsen")) {
     coarsen = k.second("fallen", "when") ? WHEN : FALLEN;
     if (coarsen == WHEN) coarsen_when.read(k.what("when"), k);
-  } else
-    return false;
+  } else return false;
   return true;
 }
 
@@ -45,9 +44,11 @@ void RefineInput::read_epsilon(Keywords &k)
 {
   epsilon = k.positive();
   if (epsilon <= 1.0) return;
-  parts.host()->error->all(FLERR, "{} must be above 0 and at most 1, got {}: it is how far children are from the "
-                                  "particle that is split, in its smoothing lengths; beyond 1 they are among its "
-                                  "neighbors; 0.35 to 0.5 is usual", k.what(), k.given());
+  parts.host()->error->all(FLERR,
+                           "{} must be above 0 and at most 1, got {}: it is how far children are from the "
+                           "particle that is split, in its smoothing lengths; beyond 1 they are among its "
+                           "neighbors; 0.35 to 0.5 is usual",
+                           k.what(), k.given());
 }
 
 void RefineInput::read_pattern(Keywords &k)
@@ -74,12 +75,12 @@ void RefineInput::make_pattern(int kernel)
   const bool none = pattern.mass[0] > 0.5;    // all in the center
   Error *error = parts.host()->error;
   error->all(FLERR, "Fix adapt/neigh refine {} epsilon {:.6g} alpha {:.6g} with the {} kernel {}; take {}",
-                    tm_split_name(kind), epsilon, alpha, kernel_name(kernel),
-                    status == TM_SPLIT_SINGULAR
-                        ? "puts the children so close together that their masses are not determined"
-                        : fmt::format("would give {} of the children {} mass, in parts of the whole:{}",
-                                      none ? "all but one" : "one", none ? "no" : "a negative", masses),
-                    status == TM_SPLIT_NEGATIVE && none ? "a smaller alpha" : "a larger epsilon");
+             tm_split_name(kind), epsilon, alpha, kernel_name(kernel),
+             status == TM_SPLIT_SINGULAR
+                 ? "puts the children so close together that their masses are not determined"
+                 : fmt::format("would give {} of the children {} mass, in parts of the whole:{}",
+                               none ? "all but one" : "one", none ? "no" : "a negative", masses),
+             status == TM_SPLIT_NEGATIVE && none ? "a smaller alpha" : "a larger epsilon");
 }
 
 // all keywords are read

@@ -18,11 +18,11 @@ class RefineInput {
   void check() const;
   void make_pattern(int kernel);    // masses of the children, S13 (6) to (9)
 
-  int kind = -1;                       // enum tm_split_kind, or -1: no refinement
-  double epsilon = 0.0, alpha = 0.0;   // in h of the parent
+  int kind = -1;                        // enum tm_split_kind, or -1: no refinement
+  double epsilon = 0.0, alpha = 0.0;    // in h of the parent
   int most_level = 1, every = 100;
-  int sweeps = 0;                      // of the relaxation of positions after a split, keyword settle
-  bool linear = false;                 // children take the velocity field, not the parent's velocity
+  int sweeps = 0;         // of the relaxation of positions after a split, keyword settle
+  bool linear = false;    // children take the velocity field, not the parent's velocity
   enum { NEVER, FALLEN, WHEN } coarsen = NEVER;
   RefineCriteria when, coarsen_when;
   tm_split_pattern pattern = {};

@@ -25,7 +25,7 @@ class RefineLevels : public ParticleValues {
   void merged(int i);                       // to the level below
   bool is_fresh(int i) const { return fresh[i] > 0.0; }
   void set_fresh(int i, bool now) { fresh[i] = now; }
-  bool any() const;                         // particle of a level above 0, on any rank
+  bool any() const;    // particle of a level above 0, on any rank
   void forget_families();
   const double *levels() const { return level_of.data(); }
   double bytes() const { return sizeof(double) * (level_of.size() + family_of.size()); }
@@ -35,7 +35,7 @@ class RefineLevels : public ParticleValues {
   const RefineInput &in;
   // level 0 and up; the family at every level from 1: the tag of the parent
   std::vector<double> level_of, family_of;
-  std::vector<double> fresh;                // 1: made, or next to what was made, in this step
+  std::vector<double> fresh;    // 1: made, or next to what was made, in this step
 
   size_t at(int i, int level) const { return (size_t) i * in.most_level + level - 1; }
 };

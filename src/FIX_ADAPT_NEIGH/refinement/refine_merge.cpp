@@ -1,6 +1,5 @@
 #include "refine_merge.h"
 
-
 #include "atom.h"
 #include "atom_vec.h"
 #include "error.h"
@@ -137,8 +136,10 @@ std::vector<int> RefineMerge::plan_leaving()
   double mine[2] = {(double) merges.size() * (in.pattern.n - 1), (double) leaving.size()}, all[2];
   MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, parts.host()->world);
   if (all[0] != all[1])
-    parts.host()->error->all(FLERR, "Fix adapt/neigh coarsen: {} particles were to leave, {} do: ghosts do not reach a "
-                             "smoothing length; make the neighbor skin larger", all[0], all[1]);
+    parts.host()->error->all(FLERR,
+                             "Fix adapt/neigh coarsen: {} particles were to leave, {} do: ghosts do not reach a "
+                             "smoothing length; make the neighbor skin larger",
+                             all[0], all[1]);
   return touched;
 }
 

@@ -19,18 +19,18 @@ class RefineMerge : public RefineStep {
   void clear();
   void plan();
   size_t planned() const { return merges.size(); }
-  std::vector<int> plan_leaving();               // returns particles near those that are split or merged
+  std::vector<int> plan_leaving();    // returns particles near those that are split or merged
   void make();
   void remove_leaving();
-  double made() const { return n_merges; }       // of this rank
+  double made() const { return n_merges; }    // of this rank
   void restore(double merges_made) { n_merges = merges_made; }
 
  private:
   struct Merge {
-    int i;                                       // the particle that stays
+    int i;    // the particle that stays
     std::vector<double> row;
-    double x[3];                                 // its position then
-    double heat;                                 // kinetic energy that leaves the motion
+    double x[3];    // its position then
+    double heat;    // kinetic energy that leaves the motion
     tm_content change;
   };
   std::vector<Merge> merges;

@@ -96,7 +96,8 @@ void RefineSplit::plan(int i)
 void RefineSplit::foresee_time_step()
 {
   double mine = 1e300, limit;
-  for (const Split &s : splits) mine = std::min(mine, parts.state().time_step().of_size(s.i, in.alpha * cloud.size(s.i)));
+  for (const Split &s : splits)
+    mine = std::min(mine, parts.state().time_step().of_size(s.i, in.alpha * cloud.size(s.i)));
   MPI_Allreduce(&mine, &limit, 1, MPI_DOUBLE, MPI_MIN, parts.host()->world);
   parts.state().time_step().lower_next(limit);
 }
@@ -194,8 +195,9 @@ void RefineSplit::report_levels()
   if ((int) all[0] <= levels_reported) return;
   levels_reported = (int) all[0];
   if (parts.host()->comm->me == 0)
-    utils::logmesg(parts.host(), "adapt/neigh: first split to level {} at step {}: smallest h from {:.6g} to {:.6g}; "
-                                 "where sound limits the time step, {:.3g} times as many steps for the same time\n",
+    utils::logmesg(parts.host(),
+                   "adapt/neigh: first split to level {} at step {}: smallest h from {:.6g} to {:.6g}; "
+                   "where sound limits the time step, {:.3g} times as many steps for the same time\n",
                    levels_reported, parts.host()->update->ntimestep, before, after, before / after);
 }
 

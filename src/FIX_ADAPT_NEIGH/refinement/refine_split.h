@@ -19,7 +19,7 @@ class RefineSplit : public RefineStep {
   void drop_outside();
   void make();
 
-  double made() const { return n_splits; }       // of this rank
+  double made() const { return n_splits; }    // of this rank
   double kept_at_box() const { return n_outside; }
   double tag_of_next() const { return next_tag; }
   int reported() const { return levels_reported; }
@@ -30,14 +30,14 @@ class RefineSplit : public RefineStep {
   struct Split {
     int i;
     LAMMPS_NS::tagint tag;
-    std::vector<double> place;                   // of the children, x, y, z each, in h of the parent
-    std::vector<double> children;                // rows of the cloud
+    std::vector<double> place;       // of the children, x, y, z each, in h of the parent
+    std::vector<double> children;    // rows of the cloud
     tm_content change;
   };
   std::vector<Split> splits;
   double n_splits = 0, n_outside = 0;
-  double next_tag = 0;                           // of all ranks
-  int levels_reported = 0;                       // the log has said what the first split to this level costs
+  double next_tag = 0;        // of all ranks
+  int levels_reported = 0;    // the log has said what the first split to this level costs
 
   std::vector<double> places(int i);
   bool inside_box(const Split &) const;

@@ -188,7 +188,8 @@ void Refinement::warn_of_lost_levels()
   asked_levels = true;
   const double least = parts.state().sizes().smallest_dp;
   const bool any = levels.any();
-  if (!any && parts.state().history().begun() && least < 0.99 * parts.model().settings_in_use().spacing && lmp()->comm->me == 0)
+  if (!any && parts.state().history().begun() && least < 0.99 * parts.model().settings_in_use().spacing &&
+      lmp()->comm->me == 0)
     lmp()->error->warning(FLERR, "Fix adapt/neigh refine: some particles are smaller than the spacing of pair_style; "
                                  "where another fix adapt/neigh has split them before, that is forgotten: they are of "
                                  "level 0 and may be split again");
@@ -205,8 +206,8 @@ std::vector<double> Refinement::sums() const
 {
   const tm_content &error = remap.errors();
   const double mine[SUMS] = {split.made(),     merge.made(),     split.kept_at_box(), error.mass,
-                             error.momentum.x, error.momentum.y, error.momentum.z, error.angular.x,
-                             error.angular.y,  error.angular.z,  error.kinetic,   error.elastic};
+                             error.momentum.x, error.momentum.y, error.momentum.z,    error.angular.x,
+                             error.angular.y,  error.angular.z,  error.kinetic,       error.elastic};
   std::vector<double> all(SUMS);
   MPI_Allreduce(mine, all.data(), SUMS, MPI_DOUBLE, MPI_SUM, lmp()->world);
   return all;

@@ -48,13 +48,13 @@ class Refinement : public AdaptPart {
   RefineSplit split;
   RefineMerge merge;
   Relaxation relaxation;
-  std::vector<int> touched;            // particles whose neighbors change
-  bool pending = false;                // splits or merges, on any rank
-  bool asked_levels = false;           // whether those of particles are known
-  std::vector<double> summed;          // the outputs of step summed_at
+  std::vector<int> touched;      // particles whose neighbors change
+  bool pending = false;          // splits or merges, on any rank
+  bool asked_levels = false;     // whether those of particles are known
+  std::vector<double> summed;    // the outputs of step summed_at
   LAMMPS_NS::bigint summed_at = -1;
-  LAMMPS_NS::bigint apply_at = -1;     // the step in which the plans are carried out
-  LAMMPS_NS::bigint relax_at = -1;     // the step at whose end positions are relaxed
+  LAMMPS_NS::bigint apply_at = -1;    // the step in which the plans are carried out
+  LAMMPS_NS::bigint relax_at = -1;    // the step at whose end positions are relaxed
 
   LAMMPS_NS::LAMMPS *lmp() const { return parts.host(); }
   LAMMPS_NS::bigint next_check() const;

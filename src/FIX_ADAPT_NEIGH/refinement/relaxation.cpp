@@ -1,6 +1,5 @@
 #include "relaxation.h"
 
-
 #include "atom.h"
 #include "domain.h"
 #include "lammps.h"
@@ -99,9 +98,8 @@ Relaxation::Moved Relaxation::measure(const std::vector<char> &moves, const std:
     const tm_vec3 d = tm_vec_sub(shift[i], s.mean), r = tm_vec_add(tm_vec_sub(unwrapped(i), s.center), d);
     const double m = atom->rmass[i], r2 = tm_vec_dot(r, r);
     const tm_vec3 spin = tm_vec_cross(d, tm_vec_scale(m, from(atom->v[i])));
-    values.insert(values.end(), {spin.x, spin.y, spin.z,
-                                 m * (r2 - r.x * r.x), m * (r2 - r.y * r.y), m * (r2 - r.z * r.z),
-                                 -m * r.x * r.y, -m * r.x * r.z, -m * r.y * r.z});
+    values.insert(values.end(), {spin.x, spin.y, spin.z, m * (r2 - r.x * r.x), m * (r2 - r.y * r.y),
+                                 m * (r2 - r.z * r.z), -m * r.x * r.y, -m * r.x * r.z, -m * r.y * r.z});
   }
   all = sum_in_any_order(values, 9, parts.host()->world);
   s.spin = from(&all[0]);

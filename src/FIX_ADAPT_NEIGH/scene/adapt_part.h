@@ -32,7 +32,7 @@ class AdaptPart {
   virtual void setup_pre_exchange() {}
   virtual void setup_pre_force() {}
   virtual void setup() {}
-  virtual void pre_exchange() {}      // before particles migrate; only in steps that renew the lists
+  virtual void pre_exchange() {}    // before particles migrate; only in steps that renew the lists
   virtual void pre_force() {}
   virtual void end_of_step() {}
   virtual void post_run() {}
@@ -48,7 +48,7 @@ class AdaptPart {
   virtual std::vector<std::string> outputs() const { return {}; }
   virtual double output(int) { return 0.0; }
   virtual double bytes() const { return 0.0; }
-  virtual void offer(Scene::Adaptation &) {}      // to other styles
+  virtual void offer(Scene::Adaptation &) {}    // to other styles
 
  protected:
   AdaptParts &parts;

@@ -25,13 +25,13 @@ class AdaptParts {
   ~AdaptParts();
   void add(std::unique_ptr<AdaptPart>);
   void read(Keywords);
-  void find_run();                                 // from init on state(), model(), rows(), results() are known
+  void find_run();    // from init on state(), model(), rows(), results() are known
 
   const std::vector<std::unique_ptr<AdaptPart>> &all() const { return parts; }
   const std::vector<AdaptPart *> &used() const { return in_use; }
   const std::vector<ParticleValues *> &values() const { return moving; }    // of those in use
-  bool uses(const std::string &keyword) const;     // the part that has it is in use
-  bool on_host() const;                            // a part works on LAMMPS's particles of the host in any step
+  bool uses(const std::string &keyword) const;                              // the part that has it is in use
+  bool on_host() const;    // a part works on LAMMPS's particles of the host in any step
 
   // for the parts
   LAMMPS_NS::LAMMPS *host() const { return lmp; }
@@ -42,13 +42,13 @@ class AdaptParts {
   StepResults &results() const { return run->results(); }
   const ParticleState *known() const { return particles; }
   bool is_complete() const { return particles && particles == run->state() && run->has_pair(); }
-  void offer() const;                              // to the scene what the parts in use have for others
-  int owned() const;                               // particles of this rank
+  void offer() const;    // to the scene what the parts in use have for others
+  int owned() const;     // particles of this rank
   int owned_and_ghosts() const;
-  std::string id() const;                          // of the fix
+  std::string id() const;    // of the fix
   int group_bit() const;
-  void renew_lists();                              // in the next step
-  void update_packed_size();                       // when the most a particle packs has changed
+  void renew_lists();           // in the next step
+  void update_packed_size();    // when the most a particle packs has changed
   // values of owned particles to their ghosts, where the loops run
   void communicate(LoopArray<tm_real> &, int columns);
   // the same on the host, rows of any width; the first three columns are the position

@@ -11,10 +11,10 @@ namespace SPHTM_NS {
 class BetweenRuns {
  public:
   explicit BetweenRuns(AdaptParts &all) : parts(all) {}
-  void begin();                                    // particles are those of the end of a run
+  void begin();                                        // particles are those of the end of a run
   void begin_read(int i, int tag, const double *x);    // particle i is in a restart file
-  void end();                                      // collective: compares and calls AdaptPart::changed()
-  void stop() { on = false; }                      // particles get other indices unseen
+  void end();                                          // collective: compares and calls AdaptPart::changed()
+  void stop() { on = false; }                          // particles get other indices unseen
   bool is_on() const { return on; }
   // calls of LAMMPS
   void copy(int from, int to);
@@ -25,8 +25,8 @@ class BetweenRuns {
  private:
   AdaptParts &parts;
   bool on = false, moved = false, renamed = false;
-  double least = 0.0;                              // displacement that counts
-  std::vector<int> tag_then;                       // of owned particles; 0: not known
+  double least = 0.0;           // displacement that counts
+  std::vector<int> tag_then;    // of owned particles; 0: not known
   std::vector<double> x_then;
 
   void clear();

@@ -56,7 +56,7 @@ class FixAdaptNeigh : public Fix {
   SPHTM_NS::BetweenRuns between;
   struct {
     uint64_t rows = 0, hash = 0, rows_written = 0, hash_written = 0;
-  } read;                     // from a restart file, until it is checked
+  } read;    // from a restart file, until it is checked
 
   void check_restart();
   const double *restart_row(int i, int nth);

@@ -56,14 +56,18 @@ void FixAdaptNeigh::unpack_restart(int i, int nth)
     std::string why;
     const int n = v->check(at, (int) (end - at), why);
     if (n < 0)
-      error->one(FLERR, "Fix adapt/neigh: particle {} in the {} has {}: it is damaged, or was written with other "
-                        "keywords; write the same ones", atom->tag[i], restart_file_name(lmp), why);
+      error->one(FLERR,
+                 "Fix adapt/neigh: particle {} in the {} has {}: it is damaged, or was written with other "
+                 "keywords; write the same ones",
+                 atom->tag[i], restart_file_name(lmp), why);
     at += n;
   }
   if (at > end || !is_whole(row[1], 1, MAXSMALLINT)) refuse_restart();
   if (at != end)
-    error->one(FLERR, "Fix adapt/neigh: the {} was written with other keywords; write the same ones: particle {} has "
-                      "{} values, {} expected", restart_file_name(lmp), atom->tag[i], (int) *row - 1, at - row - 1);
+    error->one(FLERR,
+               "Fix adapt/neigh: the {} was written with other keywords; write the same ones: particle {} has "
+               "{} values, {} expected",
+               restart_file_name(lmp), atom->tag[i], (int) *row - 1, at - row - 1);
   between.stop();
   unpack_exchange(i, const_cast<double *>(row) + RESTART_HEAD);
   between.begin_read(i, (int) row[1], row + 2);
@@ -133,7 +137,9 @@ void FixAdaptNeigh::check_restart()
   uint64_t mine[2] = {read.rows, read.hash}, all[2];
   MPI_Allreduce(mine, all, 2, MPI_UINT64_T, MPI_SUM, world);
   if (all[0] > 0 && all[0] == read.rows_written && all[1] != read.hash_written)
-    error->all(FLERR, "Fix adapt/neigh: the {} is damaged: the values of its particles do not have the checksum "
-                      "written with them", restart_file_name(lmp));
+    error->all(FLERR,
+               "Fix adapt/neigh: the {} is damaged: the values of its particles do not have the checksum "
+               "written with them",
+               restart_file_name(lmp));
   read = {};
 }

@@ -1,6 +1,5 @@
 #include "tl_pairs.h"
 
-
 #include "atom.h"
 #include "error.h"
 #include "lammps.h"
@@ -73,11 +72,12 @@ void TlPairs::check_kernel(double threshold)
   const Settings &set = parts.model().settings_in_use();
   const bool stored = exist() && stored_kernel >= 0;
   if (stored && (stored_kernel != set.kernel || std::fabs(stored_h - set.h) > 1e-9 * set.h))
-    parts.host()->error->all(FLERR, "Fix adapt/neigh threshold {}: gradients were stored with the {} kernel and the "
-                                    "smoothing length {:.6g}, pair_style sph/tm now has {} and {:.6g}; write the same, "
-                                    "or remove the fix and write it again: then all pairs are updated-Lagrangian at "
-                                    "first", threshold, kernel_name(stored_kernel), stored_h,
-                             kernel_name(set.kernel), set.h);
+    parts.host()->error->all(FLERR,
+                             "Fix adapt/neigh threshold {}: gradients were stored with the {} kernel and the "
+                             "smoothing length {:.6g}, pair_style sph/tm now has {} and {:.6g}; write the same, "
+                             "or remove the fix and write it again: then all pairs are updated-Lagrangian at "
+                             "first",
+                             threshold, kernel_name(stored_kernel), stored_h, kernel_name(set.kernel), set.h);
   stored_kernel = set.kernel;
   stored_h = set.h;
 }

@@ -16,12 +16,12 @@ class TlPairs : public ParticleValues {
   void make_room(int n);
   bool exist() const { return table.capacity > 0; }
   int capacity() const { return table.capacity; }
-  void check_kernel(double threshold);              // gradients are those of one kernel and one h
-  void forget();                                    // all pairs and histories
+  void check_kernel(double threshold);    // gradients are those of one kernel and one h
+  void forget();                          // all pairs and histories
 
-  tm_tl_rows rows(bool on_host = false);            // where the loops run, or on the host
+  tm_tl_rows rows(bool on_host = false);    // where the loops run, or on the host
   tm_tl_store store(bool on_host = false);
-  tm_rows mechanical();                             // the total-Lagrangian pairs alone
+  tm_rows mechanical();    // the total-Lagrangian pairs alone
   tm_rates_args interface_rows(const tm_rates_args &, const int *which);
   const int *numbers() { return number.loop_read(); }
   tm_real *history() { return history_of.loop_write(); }
@@ -50,12 +50,12 @@ class TlPairs : public ParticleValues {
   TagMap &map;
   Backend *backend = nullptr;
   const ListLoops *loops = nullptr;
-  RowTable table;                                   // total-Lagrangian pairs, and updated-Lagrangian ones behind them
-  LoopArray<int> number;                            // of total-Lagrangian pairs
+  RowTable table;           // total-Lagrangian pairs, and updated-Lagrangian ones behind them
+  LoopArray<int> number;    // of total-Lagrangian pairs
   LoopArray<ptrdiff_t> ul_first;
   LoopArray<short> weight;
   LoopArray<tm_real> history_of;
-  double unit = 1.0;                                // of gradients
+  double unit = 1.0;    // of gradients
   int stored_kernel = -1;
   double stored_h = 0.0;
 

@@ -42,20 +42,24 @@ void TotalLagrangian::check_effects() const
 {
   Error *error = parts.host()->error;
   const ParticleState &state = parts.state();
-  const struct { unsigned effect; const char *what; } without[] = {
-      {TM_FX_FORM_F14, "pair_style form f14; use form f15"},
-      {TM_FX_XSPH, "pair_style xsph; use xsph 0"},
-      {TM_FX_BALSARA, "pair_style balsara yes; use balsara no"},
-      {TM_FX_SURFACE, "the surface of particles (fix sph/tm/heat, surface/area)"},
-      {TM_FX_SMOOTHING, "particles with a smoothing length of their own"},
-      {TM_FX_MIXED, "pair_style precision mixed; use precision double"}};
+  const struct {
+    unsigned effect;
+    const char *what;
+  } without[] = {{TM_FX_FORM_F14, "pair_style form f14; use form f15"},
+                 {TM_FX_XSPH, "pair_style xsph; use xsph 0"},
+                 {TM_FX_BALSARA, "pair_style balsara yes; use balsara no"},
+                 {TM_FX_SURFACE, "the surface of particles (fix sph/tm/heat, surface/area)"},
+                 {TM_FX_SMOOTHING, "particles with a smoothing length of their own"},
+                 {TM_FX_MIXED, "pair_style precision mixed; use precision double"}};
   for (const auto &w : without)
     if (state.has(w.effect))
       error->all(FLERR, "Fix adapt/neigh threshold {}: total-Lagrangian pairs do not support {}; or use threshold 0",
                  threshold, w.what);
   if (parts.model().settings_in_use().art_balanced && state.has(TM_FX_ARTSTRESS))
-    error->all(FLERR, "Fix adapt/neigh threshold {}: pair_style artstress balanced needs threshold 0: "
-                      "total-Lagrangian pairs have no artificial stress; leave balanced away", threshold);
+    error->all(FLERR,
+               "Fix adapt/neigh threshold {}: pair_style artstress balanced needs threshold 0: "
+               "total-Lagrangian pairs have no artificial stress; leave balanced away",
+               threshold);
 }
 
 // a total-Lagrangian particle stays so, and there is no proximity check
@@ -162,16 +166,18 @@ void TotalLagrangian::drop_gone(int pairs)
   MPI_Allreduce(here.data(), there.data(), (int) tags.size(), MPI_INT, MPI_MAX, lmp->world);
   for (size_t k = 0; k < tags.size(); k++)
     if (there[k])
-      lmp->error->all(FLERR, "Fix adapt/neigh threshold {}: particle {} is beyond the ghosts of others that have it as "
-                             "a total-Lagrangian neighbor; a larger neighbor skin, or 'approach 0.01'",
-                             threshold, tags[k]);
+      lmp->error->all(FLERR,
+                      "Fix adapt/neigh threshold {}: particle {} is beyond the ghosts of others that have it as "
+                      "a total-Lagrangian neighbor; a larger neighbor skin, or 'approach 0.01'",
+                      threshold, tags[k]);
   const bigint count = n;
   bigint total;
   MPI_Allreduce(&count, &total, 1, MPI_LMP_BIGINT, MPI_SUM, lmp->world);
   if (lmp->output->thermo->lostflag == Thermo::ERROR && total != lmp->atom->natoms)
-    lmp->error->all(FLERR, "Fix adapt/neigh threshold {}: particle {} is gone, that others have as a total-Lagrangian "
-                           "neighbor; write 'thermo_modify lost ignore' (or warn) to go on without it",
-                           threshold, tags[0]);
+    lmp->error->all(FLERR,
+                    "Fix adapt/neigh threshold {}: particle {} is gone, that others have as a total-Lagrangian "
+                    "neighbor; write 'thermo_modify lost ignore' (or warn) to go on without it",
+                    threshold, tags[0]);
   dropped += pairs;
 }
 
@@ -350,8 +356,10 @@ void TotalLagrangian::post_run()
   MPI_Allreduce(&dropped, &sum, 1, MPI_DOUBLE, MPI_SUM, lmp->world);
   dropped = 0.0;
   if (sum > 0.0 && lmp->comm->me == 0)
-    lmp->error->warning(FLERR, "Fix adapt/neigh threshold {}: {} total-Lagrangian pairs were dropped in this run, "
-                               "their other particles are gone", threshold, (bigint) sum);
+    lmp->error->warning(FLERR,
+                        "Fix adapt/neigh threshold {}: {} total-Lagrangian pairs were dropped in this run, "
+                        "their other particles are gone",
+                        threshold, (bigint) sum);
 }
 
 /* ---------------------------------------------------------------------- between runs */
@@ -367,9 +375,10 @@ void TotalLagrangian::changed(bool moved, bool renamed)
   LAMMPS *lmp = parts.host();
   if (lmp->comm->me) return;
   const std::string what = !renamed ? "places" : moved ? "places and IDs" : "IDs";
-  lmp->error->warning(FLERR, "Fix adapt/neigh threshold {}: particles have got other {} since the last run: all pairs "
-                             "are updated-Lagrangian at first, as at the start{}", threshold, what,
-                      renamed ? " ('delete_atoms ... compress no' leaves the IDs as they are)" : "");
+  lmp->error->warning(FLERR,
+                      "Fix adapt/neigh threshold {}: particles have got other {} since the last run: all pairs "
+                      "are updated-Lagrangian at first, as at the start{}",
+                      threshold, what, renamed ? " ('delete_atoms ... compress no' leaves the IDs as they are)" : "");
 }
 
 // of all ranks

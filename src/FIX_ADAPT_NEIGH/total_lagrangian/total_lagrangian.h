@@ -19,10 +19,10 @@ class TotalLagrangian {
   TlPairs &pairs() { return tl_pairs; }
   void begin_steps(bool steps) { stepping = steps; }    // false: the set-up of a run
 
-  void renew(bool renumbered);                      // rows of this step
+  void renew(bool renumbered);                            // rows of this step
   bool only() const { return !active && permanent(); }    // no particle is updated-Lagrangian
-  int ul_particles(const int **which);              // number and list
-  void communicate(const tm_records &);             // what particles export to total-Lagrangian pairs
+  int ul_particles(const int **which);                    // number and list
+  void communicate(const tm_records &);                   // what particles export to total-Lagrangian pairs
   void correct(const tm_rates_args &, unsigned effects);
   void rates(const tm_rates_args &, unsigned effects);
   void end_of_step();
@@ -46,15 +46,15 @@ class TotalLagrangian {
   LoopArray<int> which, which_interface;
   LoopArray<tm_real> exported, pull_back, next_ul, correction;
   LoopArray<unsigned char> was_ul, is_ul;
-  int active = 0, at_interface = 0;                 // updated-Lagrangian particles; those at the interface
-  bool any_changed = false;                         // kinds or rows
-  bool first_step = true;                           // all pairs may be frozen at its end, without artificial stress
-  bool decided = true;                              // in the last step, which particles are updated-Lagrangian
-  bool came_near = false;                           // particles, in this step
+  int active = 0, at_interface = 0;    // updated-Lagrangian particles; those at the interface
+  bool any_changed = false;            // kinds or rows
+  bool first_step = true;              // all pairs may be frozen at its end, without artificial stress
+  bool decided = true;                 // in the last step, which particles are updated-Lagrangian
+  bool came_near = false;              // particles, in this step
   bool stepping = false;
   double sum_ul = 0.0, last_ul = 0.0;
   double time = 0.0, time_checked = 0.0, next_check = 0.0;    // of steps taken; of the proximity checks
-  double dropped = 0.0;                             // pairs of deleted particles in this run, on this rank
+  double dropped = 0.0;                                       // pairs of deleted particles in this run, on this rank
 
   bool permanent() const;
   bool corrects() const;

@@ -69,8 +69,7 @@ std::string OverlapCheck::remedy() const
   int way = -1;
   for (int k = 0; k < 2 * box.dimension; k++) {
     const double sign = k % 2 ? -1.0 : 1.0;
-    const tm_vec3 d =
-        tm_vec(k / 2 == 0 ? sign : 0.0, k / 2 == 1 ? sign : 0.0, k / 2 == 2 ? sign : 0.0);
+    const tm_vec3 d = tm_vec(k / 2 == 0 ? sign : 0.0, k / 2 == 1 ? sign : 0.0, k / 2 == 2 ? sign : 0.0);
     const double length = way_out(d, best);
     if (length >= best) continue;
     best = length;
@@ -96,8 +95,8 @@ void OverlapCheck::stop(const std::string &who, const tm_mesh *closed) const
   if (where >= 0)
     lmp->error->one(FLERR,
                     "{}: at the start the tool overlaps particles, {}; for instance particle {} at {:.6g} {:.6g} "
-                    "{:.6g}; or accept it with 'overlap allow'", who, words, atom.tag[where], atom.x[where][0],
-                    atom.x[where][1], atom.x[where][2]);
+                    "{:.6g}; or accept it with 'overlap allow'",
+                    who, words, atom.tag[where], atom.x[where][0], atom.x[where][1], atom.x[where][2]);
   MPI_Barrier(lmp->world);
 }
 

@@ -38,10 +38,10 @@ void ToolChecks::extent(double spacing) const
   const double need = 2.0 * spacing;
   if (m.lo[2] > -need || m.hi[2] < need)
     lmp->error->all(FLERR,
-               "{}: the mesh of file {} spans z from {:.6g} to {:.6g}; in 2d it must be "
-               "extruded along z to at least {:.6g} on both sides of z = 0: use 'scale' with "
-               "three factors or 'move'",
-               who, set.shape.file, m.lo[2], m.hi[2], need);
+                    "{}: the mesh of file {} spans z from {:.6g} to {:.6g}; in 2d it must be "
+                    "extruded along z to at least {:.6g} on both sides of z = 0: use 'scale' with "
+                    "three factors or 'move'",
+                    who, set.shape.file, m.lo[2], m.hi[2], need);
 }
 
 // --- motion
@@ -55,8 +55,10 @@ void ToolChecks::speed(double speed, double sound_speed) const
   if (!std::isfinite(speed))
     lmp->error->all(FLERR, "{}: the speed of the tool, {}, is not a finite number; {}", who, speed, remedy);
   if (sound_speed > 0.0 && speed > TOO_FAST * sound_speed)
-    lmp->error->all(FLERR, "{}: the tool moves at up to {:.6g}, more than ten times the speed of sound in "
-                      "the particles ({:.6g}); {}", who, speed, sound_speed, remedy);
+    lmp->error->all(FLERR,
+                    "{}: the tool moves at up to {:.6g}, more than ten times the speed of sound in "
+                    "the particles ({:.6g}); {}",
+                    who, speed, sound_speed, remedy);
 }
 
 void ToolChecks::corners(const tm_pose &pose, tm_vec3 *corner) const
@@ -86,18 +88,18 @@ void ToolChecks::jump(const tm_pose &end, bool by_variable, double dt, double dp
   if (!std::isfinite(moved))
     lmp->error->all(FLERR, "{} the place of the tool is not a finite number; check {}", stops,
                     by_variable ? "the variables of fix_modify move" : "its motion");
-  const std::string far = fmt::format("the tool has moved by {:.6g}, {:.3g} times the smallest particle spacing,",
-                                      moved, moved / dp);
+  const std::string far =
+      fmt::format("the tool has moved by {:.6g}, {:.3g} times the smallest particle spacing,", moved, moved / dp);
   if (step)
     lmp->error->all(FLERR,
                     "{} {} in one step of {:.6g}, a speed of {:.6g}; beyond {} times the spacing it passes particles "
-                    "unseen. Lower the time step (dt/max of fix sph/tm, or its dt), or check the {}", stops, far, dt,
-                    moved / dt, TOO_FAR,
+                    "unseen. Lower the time step (dt/max of fix sph/tm, or its dt), or check the {}",
+                    stops, far, dt, moved / dt, TOO_FAR,
                     by_variable ? "variables of fix_modify move: one may jump" : "speed of the tool");
   lmp->error->all(FLERR,
                   "{} {} since the {}; it must not jump between runs. Check the variables of fix_modify move, let the "
-                  "tool travel there in a run, or give a new fix contact/tri with another 'move'", stops, far,
-                  restored ? "last step or the restart file" : "last step");
+                  "tool travel there in a run, or give a new fix contact/tri with another 'move'",
+                  stops, far, restored ? "last step or the restart file" : "last step");
 }
 
 void ToolChecks::restarted_at(const tm_pose &pose)
@@ -160,13 +162,12 @@ void ToolChecks::heat(ParticleState &state)
   if (state.has(TM_FX_HEAT) || warned_heat) return;
   warned_heat = true;
   if (lmp->comm->me) return;
-  const std::string bare_type = lacks ? fmt::format("type {} ({}) has no heat constants", lacks,
-                                                    model.material_name(lacks)) : "";
+  const std::string bare_type =
+      lacks ? fmt::format("type {} ({}) has no heat constants", lacks, model.material_name(lacks)) : "";
   if (!lacks)
     lmp->error->warning(FLERR, "{}: heat is forced off in fix sph/tm: {}", who,
                         friction ? "the heat of its friction warms nothing" : what + " has no use");
-  else if (keyword)
-    lmp->error->warning(FLERR, "{}: {} has no use, heat is off: {}", who, keyword, bare_type);
+  else if (keyword) lmp->error->warning(FLERR, "{}: {} has no use, heat is off: {}", who, keyword, bare_type);
   else if (some)
     lmp->error->warning(FLERR, "{}: the heat of its friction warms nothing, heat is off: {}", who, bare_type);
 }

@@ -37,8 +37,8 @@ class ToolChecks {
   const TriTool &tool;
   std::string who;
   bool warned_empty = false, warned_heat = false;
-  tm_vec3 last_corner[8];                   // of the mesh's box after the last step, here or before a restart
-  bool seen = false, restored = false;      // there was one; before a restart
+  tm_vec3 last_corner[8];                 // of the mesh's box after the last step, here or before a restart
+  bool seen = false, restored = false;    // there was one; before a restart
 
   void corners(const tm_pose &, tm_vec3 *) const;
   std::vector<int> types_in_group(const Model &) const;

@@ -24,15 +24,9 @@ ToolOutput::~ToolOutput()
   lmp->memory->destroy(image_rows);
 }
 
-bool ToolOutput::due(int every) const
-{
-  return every > 0 && lmp->update->ntimestep % every == 0;
-}
+bool ToolOutput::due(int every) const { return every > 0 && lmp->update->ntimestep % every == 0; }
 
-bool ToolOutput::needs_values() const
-{
-  return due(set.vtk.every) || due(set.local_every);
-}
+bool ToolOutput::needs_values() const { return due(set.vtk.every) || due(set.local_every); }
 
 std::string ToolOutput::file_name(const ContactSettings::File &file) const
 {
@@ -91,8 +85,7 @@ void ToolOutput::write_vtk(const std::vector<double> &x, const tm_pose &p, doubl
     count[t] = contacts[t];
     patch[t] = m.patch[t];
     const double *c = m.corner + 9 * t;
-    const tm_vec3 mid =
-        tm_vec((c[0] + c[3] + c[6]) / 3.0, (c[1] + c[4] + c[7]) / 3.0, (c[2] + c[5] + c[8]) / 3.0);
+    const tm_vec3 mid = tm_vec((c[0] + c[3] + c[6]) / 3.0, (c[1] + c[4] + c[7]) / 3.0, (c[2] + c[5] + c[8]) / 3.0);
     const tm_vec3 v = tm_pose_velocity_at(&p, tm_pose_to_world(&p, mid));
     const double s[6] = {f.x, f.y, f.z, v.x, v.y, v.z};
     std::copy_n(s, 3, &stress[3 * t]);
@@ -142,8 +135,7 @@ int ToolOutput::image(const tm_pose &p, int *&kinds, double **&rows)
   if (!image_rows) lmp->memory->create(image_rows, m.nt, 10, "contact/tri:image");
   for (int t = 0; t < m.nt; t++) {
     image_rows[t][0] = set.body_type ? set.body_type : 1;
-    for (int k = 0; k < 3; k++)
-      std::copy_n(&x[3 * (size_t) m.tri[3 * (size_t) t + k]], 3, image_rows[t] + 1 + 3 * k);
+    for (int k = 0; k < 3; k++) std::copy_n(&x[3 * (size_t) m.tri[3 * (size_t) t + k]], 3, image_rows[t] + 1 + 3 * k);
   }
   kinds = image_kind.data();
   rows = image_rows;

@@ -54,8 +54,7 @@ bool ContactSettings::read_placement(Keywords &k)
       lmp->error->all(FLERR, "{} axis must not be zero", k.what());
     k.take("angle");
     p.value[3] = k.number("angle");
-  } else
-    return false;
+  } else return false;
   shape.placement.push_back(p);
   return true;
 }
@@ -120,8 +119,7 @@ bool ContactSettings::read_heat(Keywords &k)
   else if (k.is("particles")) {
     body_type = k.integer(1, lmp->atom->ntypes, "(an atom type)");
     heat_given = true;
-  } else
-    return false;
+  } else return false;
   return true;
 }
 
@@ -140,8 +138,7 @@ bool ContactSettings::read_output(Keywords &k)
     k.need(3);
     for (double &x : reference) x = k.number();
     reference_given = true;
-  } else
-    return false;
+  } else return false;
   return true;
 }
 
@@ -165,12 +162,10 @@ void ContactSettings::check() const
     error->all(FLERR, "Fix contact/tri: give either share or effusivity, not both");
   if (f15 && two_sided) error->all(FLERR, "Fix contact/tri: method f15 has no sides, leave the keyword out");
   if (body_type && (conductance != 0.0 || lumped_capacity > 0.0))
-    error->all(FLERR,
-               "Fix contact/tri: with particles the tool's heat is theirs; leave out heat "
-               "and lumped, and set the conductance in pair_coeff");
+    error->all(FLERR, "Fix contact/tri: with particles the tool's heat is theirs; leave out heat "
+                      "and lumped, and set the conductance in pair_coeff");
   if (lumped_capacity > 0.0 && !temperature_variable.empty())
-    error->all(FLERR,
-               "Fix contact/tri: a lumped tool has a temperature of its own, not a variable's");
+    error->all(FLERR, "Fix contact/tri: a lumped tool has a temperature of its own, not a variable's");
 }
 
 std::vector<ContactSettings::Hash> ContactSettings::hashes() const

@@ -34,7 +34,7 @@ struct ContactSettings {
   double temperature = 0.0;                  // the number given, or 0
   std::string temperature_variable;          // or that of an equal-style variable
   bool temperature_given = false;
-  double lumped_capacity = 0.0;              // mass c_p of the tool, 0: its temperature is given
+  double lumped_capacity = 0.0;    // mass c_p of the tool, 0: its temperature is given
   // output
   struct File {
     int every = 0;

@@ -15,18 +15,18 @@ using namespace LAMMPS_NS;
 namespace SPHTM_NS {
 
 namespace {
-  struct Style {
-    const char *name;
-    int kind, numbers;
-    const char *arguments;
-  };
-  constexpr int BY_VARIABLE = -1;
-  const Style styles[] = {{"none", TM_MOTION_NONE, 0, ""},
-                          {"linear", TM_MOTION_LINEAR, 3, "Vx Vy Vz"},
-                          {"wiggle", TM_MOTION_WIGGLE, 4, "Ax Ay Az period"},
-                          {"rotate", TM_MOTION_ROTATE, 7, "Px Py Pz Rx Ry Rz period"},
-                          {"transrot", TM_MOTION_TRANSROT, 10, "Vx Vy Vz Px Py Pz Rx Ry Rz period"},
-                          {"variable", BY_VARIABLE, 6, "v_dx v_dy v_dz v_vx v_vy v_vz"}};
+struct Style {
+  const char *name;
+  int kind, numbers;
+  const char *arguments;
+};
+constexpr int BY_VARIABLE = -1;
+const Style styles[] = {{"none", TM_MOTION_NONE, 0, ""},
+                        {"linear", TM_MOTION_LINEAR, 3, "Vx Vy Vz"},
+                        {"wiggle", TM_MOTION_WIGGLE, 4, "Ax Ay Az period"},
+                        {"rotate", TM_MOTION_ROTATE, 7, "Px Py Pz Rx Ry Rz period"},
+                        {"transrot", TM_MOTION_TRANSROT, 10, "Vx Vy Vz Px Py Pz Rx Ry Rz period"},
+                        {"variable", BY_VARIABLE, 6, "v_dx v_dy v_dz v_vx v_vy v_vz"}};
 }    // namespace
 
 // numbers of a motion into its struct

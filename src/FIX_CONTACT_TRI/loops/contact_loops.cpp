@@ -12,16 +12,19 @@ struct Contact {
   tm_contact_result *result;
   template <unsigned SET> void with() const
   {
-    *result = backend.sum_blocks(n, tm_contact_nothing(), [this](int begin, int end) {
-      const tm_contact_args &args = a;
-      const unsigned effects = given;
-      tm_contact_result sum = tm_contact_nothing();
-      for (int i = begin; i < end; i++) {
-        const tm_contact_result one = tm_contact_tri(i, &args, SET ? SET : effects);
-        if (one.depth > 0.0) tm_contact_sum(&sum, &one);
-      }
-      return sum;
-    }, tm_contact_sum);
+    *result = backend.sum_blocks(
+        n, tm_contact_nothing(),
+        [this](int begin, int end) {
+          const tm_contact_args &args = a;
+          const unsigned effects = given;
+          tm_contact_result sum = tm_contact_nothing();
+          for (int i = begin; i < end; i++) {
+            const tm_contact_result one = tm_contact_tri(i, &args, SET ? SET : effects);
+            if (one.depth > 0.0) tm_contact_sum(&sum, &one);
+          }
+          return sum;
+        },
+        tm_contact_sum);
   }
 };
 void contact(Backend &backend, int n, const tm_contact_args &a, unsigned effects, tm_contact_result *result)

@@ -13,14 +13,18 @@
 /* Feature codes: the face, edge k from vertex k to k + 1, vertex k. */
 enum tm_feature {
   TM_FACE = 0,
-  TM_EDGE_0 = 1, TM_EDGE_1 = 2, TM_EDGE_2 = 3,
-  TM_VERTEX_0 = 4, TM_VERTEX_1 = 5, TM_VERTEX_2 = 6
+  TM_EDGE_0 = 1,
+  TM_EDGE_1 = 2,
+  TM_EDGE_2 = 3,
+  TM_VERTEX_0 = 4,
+  TM_VERTEX_1 = 5,
+  TM_VERTEX_2 = 6
 };
 
 typedef struct {
-  tm_vec3 point;          /* closest point */
-  tm_real dist2;          /* squared distance */
-  int feature;            /* enum tm_feature */
+  tm_vec3 point; /* closest point */
+  tm_real dist2; /* squared distance */
+  int feature;   /* enum tm_feature */
 } tm_closest;
 
 /* Closest point of the edge from a (vertex k) to b, as a candidate of its triangle. */

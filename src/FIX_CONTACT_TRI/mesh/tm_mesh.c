@@ -101,7 +101,9 @@ static void enclose(const double *corner, double *ball)
     if (pass == 1 || radius <= 0.5 * longest * (1.0 + 1e-12)) break;
     c = tm_vec_scale(1.0 / 3.0, tm_vec_add(p[0], tm_vec_add(p[1], p[2])));
   }
-  ball[0] = c.x; ball[1] = c.y; ball[2] = c.z;
+  ball[0] = c.x;
+  ball[1] = c.y;
+  ball[2] = c.z;
   ball[3] = radius * (1.0 + 1e-12);
 }
 
@@ -116,26 +118,22 @@ static int tm_mesh_measure(tm_mesh *m)
     m->lo[i % 3] = tm_min(m->lo[i % 3], m->vertex[i]);
     m->hi[i % 3] = tm_max(m->hi[i % 3], m->vertex[i]);
   }
-  const tm_vec3 mid = tm_vec(0.5 * (m->lo[0] + m->hi[0]), 0.5 * (m->lo[1] + m->hi[1]),
-                             0.5 * (m->lo[2] + m->hi[2]));
+  const tm_vec3 mid = tm_vec(0.5 * (m->lo[0] + m->hi[0]), 0.5 * (m->lo[1] + m->hi[1]), 0.5 * (m->lo[2] + m->hi[2]));
   double volume = 0.0;
   m->total_area = 0.0;
   for (ptrdiff_t t = 0; t < m->nt; t++) {
     double *c = m->corner + 9 * t;
-    for (int k = 0; k < 3; k++)
-      memcpy(c + 3 * k, m->vertex + 3 * (ptrdiff_t) m->tri[3 * t + k], 3 * sizeof(double));
+    for (int k = 0; k < 3; k++) memcpy(c + 3 * k, m->vertex + 3 * (ptrdiff_t) m->tri[3 * t + k], 3 * sizeof(double));
     enclose(c, m->ball + 4 * t);
     m->total_area += m->area[t];
-    volume += m->area[t] / 3.0
-        * tm_vec_dot(tm_vec_sub(tm_load3(c), mid), tm_load3(m->normal + 3 * t));
+    volume += m->area[t] / 3.0 * tm_vec_dot(tm_vec_sub(tm_load3(c), mid), tm_load3(m->normal + 3 * t));
   }
   m->closed = m->open_edges == 0 && m->nonmanifold_edges == 0 && m->inconsistent_edges == 0;
   m->volume = m->closed ? volume : 0.0;
   return TM_MESH_OK;
 }
 
-int tm_mesh_build(const tm_soup *soup, const tm_mesh_options *options, tm_mesh *mesh, char *msg,
-                  size_t nmsg)
+int tm_mesh_build(const tm_soup *soup, const tm_mesh_options *options, tm_mesh *mesh, char *msg, size_t nmsg)
 {
   const tm_mesh_options o = options ? *options : tm_mesh_defaults();
   memset(mesh, 0, sizeof *mesh);
@@ -148,12 +146,9 @@ int tm_mesh_build(const tm_soup *soup, const tm_mesh_options *options, tm_mesh *
   if (status == TM_MESH_OK) status = tm_mesh_normals(mesh);
   if (status == TM_MESH_OK) status = tm_mesh_measure(mesh);
   if (status == TM_MESH_OK) return status;
-  if (status == TM_MESH_ALL_DEGENERATE)
-    snprintf(msg, nmsg, "none of the %d facets has an area", soup->n);
-  else if (status == TM_MESH_NO_TRIANGLES)
-    snprintf(msg, nmsg, "the mesh has no triangles");
-  else
-    snprintf(msg, nmsg, "no memory for a mesh of %d facets", soup->n);
+  if (status == TM_MESH_ALL_DEGENERATE) snprintf(msg, nmsg, "none of the %d facets has an area", soup->n);
+  else if (status == TM_MESH_NO_TRIANGLES) snprintf(msg, nmsg, "the mesh has no triangles");
+  else snprintf(msg, nmsg, "no memory for a mesh of %d facets", soup->n);
   tm_mesh_free(mesh);
   return status;
 }

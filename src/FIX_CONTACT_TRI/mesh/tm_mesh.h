@@ -41,18 +41,18 @@ enum tm_mesh_status {
 /* Triangles as read: three corners each, and the facet normal where the file has one. */
 typedef struct {
   int n;
-  double *corner;         /* 9 n */
-  double *normal;         /* 3 n, or NULL */
+  double *corner; /* 9 n */
+  double *normal; /* 3 n, or NULL */
 } tm_soup;
 
 typedef struct {
   int nv, nt, npatch;
   double *vertex, *corner, *normal, *ball, *area, *edge_normal, *vertex_normal;
   int *tri, *twin, *patch, *spoke_first, *spoke;
-  double lo[3], hi[3];    /* bounding box */
+  double lo[3], hi[3]; /* bounding box */
   double total_area;
-  double volume;          /* enclosed, positive with outward normals; 0 when not closed */
-  double tolerance;       /* length under which vertices became one */
+  double volume;    /* enclosed, positive with outward normals; 0 when not closed */
+  double tolerance; /* length under which vertices became one */
   int dropped_degenerate, dropped_duplicate;
   int open_edges, nonmanifold_edges;
   int inconsistent_edges; /* manifold edges run twice in the same direction */
@@ -61,15 +61,14 @@ typedef struct {
 } tm_mesh;
 
 typedef struct {
-  double tolerance;       /* merge vertices within this times the box diagonal; default 1e-7 */
-  double smooth_angle;    /* degrees; default 30 */
+  double tolerance;    /* merge vertices within this times the box diagonal; default 1e-7 */
+  double smooth_angle; /* degrees; default 30 */
 } tm_mesh_options;
 
 tm_mesh_options tm_mesh_defaults(void);
 
 /* Both return an enum tm_mesh_status; msg gets the reason (up to nmsg characters with the 0). */
-int tm_mesh_build(const tm_soup *soup, const tm_mesh_options *options, tm_mesh *mesh, char *msg,
-                  size_t nmsg);
+int tm_mesh_build(const tm_soup *soup, const tm_mesh_options *options, tm_mesh *mesh, char *msg, size_t nmsg);
 void tm_mesh_free(tm_mesh *mesh);
 void tm_soup_free(tm_soup *soup);
 /* Turn every facet around (for a mesh that was written inside out). */

@@ -32,11 +32,10 @@ static uint64_t binary_size(const tm_scan *s)
 static int read_stl_binary(tm_scan *s, tm_soup *soup)
 {
   const uint32_t n = little_endian(s->begin + 80);
-  if (n == 0)
-    return tm_scan_fail(s, TM_MESH_NO_TRIANGLES, "the binary STL file has no triangles");
+  if (n == 0) return tm_scan_fail(s, TM_MESH_NO_TRIANGLES, "the binary STL file has no triangles");
   if (n > TM_MESH_MAX_FACETS)
-    return tm_scan_fail(s, TM_MESH_TOO_LARGE, "%lu facets are more than the %d accepted",
-                        (unsigned long) n, TM_MESH_MAX_FACETS);
+    return tm_scan_fail(s, TM_MESH_TOO_LARGE, "%lu facets are more than the %d accepted", (unsigned long) n,
+                        TM_MESH_MAX_FACETS);
   soup->corner = (double *) malloc(sizeof(double) * 9 * n);
   soup->normal = (double *) malloc(sizeof(double) * 3 * n);
   if (!soup->corner || !soup->normal)
@@ -69,16 +68,13 @@ static int refuse_binary(tm_scan *s)
 {
   const size_t size = (size_t) (s->end - s->begin);
   if (size < STL_HEADER || has_control_bytes(s->begin, 80, 0))
-    return tm_scan_fail(s, TM_MESH_NOT_A_MESH,
-                        "neither STL nor legacy VTK: binary data without an STL header");
+    return tm_scan_fail(s, TM_MESH_NOT_A_MESH, "neither STL nor legacy VTK: binary data without an STL header");
   const unsigned long n = little_endian(s->begin + 80);
   const unsigned long long due = binary_size(s);
   if (size < due)
-    return tm_scan_fail(s, TM_MESH_TRUNCATED,
-                        "binary STL is truncated: %lu facets need %llu bytes, there are %llu", n,
+    return tm_scan_fail(s, TM_MESH_TRUNCATED, "binary STL is truncated: %lu facets need %llu bytes, there are %llu", n,
                         due, (unsigned long long) size);
-  return tm_scan_fail(s, TM_MESH_TRAILING,
-                      "binary STL goes on for %llu bytes after its %lu facets",
+  return tm_scan_fail(s, TM_MESH_TRAILING, "binary STL goes on for %llu bytes after its %lu facets",
                       (unsigned long long) size - due, n);
 }
 
@@ -88,17 +84,15 @@ static int read_any(tm_scan *s, tm_soup *soup)
   char word[TM_WORD];
   if (size == 0) return tm_scan_fail(s, TM_MESH_EMPTY, "the file is empty");
   if (size >= STL_HEADER && size == binary_size(s)) return read_stl_binary(s, soup);
-  if (starts_with(s, "\xEF\xBB\xBF")) s->p += 3;   /* byte order mark of UTF-8 */
+  if (starts_with(s, "\xEF\xBB\xBF")) s->p += 3; /* byte order mark of UTF-8 */
   tm_scan_peek(s, word);
   if (starts_with(s, "# vtk DataFile")) return tm_read_vtk(s, soup);
   if (has_control_bytes(s->p, size < 512 ? tm_scan_left(s) : 500, 1)) return refuse_binary(s);
   if (strcmp(word, "solid") == 0) return tm_read_stl_ascii(s, soup);
   if (strncmp(word, "<!doctype", 9) == 0 || strncmp(word, "<html", 5) == 0)
-    return tm_scan_fail(s, TM_MESH_NOT_A_MESH,
-                        "this is a web page (HTML), not a mesh: save the file itself");
+    return tm_scan_fail(s, TM_MESH_NOT_A_MESH, "this is a web page (HTML), not a mesh: save the file itself");
   if (!word[0]) return tm_scan_fail(s, TM_MESH_EMPTY, "there is nothing but blank space");
-  return tm_scan_fail(s, TM_MESH_NOT_A_MESH,
-                      "neither STL nor legacy VTK: it begins with '%.20s'", word);
+  return tm_scan_fail(s, TM_MESH_NOT_A_MESH, "neither STL nor legacy VTK: it begins with '%.20s'", word);
 }
 
 static int check_values(tm_scan *s, const tm_soup *soup)
@@ -135,7 +129,7 @@ int tm_mesh_read_bytes(FILE *file, size_t most, unsigned char **data, size_t *si
   for (;;) {
     if (*size == room) {
       room = room ? 2 * room : 65536;
-      if (room > most) room = most + 1;   /* one more, to notice it */
+      if (room > most) room = most + 1; /* one more, to notice it */
       unsigned char *more = (unsigned char *) realloc(*data, room);
       if (!more) {
         snprintf(msg, nmsg, "no memory for the file");

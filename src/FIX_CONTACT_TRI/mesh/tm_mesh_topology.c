@@ -4,7 +4,9 @@
 
 #include "tm_mesh.h"
 
-typedef struct { int lo, hi, h; } edge_key;
+typedef struct {
+  int lo, hi, h;
+} edge_key;
 
 static int compare_edges(const void *a, const void *b)
 {
@@ -41,8 +43,7 @@ int tm_mesh_link(tm_mesh *m)
     }
     qsort(key, (size_t) edges, sizeof(edge_key), compare_edges);
     for (int first = 0, next; first < edges; first = next) {
-      for (next = first + 1; next < edges && key[next].lo == key[first].lo
-           && key[next].hi == key[first].hi; next++) {}
+      for (next = first + 1; next < edges && key[next].lo == key[first].lo && key[next].hi == key[first].hi; next++) {}
       link_edge(m, key + first, next - first);
     }
   }
@@ -62,14 +63,14 @@ static int smooth_edge(const tm_mesh *m, int h, double cos_limit)
 {
   const int g = m->twin[h];
   if (g < 0 || m->twin[g] != h || edge_start(m, g) == edge_start(m, h)) return 0;
-  return tm_vec_dot(tm_load3(m->normal + 3 * (ptrdiff_t) (h / 3)),
-                    tm_load3(m->normal + 3 * (ptrdiff_t) (g / 3))) > cos_limit;
+  return tm_vec_dot(tm_load3(m->normal + 3 * (ptrdiff_t) (h / 3)), tm_load3(m->normal + 3 * (ptrdiff_t) (g / 3))) >
+         cos_limit;
 }
 
 /* Edges around the vertices where patches meet, for the test whether such a vertex is nearest. */
 static int collect_spokes(tm_mesh *m)
 {
-  int *seen = (int *) malloc(sizeof(int) * (size_t) m->nv);   /* patch of the vertex, -2: several */
+  int *seen = (int *) malloc(sizeof(int) * (size_t) m->nv); /* patch of the vertex, -2: several */
   m->spoke_first = (int *) calloc((size_t) m->nv + 1, sizeof(int));
   if (!seen || !m->spoke_first) {
     free(seen);
@@ -82,7 +83,7 @@ static int collect_spokes(tm_mesh *m)
   }
   for (int pass = 0; pass < 2; pass++) {
     for (int h = 0; h < 3 * m->nt; h++) {
-      int lowest = 1;   /* each edge once: from the first half-edge of its ring */
+      int lowest = 1; /* each edge once: from the first half-edge of its ring */
       for (int g = m->twin[h]; g >= 0 && g != h; g = m->twin[g]) lowest = lowest && h < g;
       const int end[2] = {edge_start(m, h), edge_end(m, h)};
       for (int k = 0; k < 2 && lowest; k++) {
@@ -115,7 +116,7 @@ int tm_mesh_patches(tm_mesh *m, double smooth_angle)
   for (int h = 0; h < 3 * m->nt; h++)
     if (smooth_edge(m, h, cos_limit)) {
       const int a = find_root(parent, h / 3), b = find_root(parent, m->twin[h] / 3);
-      parent[a > b ? a : b] = a > b ? b : a;      /* roots are the lowest index of their patch */
+      parent[a > b ? a : b] = a > b ? b : a; /* roots are the lowest index of their patch */
     }
   m->npatch = 0;
   for (int t = 0; t < m->nt; t++) {
@@ -131,17 +132,17 @@ int tm_mesh_patches(tm_mesh *m, double smooth_angle)
 static void store_unit(double *p, tm_vec3 n, double least)
 {
   const double norm = tm_vec_norm(n), s = norm > least ? 1.0 / norm : 0.0;
-  p[0] = s * n.x; p[1] = s * n.y; p[2] = s * n.z;
+  p[0] = s * n.x;
+  p[1] = s * n.y;
+  p[2] = s * n.z;
 }
 
 static double corner_angle(const tm_mesh *m, int h)
 {
   const tm_vec3 p = tm_load3(m->vertex + 3 * (ptrdiff_t) m->tri[h]);
   const int t3 = h - h % 3;
-  const tm_vec3 a =
-      tm_vec_sub(tm_load3(m->vertex + 3 * (ptrdiff_t) m->tri[t3 + (h + 1) % 3]), p);
-  const tm_vec3 b =
-      tm_vec_sub(tm_load3(m->vertex + 3 * (ptrdiff_t) m->tri[t3 + (h + 2) % 3]), p);
+  const tm_vec3 a = tm_vec_sub(tm_load3(m->vertex + 3 * (ptrdiff_t) m->tri[t3 + (h + 1) % 3]), p);
+  const tm_vec3 b = tm_vec_sub(tm_load3(m->vertex + 3 * (ptrdiff_t) m->tri[t3 + (h + 2) % 3]), p);
   return atan2(tm_vec_norm(tm_vec_cross(a, b)), tm_vec_dot(a, b));
 }
 
@@ -158,7 +159,9 @@ int tm_mesh_normals(tm_mesh *m)
     const tm_vec3 own = tm_load3(m->normal + 3 * (ptrdiff_t) (h / 3));
     double *v = m->vertex_normal + 3 * (ptrdiff_t) m->tri[h];
     const double angle = corner_angle(m, h);
-    v[0] += angle * own.x; v[1] += angle * own.y; v[2] += angle * own.z;
+    v[0] += angle * own.x;
+    v[1] += angle * own.y;
+    v[2] += angle * own.z;
     if (m->twin[h] < 0) {
       rim[edge_start(m, h)] = rim[edge_end(m, h)] = 1;
       continue;

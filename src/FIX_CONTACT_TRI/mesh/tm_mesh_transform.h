@@ -11,7 +11,7 @@ TM_FN void tm_soup_scale(tm_soup *soup, tm_real sx, tm_real sy, tm_real sz)
 {
   const tm_real s[3] = {sx, sy, sz};
   for (ptrdiff_t i = 0; i < 9 * (ptrdiff_t) soup->n; i++) soup->corner[i] *= s[i % 3];
-  if (soup->normal)   /* normals go with the inverse; only their direction is used */
+  if (soup->normal) /* normals go with the inverse; only their direction is used */
     for (ptrdiff_t i = 0; i < 3 * (ptrdiff_t) soup->n; i++) soup->normal[i] /= s[i % 3];
   if (sx * sy * sz < 0.0)
     for (ptrdiff_t t = 0; t < soup->n; t++)
@@ -37,10 +37,11 @@ TM_FN void tm_soup_rotate(tm_soup *soup, tm_vec3 axis, tm_real degrees)
 {
   const tm_mat3 r = tm_rotation_about(axis, degrees * TM_PI / 180.0);
   for (ptrdiff_t c = 0; c < (soup->normal ? 4 : 3) * (ptrdiff_t) soup->n; c++) {
-    double *p = c < 3 * (ptrdiff_t) soup->n ? soup->corner + 3 * c
-                                            : soup->normal + 3 * (c - 3 * (ptrdiff_t) soup->n);
+    double *p = c < 3 * (ptrdiff_t) soup->n ? soup->corner + 3 * c : soup->normal + 3 * (c - 3 * (ptrdiff_t) soup->n);
     const tm_vec3 q = tm_mat_mul_vec(r, tm_load3(p));
-    p[0] = q.x; p[1] = q.y; p[2] = q.z;
+    p[0] = q.x;
+    p[1] = q.y;
+    p[2] = q.z;
   }
 }
 

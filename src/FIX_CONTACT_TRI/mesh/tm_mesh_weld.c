@@ -11,8 +11,8 @@
 
 typedef struct {
   double cell, tol2, lo[3];
-  size_t buckets;         /* a power of two */
-  int *head, *next;       /* first vertex of a bucket, next of the same bucket; -1 ends */
+  size_t buckets;   /* a power of two */
+  int *head, *next; /* first vertex of a bucket, next of the same bucket; -1 ends */
 } weld_table;
 
 static size_t bucket_of(const weld_table *w, int64_t i, int64_t j, int64_t k)
@@ -25,12 +25,11 @@ static size_t bucket_of(const weld_table *w, int64_t i, int64_t j, int64_t k)
 }
 
 /* The vertex within tolerance of p, or -1. */
-static int find_vertex(const weld_table *w, const double *vertex, const double *p,
-                       const int64_t cell[3], const int64_t step[3])
+static int find_vertex(const weld_table *w, const double *vertex, const double *p, const int64_t cell[3],
+                       const int64_t step[3])
 {
   for (int corner = 0; corner < 8; corner++) {
-    const size_t b = bucket_of(w, cell[0] + (corner & 1 ? step[0] : 0),
-                               cell[1] + (corner & 2 ? step[1] : 0),
+    const size_t b = bucket_of(w, cell[0] + (corner & 1 ? step[0] : 0), cell[1] + (corner & 2 ? step[1] : 0),
                                cell[2] + (corner & 4 ? step[2] : 0));
     for (int v = w->head[b]; v >= 0; v = w->next[v]) {
       const double *q = vertex + 3 * (ptrdiff_t) v;
@@ -85,8 +84,7 @@ static int weld_all(const tm_soup *soup, tm_mesh *m)
 /* Unit normal and area of a facet; the smallest height comes back. */
 static double facet_shape(const tm_mesh *m, const int *v, tm_vec3 *n, double *area)
 {
-  const tm_vec3 p[3] = {tm_load3(m->vertex + 3 * (ptrdiff_t) v[0]),
-                        tm_load3(m->vertex + 3 * (ptrdiff_t) v[1]),
+  const tm_vec3 p[3] = {tm_load3(m->vertex + 3 * (ptrdiff_t) v[0]), tm_load3(m->vertex + 3 * (ptrdiff_t) v[1]),
                         tm_load3(m->vertex + 3 * (ptrdiff_t) v[2])};
   tm_vec3 e[3];
   int longest = 0;
@@ -120,15 +118,18 @@ static int drop_degenerate(const tm_soup *soup, tm_mesh *m)
     }
     const ptrdiff_t k = m->nt++;
     memcpy(m->tri + 3 * k, v, sizeof v);
-    m->normal[3 * k] = n.x; m->normal[3 * k + 1] = n.y; m->normal[3 * k + 2] = n.z;
+    m->normal[3 * k] = n.x;
+    m->normal[3 * k + 1] = n.y;
+    m->normal[3 * k + 2] = n.z;
     m->area[k] = area;
-    if (soup->normal && tm_vec_dot(tm_load3(soup->normal + 3 * t), n) < 0.0)
-      m->flipped_normals++;
+    if (soup->normal && tm_vec_dot(tm_load3(soup->normal + 3 * t), n) < 0.0) m->flipped_normals++;
   }
   return m->nt > 0 ? TM_MESH_OK : TM_MESH_ALL_DEGENERATE;
 }
 
-typedef struct { int v[3], t; } facet_key;
+typedef struct {
+  int v[3], t;
+} facet_key;
 
 static int compare_facets(const void *a, const void *b)
 {
@@ -202,7 +203,7 @@ int tm_mesh_weld(const tm_soup *soup, double tolerance, tm_mesh *m)
     m->hi[i % 3] = tm_max(m->hi[i % 3], soup->corner[i]);
   }
   const double diagonal = tm_vec_norm(tm_vec_sub(tm_load3(m->hi), tm_load3(m->lo)));
-  if (!(diagonal > 1e-100)) return TM_MESH_ALL_DEGENERATE;   /* areas would underflow */
+  if (!(diagonal > 1e-100)) return TM_MESH_ALL_DEGENERATE; /* areas would underflow */
   m->tolerance = tm_clamp(tolerance, 1e-14, 0.1) * diagonal;
   int status = weld_all(soup, m);
   if (status == TM_MESH_OK) status = drop_degenerate(soup, m);

@@ -8,8 +8,8 @@
 
 static void put_big32(FILE *f, uint32_t u)
 {
-  const unsigned char b[4] = {(unsigned char) (u >> 24), (unsigned char) (u >> 16),
-                              (unsigned char) (u >> 8), (unsigned char) u};
+  const unsigned char b[4] = {(unsigned char) (u >> 24), (unsigned char) (u >> 16), (unsigned char) (u >> 8),
+                              (unsigned char) u};
   fwrite(b, 1, 4, f);
 }
 
@@ -23,8 +23,8 @@ static void put_big_double(FILE *f, double x)
 
 static void put_little32(FILE *f, uint32_t u)
 {
-  const unsigned char b[4] = {(unsigned char) u, (unsigned char) (u >> 8),
-                              (unsigned char) (u >> 16), (unsigned char) (u >> 24)};
+  const unsigned char b[4] = {(unsigned char) u, (unsigned char) (u >> 8), (unsigned char) (u >> 16),
+                              (unsigned char) (u >> 24)};
   fwrite(b, 1, 4, f);
 }
 
@@ -62,8 +62,8 @@ static int finish(FILE *f, const char *path, char *msg, size_t nmsg)
   return TM_MESH_WRITE_FAILED;
 }
 
-int tm_write_vtk(const char *path, const tm_facets *s, const tm_cell_array *array, int arrays,
-                 const char *title, int binary, char *msg, size_t nmsg)
+int tm_write_vtk(const char *path, const tm_facets *s, const tm_cell_array *array, int arrays, const char *title,
+                 int binary, char *msg, size_t nmsg)
 {
   FILE *f = begin(path, msg, nmsg);
   if (!f) return TM_MESH_WRITE_FAILED;
@@ -96,8 +96,7 @@ static tm_vec3 facet_normal(const tm_vec3 *p)
 
 static void put_facet(FILE *f, tm_vec3 n, const tm_vec3 *p, int binary)
 {
-  if (!binary)
-    fprintf(f, "  facet normal %.9g %.9g %.9g\n    outer loop\n", n.x, n.y, n.z);
+  if (!binary) fprintf(f, "  facet normal %.9g %.9g %.9g\n    outer loop\n", n.x, n.y, n.z);
   for (int k = binary ? -1 : 0; k < 3; k++) {
     const tm_vec3 a = k < 0 ? n : p[k];
     if (binary) {
@@ -112,8 +111,7 @@ static void put_facet(FILE *f, tm_vec3 n, const tm_vec3 *p, int binary)
   else fwrite("\0", 1, 2, f);
 }
 
-int tm_write_stl(const char *path, const tm_facets *s, const char *name, int binary, char *msg,
-                 size_t nmsg)
+int tm_write_stl(const char *path, const tm_facets *s, const char *name, int binary, char *msg, size_t nmsg)
 {
   FILE *f = begin(path, msg, nmsg);
   if (!f) return TM_MESH_WRITE_FAILED;

@@ -13,9 +13,9 @@ extern "C" {
 
 /* Values per triangle: a scalar (1 column) or a vector (3). */
 typedef struct {
-  const char *name;       /* no blanks */
+  const char *name; /* no blanks */
   int columns;
-  const double *value;    /* columns nt */
+  const double *value; /* columns nt */
 } tm_cell_array;
 
 /* What to write: nv vertices, nt triangles of three vertex indices. */
@@ -26,10 +26,9 @@ typedef struct {
 } tm_facets;
 
 /* Both return TM_MESH_OK, or TM_MESH_WRITE_FAILED with the reason in msg. */
-int tm_write_vtk(const char *path, const tm_facets *s, const tm_cell_array *array, int arrays,
-                 const char *title, int binary, char *msg, size_t nmsg);
-int tm_write_stl(const char *path, const tm_facets *s, const char *name, int binary, char *msg,
-                 size_t nmsg);
+int tm_write_vtk(const char *path, const tm_facets *s, const tm_cell_array *array, int arrays, const char *title,
+                 int binary, char *msg, size_t nmsg);
+int tm_write_stl(const char *path, const tm_facets *s, const char *name, int binary, char *msg, size_t nmsg);
 
 #ifdef __cplusplus
 }

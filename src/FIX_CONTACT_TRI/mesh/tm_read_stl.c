@@ -23,8 +23,7 @@ static int grow(tm_scan *s, tm_soup *soup, size_t *room)
   if (corner) soup->corner = corner;
   double *normal = (double *) realloc(soup->normal, sizeof(double) * 3 * more);
   if (normal) soup->normal = normal;
-  if (!corner || !normal)
-    return tm_scan_fail(s, TM_MESH_TOO_LARGE, "no memory for %d facets", soup->n);
+  if (!corner || !normal) return tm_scan_fail(s, TM_MESH_TOO_LARGE, "no memory for %d facets", soup->n);
   *room = more;
   return TM_MESH_OK;
 }
@@ -35,13 +34,11 @@ static int expect(tm_scan *s, const char *word)
   if (tm_scan_accept(s, word)) return TM_MESH_OK;
   tm_scan_peek(s, found);
   if (!found[0])
-    return tm_scan_fail(s, TM_MESH_TRUNCATED, "ASCII STL ends in line %d, before '%s'",
-                        tm_scan_line(s), word);
+    return tm_scan_fail(s, TM_MESH_TRUNCATED, "ASCII STL ends in line %d, before '%s'", tm_scan_line(s), word);
   if (strcmp(word, "endloop") == 0 && strcmp(found, "vertex") == 0)
     return tm_scan_fail(s, TM_MESH_NOT_TRIANGLES, "facet with more than three vertices in line %d",
                         tm_scan_line(s) + 1);
-  return tm_scan_fail(s, TM_MESH_SYNTAX, "'%s' expected after line %d, found '%.20s'", word,
-                      tm_scan_line(s), found);
+  return tm_scan_fail(s, TM_MESH_SYNTAX, "'%s' expected after line %d, found '%.20s'", word, tm_scan_line(s), found);
 }
 
 static int vertex(tm_scan *s, double *p)
@@ -52,11 +49,9 @@ static int vertex(tm_scan *s, double *p)
     char word[TM_WORD];
     tm_scan_peek(s, word);
     if (!word[0])
-      return tm_scan_fail(s, TM_MESH_TRUNCATED, "ASCII STL ends in line %d, within a vertex",
-                          tm_scan_line(s));
+      return tm_scan_fail(s, TM_MESH_TRUNCATED, "ASCII STL ends in line %d, within a vertex", tm_scan_line(s));
     if (!tm_scan_real(s, p + d))
-      return tm_scan_fail(s, TM_MESH_SYNTAX, "line %d: '%.20s' is not a number", tm_scan_line(s),
-                          word);
+      return tm_scan_fail(s, TM_MESH_SYNTAX, "line %d: '%.20s' is not a number", tm_scan_line(s), word);
   }
   return TM_MESH_OK;
 }
@@ -95,9 +90,8 @@ int tm_read_stl_ascii(tm_scan *s, tm_soup *soup)
   }
   tm_scan_peek(s, word);
   if (word[0])
-    return tm_scan_fail(s, TM_MESH_TRAILING, "'%.20s' after the end of the last solid in line %d",
-                        word, tm_scan_line(s));
-  if (soup->n == 0)
-    return tm_scan_fail(s, TM_MESH_NO_TRIANGLES, "the ASCII STL file has no triangles");
+    return tm_scan_fail(s, TM_MESH_TRAILING, "'%.20s' after the end of the last solid in line %d", word,
+                        tm_scan_line(s));
+  if (soup->n == 0) return tm_scan_fail(s, TM_MESH_NO_TRIANGLES, "the ASCII STL file has no triangles");
   return TM_MESH_OK;
 }

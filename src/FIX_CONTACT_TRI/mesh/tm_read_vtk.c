@@ -19,19 +19,21 @@
 #define VTK_TRIANGLE 5
 #define VTK_POLYGON 7
 
-typedef struct { const char *name; int bytes, real, sign; } vtk_type;
-static const vtk_type types[] = {
-    {"float", 4, 1, 1},          {"double", 8, 1, 1},        {"int", 4, 0, 1},
-    {"unsigned_int", 4, 0, 0},   {"short", 2, 0, 1},         {"unsigned_short", 2, 0, 0},
-    {"char", 1, 0, 1},           {"unsigned_char", 1, 0, 0}, {"long", 8, 0, 1},
-    {"unsigned_long", 8, 0, 0},  {"vtktypeint64", 8, 0, 1},  {"vtkidtype", 4, 0, 1},
-    {"vtktypeint32", 4, 0, 1},   {"vtktypeuint64", 8, 0, 0}, {NULL, 0, 0, 0}};
+typedef struct {
+  const char *name;
+  int bytes, real, sign;
+} vtk_type;
+static const vtk_type types[] = {{"float", 4, 1, 1},         {"double", 8, 1, 1},        {"int", 4, 0, 1},
+                                 {"unsigned_int", 4, 0, 0},  {"short", 2, 0, 1},         {"unsigned_short", 2, 0, 0},
+                                 {"char", 1, 0, 1},          {"unsigned_char", 1, 0, 0}, {"long", 8, 0, 1},
+                                 {"unsigned_long", 8, 0, 0}, {"vtktypeint64", 8, 0, 1},  {"vtkidtype", 4, 0, 1},
+                                 {"vtktypeint32", 4, 0, 1},  {"vtktypeuint64", 8, 0, 0}, {NULL, 0, 0, 0}};
 
 typedef struct {
-  int binary, grid;            /* grid: UNSTRUCTURED_GRID */
+  int binary, grid; /* grid: UNSTRUCTURED_GRID */
   uint64_t points, cells, typed;
   double *point;
-  uint64_t *index;             /* 3 per cell */
+  uint64_t *index; /* 3 per cell */
 } vtk;
 
 static const vtk_type *type_of(const char *name)
@@ -56,7 +58,7 @@ static double big_endian(const unsigned char *b, const vtk_type *t)
     memcpy(&d, &u, sizeof d);
     return d;
   }
-  if (t->sign && (u >> (8 * t->bytes - 1)) & 1) return -1.0;   /* no count or index is negative */
+  if (t->sign && (u >> (8 * t->bytes - 1)) & 1) return -1.0; /* no count or index is negative */
   return (double) u;
 }
 
@@ -81,9 +83,11 @@ static int count(tm_scan *s, const char *what, uint64_t *n)
   tm_scan_peek(s, word);
   if (tm_scan_count(s, TM_MESH_MAX_FACETS * (uint64_t) 9, n)) return TM_MESH_OK;
   const int digits = word[0] >= '0' && word[0] <= '9';
-  return tm_scan_fail(s, digits ? TM_MESH_TOO_LARGE : word[0] ? TM_MESH_SYNTAX : TM_MESH_TRUNCATED,
-                      "VTK: number of %s %s (line %d)", what, digits ? "too large" : "missing",
-                      tm_scan_line(s));
+  return tm_scan_fail(s,
+                      digits    ? TM_MESH_TOO_LARGE
+                      : word[0] ? TM_MESH_SYNTAX
+                                : TM_MESH_TRUNCATED,
+                      "VTK: number of %s %s (line %d)", what, digits ? "too large" : "missing", tm_scan_line(s));
 }
 
 static int fits(tm_scan *s, const vtk *v, const vtk_type *t, uint64_t n, const char *what)
@@ -91,8 +95,7 @@ static int fits(tm_scan *s, const vtk *v, const vtk_type *t, uint64_t n, const c
   /* text: at least a digit and a blank per number but for the last */
   const uint64_t least = v->binary ? n * (uint64_t) t->bytes : n > 0 ? 2 * n - 1 : 0;
   if (least <= tm_scan_left(s)) return TM_MESH_OK;
-  return tm_scan_fail(s, TM_MESH_TRUNCATED,
-                      "VTK: %llu numbers of %s are announced, only %llu bytes follow",
+  return tm_scan_fail(s, TM_MESH_TRUNCATED, "VTK: %llu numbers of %s are announced, only %llu bytes follow",
                       (unsigned long long) n, what, (unsigned long long) tm_scan_left(s));
 }
 
@@ -126,7 +129,8 @@ static int not_triangle(tm_scan *s, uint64_t cell, double corners)
 {
   return tm_scan_fail(s, TM_MESH_NOT_TRIANGLES,
                       "VTK: cell %llu has %.0f vertices; only triangles are read, "
-                      "triangulate the mesh first", (unsigned long long) cell, corners);
+                      "triangulate the mesh first",
+                      (unsigned long long) cell, corners);
 }
 
 static int allocate_cells(tm_scan *s, vtk *v)
@@ -162,8 +166,7 @@ static int read_cells(tm_scan *s, vtk *v, uint64_t size)
     double corners;
     if (!number(s, v, t, &corners)) return cut_off(s, "cells");
     if (corners != 3.0) return not_triangle(s, c + 1, corners);
-    for (int k = 0; k < 3 && status == TM_MESH_OK; k++)
-      status = read_index(s, v, t, v->index + 3 * c + k);
+    for (int k = 0; k < 3 && status == TM_MESH_OK; k++) status = read_index(s, v, t, v->index + 3 * c + k);
   }
   return status;
 }
@@ -190,8 +193,7 @@ static int read_cells_51(tm_scan *s, vtk *v, uint64_t offsets, uint64_t size)
   if (status != TM_MESH_OK) return status;
   tm_scan_line_end(s);
   status = fits(s, v, t, size, "CONNECTIVITY");
-  for (uint64_t i = 0; i < size && status == TM_MESH_OK; i++)
-    status = read_index(s, v, t, v->index + i);
+  for (uint64_t i = 0; i < size && status == TM_MESH_OK; i++) status = read_index(s, v, t, v->index + i);
   return status;
 }
 
@@ -216,8 +218,7 @@ static int read_cell_types(tm_scan *s, vtk *v)
     double kind;
     if (!number(s, v, t, &kind)) return cut_off(s, "CELL_TYPES");
     if (kind != VTK_TRIANGLE && kind != VTK_POLYGON)
-      return tm_scan_fail(s, TM_MESH_NOT_TRIANGLES,
-                          "VTK: cell %llu is of type %.0f; only triangles (type 5) are read",
+      return tm_scan_fail(s, TM_MESH_NOT_TRIANGLES, "VTK: cell %llu is of type %.0f; only triangles (type 5) are read",
                           (unsigned long long) (c + 1), kind);
   }
   return status;
@@ -238,8 +239,7 @@ static int skip_field(tm_scan *s, vtk *v)
     if (status == TM_MESH_OK) status = data_type(s, &t);
     if (status != TM_MESH_OK) break;
     tm_scan_line_end(s);
-    if (columns > 1000000)
-      return tm_scan_fail(s, TM_MESH_TOO_LARGE, "VTK: field with too many components");
+    if (columns > 1000000) return tm_scan_fail(s, TM_MESH_TOO_LARGE, "VTK: field with too many components");
     status = fits(s, v, t, rows * columns, "FIELD");
     double x;
     for (uint64_t i = 0; i < rows * columns && status == TM_MESH_OK; i++)
@@ -264,8 +264,7 @@ static int read_header(tm_scan *s, vtk *v)
   tm_scan_word(s, word);
   v->binary = strcmp(word, "binary") == 0;
   if (!v->binary && strcmp(word, "ascii") != 0)
-    return tm_scan_fail(s, TM_MESH_SYNTAX, "VTK: third line must be ASCII or BINARY, not '%.20s'",
-                        word);
+    return tm_scan_fail(s, TM_MESH_SYNTAX, "VTK: third line must be ASCII or BINARY, not '%.20s'", word);
   return TM_MESH_OK;
 }
 
@@ -276,8 +275,7 @@ static int read_dataset(tm_scan *s, vtk *v)
   v->grid = strcmp(word, "unstructured_grid") == 0;
   if (v->grid || strcmp(word, "polydata") == 0) return TM_MESH_OK;
   return tm_scan_fail(s, TM_MESH_UNSUPPORTED,
-                      "VTK: dataset '%.30s' is no triangle mesh (POLYDATA or UNSTRUCTURED_GRID)",
-                      word);
+                      "VTK: dataset '%.30s' is no triangle mesh (POLYDATA or UNSTRUCTURED_GRID)", word);
 }
 
 /* One section; *done when the rest is attributes. */
@@ -290,21 +288,21 @@ static int read_section(tm_scan *s, vtk *v, const char *word, int *done)
   if (strcmp(word, "cell_types") == 0 && v->grid) return read_cell_types(s, v);
   if (strcmp(word, "field") == 0) return skip_field(s, v);
   if (strcmp(word, "metadata") == 0) return skip_metadata(s);
-  if (strcmp(word, "vertices") == 0 || strcmp(word, "lines") == 0
-      || strcmp(word, "triangle_strips") == 0)
+  if (strcmp(word, "vertices") == 0 || strcmp(word, "lines") == 0 || strcmp(word, "triangle_strips") == 0)
     return tm_scan_fail(s, TM_MESH_NOT_TRIANGLES, "VTK: %s are not read, only triangles", word);
   *done = strcmp(word, "point_data") == 0 || strcmp(word, "cell_data") == 0;
   if (*done) return TM_MESH_OK;
   return tm_scan_fail(s, v->index ? TM_MESH_TRAILING : TM_MESH_SYNTAX,
-                      "VTK: '%.20s' is no section that is known here (line %d)", word,
-                      tm_scan_line(s));
+                      "VTK: '%.20s' is no section that is known here (line %d)", word, tm_scan_line(s));
 }
 
 static int to_soup(tm_scan *s, const vtk *v, tm_soup *soup)
 {
   if (!v->point || !v->index || (v->grid && v->typed != v->cells))
     return tm_scan_fail(s, TM_MESH_TRUNCATED, "VTK: %s missing",
-                        !v->point ? "POINTS" : !v->index ? "cells" : "CELL_TYPES of all cells");
+                        !v->point   ? "POINTS"
+                        : !v->index ? "cells"
+                                    : "CELL_TYPES of all cells");
   if (v->cells == 0) return tm_scan_fail(s, TM_MESH_NO_TRIANGLES, "VTK: no triangles");
   soup->corner = (double *) malloc(sizeof(double) * 9 * (size_t) v->cells);
   if (!soup->corner) return tm_scan_fail(s, TM_MESH_TOO_LARGE, "VTK: no memory for the triangles");

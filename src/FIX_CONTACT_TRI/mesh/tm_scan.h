@@ -13,11 +13,11 @@ extern "C" {
 
 typedef struct {
   const unsigned char *begin, *p, *end;
-  char *msg;              /* room for the reason of a failure */
+  char *msg; /* room for the reason of a failure */
   size_t nmsg;
 } tm_scan;
 
-#define TM_WORD 64        /* longest word, with its 0 */
+#define TM_WORD 64 /* longest word, with its 0 */
 
 #if defined(__GNUC__)
 #define TM_PRINTF(f, a) __attribute__((format(printf, f, a)))

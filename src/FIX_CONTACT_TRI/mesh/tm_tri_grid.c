@@ -16,13 +16,13 @@ typedef struct {
   tm_tri_grid *grid;
   tm_tri_view mesh;
   enum pass pass;
-  int unit;               /* cells per smallest box of this pass: a block to mark, else 1 */
+  int unit; /* cells per smallest box of this pass: a block to mark, else 1 */
 } descent;
 
 static ptrdiff_t block_index(const tm_grid_view *v, const int *cell)
 {
-  return ((ptrdiff_t) (cell[2] >> TM_GRID_SHIFT) * v->blocks[1] + (cell[1] >> TM_GRID_SHIFT))
-      * v->blocks[0] + (cell[0] >> TM_GRID_SHIFT);
+  return ((ptrdiff_t) (cell[2] >> TM_GRID_SHIFT) * v->blocks[1] + (cell[1] >> TM_GRID_SHIFT)) * v->blocks[0] +
+         (cell[0] >> TM_GRID_SHIFT);
 }
 
 static void visit(const descent *d, const int *cell, int t)
@@ -33,10 +33,10 @@ static void visit(const descent *d, const int *cell, int t)
     *block = 0;
     return;
   }
-  if (*block < 0) return;   /* only through rounding of the distance at its limit */
+  if (*block < 0) return; /* only through rounding of the distance at its limit */
   const int m = TM_GRID_EDGE - 1;
-  int *first = g->first + (ptrdiff_t) *block * TM_GRID_CELLS
-      + ((((cell[2] & m) << TM_GRID_SHIFT) + (cell[1] & m)) << TM_GRID_SHIFT) + (cell[0] & m);
+  int *first = g->first + (ptrdiff_t) *block * TM_GRID_CELLS +
+               ((((cell[2] & m) << TM_GRID_SHIFT) + (cell[1] & m)) << TM_GRID_SHIFT) + (cell[0] & m);
   if (d->pass == COUNT) first[0]++;
   else g->list[first[0]++] = t;
 }
@@ -99,8 +99,8 @@ static double expected_entries(const tm_mesh *m, double radius, double cell)
   for (ptrdiff_t t = 0; t < m->nt; t++) {
     const double *c = m->corner + 9 * t;
     const tm_vec3 a = tm_load3(c), b = tm_load3(c + 3), e = tm_load3(c + 6);
-    const double perimeter = tm_vec_norm(tm_vec_sub(a, b)) + tm_vec_norm(tm_vec_sub(b, e))
-        + tm_vec_norm(tm_vec_sub(e, a));
+    const double perimeter =
+        tm_vec_norm(tm_vec_sub(a, b)) + tm_vec_norm(tm_vec_sub(b, e)) + tm_vec_norm(tm_vec_sub(e, a));
     volume += r * (2.0 * m->area[t] + TM_PI * r * (0.5 * perimeter + 4.0 / 3.0 * r));
   }
   return volume / (cell * cell * cell);
@@ -148,7 +148,10 @@ static int prefix_sums(tm_tri_grid *g)
 
 /* --- segments: the list of a cell by patch, within a patch by distance from the center -------- */
 
-typedef struct { int patch, t; double near; } listed;
+typedef struct {
+  int patch, t;
+  double near;
+} listed;
 
 static int compare_listed(const void *a, const void *b)
 {
@@ -164,13 +167,11 @@ static tm_vec3 cell_center(const tm_grid_view *v, ptrdiff_t table, int cell)
   const int i = (int) (table % nx) * TM_GRID_EDGE + (cell & m);
   const int j = (int) (table / nx % ny) * TM_GRID_EDGE + (cell >> TM_GRID_SHIFT & m);
   const int k = (int) (table / nx / ny) * TM_GRID_EDGE + (cell >> 2 * TM_GRID_SHIFT);
-  return tm_vec(v->lo[0] + v->cell * (i + 0.5), v->lo[1] + v->cell * (j + 0.5),
-                v->lo[2] + v->cell * (k + 0.5));
+  return tm_vec(v->lo[0] + v->cell * (i + 0.5), v->lo[1] + v->cell * (j + 0.5), v->lo[2] + v->cell * (k + 0.5));
 }
 
 /* Sort one list and return its number of segments; their beginnings go to `segment`. */
-static int sort_list(tm_tri_grid *g, const tm_tri_view *m, tm_vec3 center, int begin, int n,
-                     listed *work, int *segment)
+static int sort_list(tm_tri_grid *g, const tm_tri_view *m, tm_vec3 center, int begin, int n, listed *work, int *segment)
 {
   int segments = 0;
   for (int k = 0; k < n; k++) {
@@ -196,16 +197,15 @@ static int cut_segments(tm_tri_grid *g, const tm_mesh *mesh, size_t table)
     if (g->first[c + 1] - g->first[c] > longest) longest = g->first[c + 1] - g->first[c];
   listed *work = (listed *) malloc(sizeof(listed) * (size_t) longest);
   g->near = (float *) malloc(sizeof(float) * ((size_t) g->entries + 1));
-  g->segment = (int *) malloc(sizeof(int) * ((size_t) g->entries + 1));   /* as many at most */
+  g->segment = (int *) malloc(sizeof(int) * ((size_t) g->entries + 1)); /* as many at most */
   const int ok = work && g->near && g->segment;
   for (size_t b = 0; b < table && ok; b++) {
     if (g->block[b] < 0) continue;
     int *first = g->first + (ptrdiff_t) g->block[b] * TM_GRID_CELLS;
     for (int c = 0; c < TM_GRID_CELLS; c++) {
       const int begin = first[c], n = first[c + 1] - begin;
-      first[c] = segments;   /* blocks come in the order of their numbers */
-      segments += sort_list(g, &m, cell_center(&g->view, (ptrdiff_t) b, c), begin, n, work,
-                            g->segment + segments);
+      first[c] = segments; /* blocks come in the order of their numbers */
+      segments += sort_list(g, &m, cell_center(&g->view, (ptrdiff_t) b, c), begin, n, work, g->segment + segments);
     }
   }
   free(work);

@@ -14,7 +14,7 @@
 
 #include "tm_mesh.h"
 
-#define TM_GRID_SHIFT 2                        /* cells per block edge: 4 */
+#define TM_GRID_SHIFT 2 /* cells per block edge: 4 */
 #define TM_GRID_EDGE (1 << TM_GRID_SHIFT)
 #define TM_GRID_CELLS (TM_GRID_EDGE * TM_GRID_EDGE * TM_GRID_EDGE)
 
@@ -33,20 +33,18 @@ typedef struct {
 /* Cell that holds p, or -1 where no triangle is near; *away: distance of p from its center. */
 TM_FN ptrdiff_t tm_grid_cell(const tm_grid_view *g, tm_vec3 p, tm_real *away)
 {
-  const tm_real s[3] = {(p.x - g->lo[0]) * g->inv_cell, (p.y - g->lo[1]) * g->inv_cell,
-                        (p.z - g->lo[2]) * g->inv_cell};
+  const tm_real s[3] = {(p.x - g->lo[0]) * g->inv_cell, (p.y - g->lo[1]) * g->inv_cell, (p.z - g->lo[2]) * g->inv_cell};
   *away = 0.0;
-  for (int d = 0; d < 3; d++)   /* written so that NaN is outside */
+  for (int d = 0; d < 3; d++) /* written so that NaN is outside */
     if (!(s[d] >= 0.0 && s[d] < (tm_real) (g->blocks[d] * TM_GRID_EDGE))) return -1;
   const int i = (int) s[0], j = (int) s[1], k = (int) s[2];
-  const int b = g->block[((ptrdiff_t) (k >> TM_GRID_SHIFT) * g->blocks[1] + (j >> TM_GRID_SHIFT))
-                             * g->blocks[0] + (i >> TM_GRID_SHIFT)];
+  const int b = g->block[((ptrdiff_t) (k >> TM_GRID_SHIFT) * g->blocks[1] + (j >> TM_GRID_SHIFT)) * g->blocks[0] +
+                         (i >> TM_GRID_SHIFT)];
   if (b < 0) return -1;
   const tm_vec3 d = tm_vec(s[0] - i - 0.5, s[1] - j - 0.5, s[2] - k - 0.5);
   *away = g->cell * tm_vec_norm(d);
   const int m = TM_GRID_EDGE - 1;
-  return (ptrdiff_t) b * TM_GRID_CELLS + ((((k & m) << TM_GRID_SHIFT) + (j & m)) << TM_GRID_SHIFT)
-      + (i & m);
+  return (ptrdiff_t) b * TM_GRID_CELLS + ((((k & m) << TM_GRID_SHIFT) + (j & m)) << TM_GRID_SHIFT) + (i & m);
 }
 
 /* The whole list of the cell that holds p: *n triangles, indices returned; n = 0 far away. */
@@ -66,12 +64,12 @@ extern "C" {
 #endif
 
 typedef struct {
-  tm_grid_view view;      /* points into the arrays below */
+  tm_grid_view view; /* points into the arrays below */
   int *block, *first, *segment, *list;
   float *near;
-  double cell;            /* cell edge: the search radius, or more where memory would exceed the budget */
-  int nblocks;            /* existing blocks */
-  ptrdiff_t entries;      /* triangles in all lists */
+  double cell;       /* cell edge: the search radius, or more where memory would exceed the budget */
+  int nblocks;       /* existing blocks */
+  ptrdiff_t entries; /* triangles in all lists */
 } tm_tri_grid;
 
 /* Most list entries (and half as many blocks' cells) before cells are made larger. */

@@ -10,17 +10,17 @@
 
 typedef struct {
   int nv, nt, npatch;
-  const double *vertex;         /* 3 nv */
-  const double *corner;         /* 9 nt: the three vertices of each triangle once more */
-  const double *normal;         /* 3 nt: unit face normals, outward */
-  const double *ball;           /* 4 nt: center and radius of a sphere around each triangle */
-  const int *tri;               /* 3 nt: vertex indices */
-  const int *twin;              /* 3 nt: next half-edge of the ring, or -1 */
-  const int *patch;             /* nt: smooth patch of the triangle */
-  const double *edge_normal;    /* 9 nt: pseudo-normal of each half-edge, zero on open edges */
-  const double *vertex_normal;  /* 3 nv: angle-weighted pseudo-normal, zero on open rims */
-  const int *spoke_first;       /* nv + 1: edges that leave a vertex where patches meet ... */
-  const int *spoke;             /* ... as the vertices at their other ends */
+  const double *vertex;        /* 3 nv */
+  const double *corner;        /* 9 nt: the three vertices of each triangle once more */
+  const double *normal;        /* 3 nt: unit face normals, outward */
+  const double *ball;          /* 4 nt: center and radius of a sphere around each triangle */
+  const int *tri;              /* 3 nt: vertex indices */
+  const int *twin;             /* 3 nt: next half-edge of the ring, or -1 */
+  const int *patch;            /* nt: smooth patch of the triangle */
+  const double *edge_normal;   /* 9 nt: pseudo-normal of each half-edge, zero on open edges */
+  const double *vertex_normal; /* 3 nv: angle-weighted pseudo-normal, zero on open rims */
+  const int *spoke_first;      /* nv + 1: edges that leave a vertex where patches meet ... */
+  const int *spoke;            /* ... as the vertices at their other ends */
 } tm_tri_view;
 
 TM_FN tm_vec3 tm_load3(const double *p) { return tm_vec(p[0], p[1], p[2]); }

@@ -18,8 +18,7 @@ TM_FN tm_real tm_winding_number(const tm_tri_view *m, tm_vec3 p)
     const tm_vec3 c = tm_vec_sub(tm_load3(q + 6), p);
     const tm_real la = tm_vec_norm(a), lb = tm_vec_norm(b), lc = tm_vec_norm(c);
     sum += 2.0 * atan2(tm_vec_dot(a, tm_vec_cross(b, c)),
-                       la * lb * lc + tm_vec_dot(a, b) * lc + tm_vec_dot(b, c) * la
-                           + tm_vec_dot(c, a) * lb);
+                       la * lb * lc + tm_vec_dot(a, b) * lc + tm_vec_dot(b, c) * la + tm_vec_dot(c, a) * lb);
   }
   return sum / (4.0 * TM_PI);
 }

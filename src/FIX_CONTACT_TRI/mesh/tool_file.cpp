@@ -47,7 +47,8 @@ static std::string unfit(const struct stat &s, size_t max_bytes)
   if (const char *what = irregular(s)) return fmt::format("it is {}; a tool is read from a regular file", what);
   if ((uint64_t) s.st_size <= max_bytes) return "";
   return fmt::format("it has {} bytes, more than the {} MB that are read; if it is the right file, raise that with "
-                     "the keyword 'maxsize' (MB)", s.st_size, max_bytes / 1000000);
+                     "the keyword 'maxsize' (MB)",
+                     s.st_size, max_bytes / 1000000);
 }
 
 // looked at before it is opened, which alone may block or act on a device, and again once it is open
@@ -91,8 +92,9 @@ std::string ToolFile::read(MPI_Comm world, const std::string &name, size_t max_b
   MPI_Bcast(&size, 1, MPI_UINT64_T, 0, world);
   count = size;
   if (me) bytes.reset((unsigned char *) malloc(std::max(count, (size_t) 1)));
-  wrong = first_message(world, bytes ? "" : fmt::format("mesh file {}: no memory for its {} bytes on rank {}", name,
-                                                     count, me));
+  wrong =
+      first_message(world,
+                    bytes ? "" : fmt::format("mesh file {}: no memory for its {} bytes on rank {}", name, count, me));
   if (!wrong.empty()) return wrong;
   constexpr size_t CHUNK = 1 << 28;
   for (size_t at = 0; at < count; at += CHUNK)

@@ -25,8 +25,8 @@
 
 /* Effects of the contact loop. */
 enum tm_contact_effect {
-  TM_CT_3D = 1 << 0,        /* z moves */
-  TM_CT_HEAT = 1 << 1,      /* friction heat and conduction into the particles */
+  TM_CT_3D = 1 << 0,   /* z moves */
+  TM_CT_HEAT = 1 << 1, /* friction heat and conduction into the particles */
   TM_CT_FRICTION = 1 << 2,
   TM_CT_APPROACH = 1 << 3,  /* no force while separating (F15's test) */
   TM_CT_F15 = 1 << 4,       /* F15's inside-outside test per triangle */
@@ -38,52 +38,52 @@ typedef struct tm_contact_args {
   tm_tri_view mesh;
   tm_grid_view grid;
   tm_pose pose;
-  tm_vec3 reference;             /* torques are about this point */
-  tm_real deep;                  /* how far behind the surface a center is still pushed out */
+  tm_vec3 reference; /* torques are about this point */
+  tm_real deep;      /* how far behind the surface a center is still pushed out */
   tm_real dt;
-  tm_real after;                 /* from the force point to the end of the step: dt/2, or 0 */
-  tm_real force_unit;            /* mass times acceleration -> force of the unit style */
+  tm_real after;      /* from the force point to the end of the step: dt/2, or 0 */
+  tm_real force_unit; /* mass times acceleration -> force of the unit style */
   tm_real tool_temperature;
-  const tm_contact_law *law;     /* per type, index type */
-  const tm_real *size;           /* records of size (tm_record.h), or NULL: the law's */
+  const tm_contact_law *law; /* per type, index type */
+  const tm_real *size;       /* records of size (tm_record.h), or NULL: the law's */
 
-  const int *mask;               /* particles with (mask & group) are in contact; NULL: all */
+  const int *mask; /* particles with (mask & group) are in contact; NULL: all */
   int group;
   const int *type;
-  const double *x, *v;           /* position, velocity at the start */
-  const tm_real *record;         /* tm_record.h's, with the velocity at the force point; NULL: v */
-  double *f;                     /* forces so far in, contact added */
+  const double *x, *v;   /* position, velocity at the start */
+  const tm_real *record; /* tm_record.h's, with the velocity at the force point; NULL: v */
+  double *f;             /* forces so far in, contact added */
   ptrdiff_t x_stride, v_stride, f_stride;
-  const double *mass, *rmass;    /* per type; per particle or NULL */
+  const double *mass, *rmass; /* per type; per particle or NULL */
 
   /* with TM_CT_HEAT */
-  const tm_material *material;   /* per type, for conductivity and capacity */
+  const tm_material *material; /* per type, for conductivity and capacity */
   const tm_real *temperature;
   ptrdiff_t temperature_stride;
-  tm_real *source;               /* power into the particle, added to */
+  tm_real *source; /* power into the particle, added to */
 
-  const tm_real *pstrain;        /* rows of TM_F_PSTRAIN, for the flow stress, or NULL */
-  tm_real *tool_heat;            /* power into the tool through each particle, set; or NULL */
+  const tm_real *pstrain; /* rows of TM_F_PSTRAIN, for the flow stress, or NULL */
+  tm_real *tool_heat;     /* power into the tool through each particle, set; or NULL */
 
   /* with TM_CT_OUTPUT, added to; each may be NULL */
-  double *tri_force;             /* 3 nt, on the tool, world frame, unit style */
-  double *tri_heat;              /* nt, power into the tool */
-  int *tri_count;                /* nt */
+  double *tri_force; /* 3 nt, on the tool, world frame, unit style */
+  double *tri_heat;  /* nt, power into the tool */
+  int *tri_count;    /* nt */
 } tm_contact_args;
 
 /* Sums over particles, but for the depth; all in mass-length-time units. */
 typedef struct {
-  tm_vec3 force, torque;         /* on the tool */
-  tm_real friction_power;        /* dissipated by friction */
-  tm_real friction_heat;         /* of it, into the particles */
-  tm_real conducted;             /* heat from the tool into the particles besides */
-  tm_real heat_tool;             /* into the tool: friction_power - friction_heat - conducted */
-  tm_real spring;                /* energy of the contact springs */
-  tm_real damping_power;         /* dissipated by damping */
-  tm_real particle_power;        /* work of contact forces on particles, per time */
-  tm_real tool_power;            /* work done by the tool's motion, per time */
-  tm_real depth;                 /* deepest penetration */
-  tm_real inner;                 /* deepest center behind the surface, 0: none */
+  tm_vec3 force, torque;  /* on the tool */
+  tm_real friction_power; /* dissipated by friction */
+  tm_real friction_heat;  /* of it, into the particles */
+  tm_real conducted;      /* heat from the tool into the particles besides */
+  tm_real heat_tool;      /* into the tool: friction_power - friction_heat - conducted */
+  tm_real spring;         /* energy of the contact springs */
+  tm_real damping_power;  /* dissipated by damping */
+  tm_real particle_power; /* work of contact forces on particles, per time */
+  tm_real tool_power;     /* work done by the tool's motion, per time */
+  tm_real depth;          /* deepest penetration */
+  tm_real inner;          /* deepest center behind the surface, 0: none */
   int contacts;
 } tm_contact_result;
 
@@ -140,19 +140,19 @@ TM_FN void tm_contact_count(int *sum)
 
 /* One contact of one particle, in the world frame. */
 typedef struct {
-  tm_vec3 point, normal;           /* on the surface; unit, towards the particle */
-  tm_vec3 tool_v;                  /* velocity of the tool there */
-  tm_vec3 normal_force, friction;  /* on the particle */
-  tm_real fn, delta;               /* normal force, penetration */
+  tm_vec3 point, normal;          /* on the surface; unit, towards the particle */
+  tm_vec3 tool_v;                 /* velocity of the tool there */
+  tm_vec3 normal_force, friction; /* on the particle */
+  tm_real fn, delta;              /* normal force, penetration */
 } tm_contact_point;
 
 /* A particle while its contacts are evaluated. */
 typedef struct {
   const tm_contact_law *law;
-  tm_vec3 v, rate_v;               /* velocity at the start of the step, and at the time of the forces */
-  tm_vec3 force;                   /* all of this step so far */
+  tm_vec3 v, rate_v; /* velocity at the start of the step, and at the time of the forces */
+  tm_vec3 force;     /* all of this step so far */
   tm_real mass, dt, temperature;
-  tm_real yield;                   /* flow stress, 0: not known */
+  tm_real yield; /* flow stress, 0: not known */
 } tm_contact_body;
 
 TM_FN tm_contact_body tm_contact_load(int i, const tm_contact_args *a, const tm_contact_law *law, unsigned effects)
@@ -180,12 +180,11 @@ TM_FN tm_contact_point tm_contact_add_normal(tm_contact_body *b, const tm_touch 
   c.normal = tm_mat_mul_vec(pose->turn, t->normal);
   if (!(effects & TM_CT_3D)) c.normal.z = 0.0;
   c.tool_v = tm_pose_velocity_at(pose, c.point);
-  c.delta = w->radius - t->distance;                                            /* F15 (9) */
+  c.delta = w->radius - t->distance; /* F15 (9) */
   const tm_real closing = tm_vec_dot(tm_vec_sub(c.tool_v, b->rate_v), c.normal);
-  c.fn = tm_contact_normal(w->stiffness, c.delta,
-                           tm_contact_damping(w->damping, w->stiffness, b->mass), closing,
+  c.fn = tm_contact_normal(w->stiffness, c.delta, tm_contact_damping(w->damping, w->stiffness, b->mass), closing,
                            (effects & TM_CT_APPROACH) != 0);
-  c.normal_force = tm_vec_scale(c.fn, c.normal);                                /* F15 (12) */
+  c.normal_force = tm_vec_scale(c.fn, c.normal); /* F15 (12) */
   c.friction = tm_vec(0, 0, 0);
   b->force = tm_vec_add(b->force, c.normal_force);
   return c;
@@ -197,29 +196,29 @@ TM_FN void tm_contact_add_friction(tm_contact_body *b, tm_contact_point *c)
   const tm_vec3 end = tm_vec_sub(tm_vec_axpy(b->v, b->dt / b->mass, b->force), c->tool_v);
   const tm_vec3 slide = tm_contact_tangential(end, c->normal);
   const tm_real limit = tm_contact_friction_limit(b->law, c->fn, b->temperature, b->yield);
-  c->friction = tm_contact_friction(slide, b->mass, b->dt, limit);                  /* F15 (13) (15) */
+  c->friction = tm_contact_friction(slide, b->mass, b->dt, limit); /* F15 (13) (15) */
   b->force = tm_vec_add(b->force, c->friction);
 }
 
 /* Heat of one contact: into the particle from friction and, through the contact, from the tool. */
-TM_FN void tm_contact_add_heat(int i, const tm_contact_args *a, const tm_contact_body *b,
-                               tm_real friction_power, tm_real fn, tm_contact_result *r)
+TM_FN void tm_contact_add_heat(int i, const tm_contact_args *a, const tm_contact_body *b, tm_real friction_power,
+                               tm_real fn, tm_contact_result *r)
 {
   const tm_material *m = a->material + a->type[i];
   const tm_real T = b->temperature, k = tm_conductivity(m, T), cp = tm_capacity(m, T);
   r->friction_heat += friction_power * tm_contact_share(b->law, tm_effusivity(k, m->rho0, cp));
   if (fn > 0.0 && b->law->conductance != 0.0)
-    r->conducted += tm_contact_heat(tm_contact_conductance(b->law, k) * b->law->area,
-                                    a->tool_temperature, T, b->mass * cp, b->dt);
+    r->conducted +=
+        tm_contact_heat(tm_contact_conductance(b->law, k) * b->law->area, a->tool_temperature, T, b->mass * cp, b->dt);
 }
 
 /* Powers, torque and energy of a contact once all forces on the particle are known. */
-TM_FN void tm_contact_tally(int i, const tm_contact_args *a, const tm_contact_body *b,
-                            const tm_contact_point *c, unsigned effects, tm_contact_result *r)
+TM_FN void tm_contact_tally(int i, const tm_contact_args *a, const tm_contact_body *b, const tm_contact_point *c,
+                            unsigned effects, tm_contact_result *r)
 {
   const tm_vec3 mean = tm_vec_axpy(b->v, 0.5 * b->dt / b->mass, b->force);
   const tm_vec3 slip = tm_vec_sub(mean, c->tool_v);
-  const tm_vec3 F = tm_vec_add(c->normal_force, c->friction);     /* F15 (16) */
+  const tm_vec3 F = tm_vec_add(c->normal_force, c->friction); /* F15 (16) */
   const tm_real friction_power = -tm_vec_dot(c->friction, slip);
   const tm_real spring_force = b->law->stiffness * c->delta;
   r->force = tm_vec_sub(r->force, F);
@@ -238,8 +237,7 @@ TM_FN void tm_contact_tally(int i, const tm_contact_args *a, const tm_contact_bo
 }
 
 /* Force, heat and count of one contact on its triangle; heat is what this contact added. */
-TM_FN void tm_contact_output(const tm_contact_args *a, const tm_contact_point *c, int t,
-                             tm_real heat)
+TM_FN void tm_contact_output(const tm_contact_args *a, const tm_contact_point *c, int t, tm_real heat)
 {
   const tm_vec3 F = tm_vec_scale(-a->force_unit, tm_vec_add(c->normal_force, c->friction));
   if (a->tri_force) {
@@ -264,9 +262,8 @@ TM_FN tm_contact_result tm_contact_tri(int i, const tm_contact_args *a, unsigned
   const tm_vec3 p = tm_pose_to_local(&a->pose, tm_load3(a->x + i * a->x_stride));
   tm_touch touch[TM_TOUCH_MAX];
   const int n = (effects & TM_CT_F15)
-      ? tm_touch_find_f15(&a->mesh, &a->grid, p, 0.5 * dp, touch)
-      : tm_touch_find(&a->mesh, &a->grid, p, 0.5 * dp, a->deep, (effects & TM_CT_TWO_SIDED) != 0,
-                      touch);
+                    ? tm_touch_find_f15(&a->mesh, &a->grid, p, 0.5 * dp, touch)
+                    : tm_touch_find(&a->mesh, &a->grid, p, 0.5 * dp, a->deep, (effects & TM_CT_TWO_SIDED) != 0, touch);
   if (n == 0) return r;
 
   tm_contact_law own;
@@ -285,10 +282,9 @@ TM_FN tm_contact_result tm_contact_tri(int i, const tm_contact_args *a, unsigned
     tm_contact_tally(i, a, &b, c + k, effects, &r);
     r.heat_tool = (effects & TM_CT_HEAT) ? r.friction_power - r.friction_heat - r.conducted : 0.0;
     if (effects & TM_CT_OUTPUT)
-      tm_contact_output(a, c + k, touch[k].triangle,
-                        (effects & TM_CT_HEAT) ? r.heat_tool - before : 0.0);
+      tm_contact_output(a, c + k, touch[k].triangle, (effects & TM_CT_HEAT) ? r.heat_tool - before : 0.0);
   }
-  double *f = a->f + i * a->f_stride;                             /* F15 (17), times the mass */
+  double *f = a->f + i * a->f_stride; /* F15 (17), times the mass */
   f[0] -= a->force_unit * r.force.x;
   f[1] -= a->force_unit * r.force.y;
   if (effects & TM_CT_3D) f[2] -= a->force_unit * r.force.z;

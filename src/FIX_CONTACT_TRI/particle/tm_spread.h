@@ -9,14 +9,14 @@
 #include "tm_rates.h"
 
 typedef struct {
-  tm_rows rows;             /* the pairs that exchange heat are those that share it */
-  const tm_real *main;      /* records */
-  const int *type;          /* LAMMPS types, owned and ghost */
-  int body_type;            /* of the tool's particles */
+  tm_rows rows;        /* the pairs that exchange heat are those that share it */
+  const tm_real *main; /* records */
+  const int *type;     /* LAMMPS types, owned and ghost */
+  int body_type;       /* of the tool's particles */
   int kernel;
   tm_real h;
-  tm_real *heat;            /* for the tool, of each particle in contact (power); then over the sum of its weights */
-  tm_real *source;          /* power into particles, added to */
+  tm_real *heat;   /* for the tool, of each particle in contact (power); then over the sum of its weights */
+  tm_real *source; /* power into particles, added to */
 } tm_spread_args;
 
 TM_FN tm_real tm_spread_weight(int i, int j, const tm_spread_args *a)

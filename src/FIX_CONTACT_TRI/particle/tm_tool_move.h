@@ -8,9 +8,9 @@
 
 typedef struct {
   tm_state state;
-  int group, body_type;   /* particles of this group and type */
+  int group, body_type; /* particles of this group and type */
   int dim3;
-  tm_pose from, to;       /* of the tool */
+  tm_pose from, to; /* of the tool */
 } tm_tool_move_args;
 
 TM_FN void tm_tool_move(int i, const tm_tool_move_args *a)

@@ -21,12 +21,12 @@
 #include "tm_closest.h"
 #include "tm_tri_grid.h"
 
-#define TM_TOUCH_MAX 6   /* patches or, with F15's test, triangles that one particle may touch */
+#define TM_TOUCH_MAX 6 /* patches or, with F15's test, triangles that one particle may touch */
 
 typedef struct {
-  tm_vec3 point;          /* on the surface */
-  tm_vec3 normal;         /* unit, the direction of the normal force */
-  tm_real distance;       /* of the center from the surface along normal, negative behind it */
+  tm_vec3 point;    /* on the surface */
+  tm_vec3 normal;   /* unit, the direction of the normal force */
+  tm_real distance; /* of the center from the surface along normal, negative behind it */
   int triangle;
 } tm_touch;
 
@@ -59,7 +59,7 @@ TM_FN int tm_touch_is_minimum(const tm_tri_view *m, const tm_candidate *c, tm_ve
   for (int g = m->twin[h]; g >= 0 && g != h; g = m->twin[g]) {
     if (m->patch[g / 3] == c->patch) continue;
     const double *apex = m->corner + 9 * (ptrdiff_t) (g / 3) + 3 * ((g % 3 + 2) % 3);
-    const tm_vec3 w = tm_vec_sub(tm_load3(apex), q);   /* d is square to the edge */
+    const tm_vec3 w = tm_vec_sub(tm_load3(apex), q); /* d is square to the edge */
     const tm_real climb = tm_vec_dot(d, w);
     if (climb > 0.0 && climb * climb > slack2 * tm_vec_dot(w, w)) return 0;
   }
@@ -77,8 +77,7 @@ TM_FN tm_vec3 tm_touch_pseudo_normal(const tm_tri_view *m, const tm_candidate *c
 }
 
 /* Side, distance and direction of the force at a candidate. */
-TM_FN tm_touch tm_touch_at(const tm_tri_view *m, const tm_candidate *c, tm_vec3 p, tm_real radius,
-                           int two_sided)
+TM_FN tm_touch tm_touch_at(const tm_tri_view *m, const tm_candidate *c, tm_vec3 p, tm_real radius, int two_sided)
 {
   const tm_vec3 d = tm_vec_sub(p, c->near.point), np = tm_touch_pseudo_normal(m, c);
   const tm_real r = sqrt(c->near.dist2);
@@ -87,22 +86,19 @@ TM_FN tm_touch tm_touch_at(const tm_tri_view *m, const tm_candidate *c, tm_vec3 
   t.point = c->near.point;
   t.triangle = c->triangle;
   t.distance = behind ? -r : r;
-  if (c->near.feature == TM_FACE)
-    t.normal = two_sided && tm_vec_dot(d, np) < 0.0 ? tm_vec_scale(-1.0, np) : np;
-  else if (r > 1e-6 * radius)
-    t.normal = tm_vec_scale((behind ? -1.0 : 1.0) / r, d);
-  else
-    t.normal = tm_vec_dot(np, np) > 0.0 ? np : tm_load3(m->normal + 3 * (ptrdiff_t) c->triangle);
+  if (c->near.feature == TM_FACE) t.normal = two_sided && tm_vec_dot(d, np) < 0.0 ? tm_vec_scale(-1.0, np) : np;
+  else if (r > 1e-6 * radius) t.normal = tm_vec_scale((behind ? -1.0 : 1.0) / r, d);
+  else t.normal = tm_vec_dot(np, np) > 0.0 ? np : tm_load3(m->normal + 3 * (ptrdiff_t) c->triangle);
   return t;
 }
 
 /* Nearest point within `limit` on one segment of a cell's list, which is one patch; 0: none. */
-TM_FN int tm_touch_nearest(const tm_tri_view *m, const tm_grid_view *g, int begin, int end,
-                           tm_vec3 p, tm_real away, tm_real limit, tm_candidate *best)
+TM_FN int tm_touch_nearest(const tm_tri_view *m, const tm_grid_view *g, int begin, int end, tm_vec3 p, tm_real away,
+                           tm_real limit, tm_candidate *best)
 {
   int found = 0;
   for (int k = begin; k < end; k++) {
-    if (g->near[k] - away >= limit) break;   /* sorted: the rest is farther still */
+    if (g->near[k] - away >= limit) break; /* sorted: the rest is farther still */
     const ptrdiff_t t = g->list[k];
     const tm_vec3 d = tm_vec_sub(p, tm_load3(m->ball + 4 * t));
     const tm_real far = limit + m->ball[4 * t + 3];
@@ -130,7 +126,7 @@ TM_FN int tm_touch_candidates(const tm_tri_view *m, const tm_grid_view *g, tm_ve
   for (int s = g->first[cell]; s < g->first[cell + 1]; s++) {
     tm_candidate c;
     if (!tm_touch_nearest(m, g, g->segment[s], g->segment[s + 1], p, away, search, &c)) continue;
-    int k = n < TM_TOUCH_MAX ? n++ : TM_TOUCH_MAX;   /* sorted in by distance */
+    int k = n < TM_TOUCH_MAX ? n++ : TM_TOUCH_MAX; /* sorted in by distance */
     for (; k > 0 && c.near.dist2 < list[k - 1].near.dist2; k--)
       if (k < TM_TOUCH_MAX) list[k] = list[k - 1];
     if (k < TM_TOUCH_MAX) list[k] = c;
@@ -139,8 +135,8 @@ TM_FN int tm_touch_candidates(const tm_tri_view *m, const tm_grid_view *g, tm_ve
 }
 
 /* Contacts of a particle at p in the mesh's frame; their number. */
-TM_FN int tm_touch_find(const tm_tri_view *m, const tm_grid_view *g, tm_vec3 p, tm_real radius,
-                        tm_real deep, int two_sided, tm_touch *out)
+TM_FN int tm_touch_find(const tm_tri_view *m, const tm_grid_view *g, tm_vec3 p, tm_real radius, tm_real deep,
+                        int two_sided, tm_touch *out)
 {
   tm_candidate list[TM_TOUCH_MAX];
   const tm_real search = two_sided ? radius : tm_max(radius, deep);
@@ -161,8 +157,7 @@ TM_FN int tm_touch_find(const tm_tri_view *m, const tm_grid_view *g, tm_vec3 p, 
 }
 
 /* The same by F15 (7)-(9). */
-TM_FN int tm_touch_find_f15(const tm_tri_view *m, const tm_grid_view *g, tm_vec3 p, tm_real radius,
-                            tm_touch *out)
+TM_FN int tm_touch_find_f15(const tm_tri_view *m, const tm_grid_view *g, tm_vec3 p, tm_real radius, tm_touch *out)
 {
   int length, found = 0;
   const int *near = tm_grid_query(g, p, &length);
@@ -170,13 +165,13 @@ TM_FN int tm_touch_find_f15(const tm_tri_view *m, const tm_grid_view *g, tm_vec3
     const ptrdiff_t t = near[k];
     const double *c = m->corner + 9 * t;
     const tm_vec3 A = tm_load3(c), B = tm_load3(c + 3), C = tm_load3(c + 6);
-    const tm_vec3 n = tm_load3(m->normal + 3 * t);                               /* F15 (7) */
-    const tm_real h = tm_vec_dot(n, tm_vec_sub(p, A));                          /* of F15 (9) */
+    const tm_vec3 n = tm_load3(m->normal + 3 * t);     /* F15 (7) */
+    const tm_real h = tm_vec_dot(n, tm_vec_sub(p, A)); /* of F15 (9) */
     if (!(fabs(h) < radius)) continue;
-    const tm_vec3 Q = tm_vec_axpy(p, -h, n);                                    /* inside by F15 (8)? */
-    if (tm_vec_dot(tm_vec_cross(tm_vec_sub(B, A), tm_vec_sub(Q, A)), n) < 0.0
-        || tm_vec_dot(tm_vec_cross(tm_vec_sub(C, B), tm_vec_sub(Q, B)), n) < 0.0
-        || tm_vec_dot(tm_vec_cross(tm_vec_sub(A, C), tm_vec_sub(Q, C)), n) < 0.0)
+    const tm_vec3 Q = tm_vec_axpy(p, -h, n); /* inside by F15 (8)? */
+    if (tm_vec_dot(tm_vec_cross(tm_vec_sub(B, A), tm_vec_sub(Q, A)), n) < 0.0 ||
+        tm_vec_dot(tm_vec_cross(tm_vec_sub(C, B), tm_vec_sub(Q, B)), n) < 0.0 ||
+        tm_vec_dot(tm_vec_cross(tm_vec_sub(A, C), tm_vec_sub(Q, C)), n) < 0.0)
       continue;
     out[found].point = Q;
     out[found].normal = n;

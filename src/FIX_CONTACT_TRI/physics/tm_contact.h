@@ -17,16 +17,16 @@
 
 /* Contact of the particles of one type. */
 typedef struct {
-  int active;             /* 0: this type does not touch the surface */
-  tm_real radius;         /* dp/2 (length) */
-  tm_real stiffness;      /* k (force/length) */
-  tm_real damping;        /* DFAC, share of critical damping, >= 0 */
-  tm_real area;           /* area a particle shows to the surface: dp^2, in 2D dp */
-  tm_table friction;      /* mu(T), >= 0 */
-  tm_real shear;          /* m: friction <= m Y/sqrt(3) A; 0: no such limit */
-  tm_real share;          /* of friction heat into the particle, 0..1; negative: by effusivity */
-  tm_real tool_effusivity;/* of the surface, power time^(1/2)/(area temperature) */
-  tm_real conductance;    /* to the surface, power/(area temperature); 0: none, negative: perfect */
+  int active;              /* 0: this type does not touch the surface */
+  tm_real radius;          /* dp/2 (length) */
+  tm_real stiffness;       /* k (force/length) */
+  tm_real damping;         /* DFAC, share of critical damping, >= 0 */
+  tm_real area;            /* area a particle shows to the surface: dp^2, in 2D dp */
+  tm_table friction;       /* mu(T), >= 0 */
+  tm_real shear;           /* m: friction <= m Y/sqrt(3) A; 0: no such limit */
+  tm_real share;           /* of friction heat into the particle, 0..1; negative: by effusivity */
+  tm_real tool_effusivity; /* of the surface, power time^(1/2)/(area temperature) */
+  tm_real conductance;     /* to the surface, power/(area temperature); 0: none, negative: perfect */
 } tm_contact_law;
 
 /* The law for a particle of edge dp, where it differs from the one the law was made for: the same
@@ -75,8 +75,7 @@ TM_FN tm_real tm_contact_conductance(const tm_contact_law *w, tm_real k)
 
 /* Mean power into a particle of heat capacity m c_p over dt through conductance times area hA: the
    exact relaxation towards the surface temperature, so never past it. */
-TM_FN tm_real tm_contact_heat(tm_real hA, tm_real T_surface, tm_real T, tm_real capacity,
-                              tm_real dt)
+TM_FN tm_real tm_contact_heat(tm_real hA, tm_real T_surface, tm_real T, tm_real capacity, tm_real dt)
 {
   return -capacity / dt * expm1(-hA * dt / capacity) * (T_surface - T);
 }

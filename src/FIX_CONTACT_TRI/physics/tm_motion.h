@@ -21,16 +21,14 @@ typedef struct {
   tm_vec3 shift, velocity, omega, center;
 } tm_pose;
 
-enum tm_motion_kind {
-  TM_MOTION_NONE = 0, TM_MOTION_LINEAR, TM_MOTION_WIGGLE, TM_MOTION_ROTATE, TM_MOTION_TRANSROT
-};
+enum tm_motion_kind { TM_MOTION_NONE = 0, TM_MOTION_LINEAR, TM_MOTION_WIGGLE, TM_MOTION_ROTATE, TM_MOTION_TRANSROT };
 
 typedef struct {
-  int kind;               /* enum tm_motion_kind */
-  tm_vec3 v;              /* velocity (length/time); wiggle: amplitude (length) */
-  tm_vec3 point, axis;    /* a point of the axis of rotation, its direction (any length > 0) */
-  tm_real period;         /* of wiggle and rotation (time), not 0; negative turns the other way */
-  tm_real ramp;           /* duration of the soft start (time), 0: none */
+  int kind;            /* enum tm_motion_kind */
+  tm_vec3 v;           /* velocity (length/time); wiggle: amplitude (length) */
+  tm_vec3 point, axis; /* a point of the axis of rotation, its direction (any length > 0) */
+  tm_real period;      /* of wiggle and rotation (time), not 0; negative turns the other way */
+  tm_real ramp;        /* duration of the soft start (time), 0: none */
 } tm_motion;
 
 TM_FN tm_vec3 tm_mat_mul_vec(tm_mat3 m, tm_vec3 a)
@@ -70,7 +68,7 @@ TM_FN tm_mat3 tm_rotation_about(tm_vec3 axis, tm_real angle)
 {
   const tm_vec3 u = tm_vec_scale(1.0 / tm_vec_norm(axis), axis);
   const tm_real c = cos(angle), s = sin(angle), half = sin(0.5 * angle);
-  const tm_real d = 2.0 * half * half;   /* 1 - cos, without cancellation */
+  const tm_real d = 2.0 * half * half; /* 1 - cos, without cancellation */
   tm_mat3 m;
   /* clang-format off */
   m.xx = c + d * u.x * u.x; m.xy = d * u.x * u.y - s * u.z; m.xz = d * u.x * u.z + s * u.y;

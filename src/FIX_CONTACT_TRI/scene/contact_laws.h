@@ -19,8 +19,8 @@ class ContactLaws {
   const tm_contact_law &of(int type) const { return laws[type]; }
   const tm_contact_law *host_read() const { return laws.data(); }    // index type
   const tm_contact_law *loop_read() { return loop_laws.loop_read(); }
-  double stable_dt() const { return dt_limit; }          // of the contact springs
-  double sound_speed() const { return fastest; }         // of the fastest solid, 0: there is none
+  double stable_dt() const { return dt_limit; }     // of the contact springs
+  double sound_speed() const { return fastest; }    // of the fastest solid, 0: there is none
 
  private:
   std::vector<tm_contact_law> laws;

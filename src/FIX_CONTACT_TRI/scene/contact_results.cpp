@@ -55,9 +55,9 @@ const double *ContactResults::over_ranks(MPI_Comm world, const UnitScale &unit, 
   if (reduced) return totals;
   reduced = true;
   const double force = 1.0 / unit.force, power = 1.0 / unit.energy;
-  const double mine[9] = {force * sums.force.x,        force * sums.force.y,     force * sums.force.z,
-                          force * sums.torque.x,       force * sums.torque.y,    force * sums.torque.z,
-                          power * sums.friction_power, power * sums.heat_tool,   (double) sums.contacts};
+  const double mine[9] = {force * sums.force.x,        force * sums.force.y,   force * sums.force.z,
+                          force * sums.torque.x,       force * sums.torque.y,  force * sums.torque.z,
+                          power * sums.friction_power, power * sums.heat_tool, (double) sums.contacts};
   double all[9];
   MPI_Allreduce(mine, all, 9, MPI_DOUBLE, MPI_SUM, world);
   std::copy_n(all, 6, totals + FORCE);

@@ -25,12 +25,10 @@ ToolMotion::ToolMotion(LAMMPS *lmp) : lmp(lmp)
 // a motion that a restart file holds goes on when the same one is given again
 void ToolMotion::keep_if_restarted(const tm_motion &given)
 {
-  auto same = [](tm_vec3 a, tm_vec3 b) {
-    return a.x == b.x && a.y == b.y && a.z == b.z;
-  };
+  auto same = [](tm_vec3 a, tm_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
   const bool again = restarted && given.kind == motion.kind && same(given.v, motion.v) &&
-      same(given.point, motion.point) && same(given.axis, motion.axis) &&
-      given.period == motion.period && given.ramp == motion.ramp;
+                     same(given.point, motion.point) && same(given.axis, motion.axis) &&
+                     given.period == motion.period && given.ramp == motion.ramp;
   restarted = false;
   if (again) return;
   base = pose_now();
@@ -49,9 +47,8 @@ void ToolMotion::set(const MotionCommand &c)
 void ToolMotion::init()
 {
   if (names.empty() && restarted_variable)
-    lmp->error->all(FLERR,
-                    "Fix contact/tri: the restart file holds a motion by variables; repeat "
-                    "its fix_modify move variable");
+    lmp->error->all(FLERR, "Fix contact/tri: the restart file holds a motion by variables; repeat "
+                           "its fix_modify move variable");
   restarted_variable = false;
   for (size_t k = 0; k < names.size(); k++) {
     variable[k] = -1;
@@ -63,16 +60,12 @@ void ToolMotion::init()
   }
 }
 
-double ToolMotion::value(int k) const
-{
-  return lmp->input->variable->compute_equal(variable[k]);
-}
+double ToolMotion::value(int k) const { return lmp->input->variable->compute_equal(variable[k]); }
 
 // where a displacement variable is given it rules, else what was reached
 tm_vec3 ToolMotion::displacement(tm_vec3 otherwise) const
 {
-  return tm_vec(variable[0] >= 0 ? value(0) : otherwise.x,
-                variable[1] >= 0 ? value(1) : otherwise.y,
+  return tm_vec(variable[0] >= 0 ? value(0) : otherwise.x, variable[1] >= 0 ? value(1) : otherwise.y,
                 variable[2] >= 0 ? value(2) : otherwise.z);
 }
 
@@ -86,8 +79,8 @@ void ToolMotion::evaluate(double dt)
 void ToolMotion::evaluate_now()
 {
   moved = moved_next = displacement(moved);
-  rate = tm_vec(variable[3] >= 0 ? value(3) : 0.0, variable[4] >= 0 ? value(4) : 0.0,
-                variable[5] >= 0 ? value(5) : 0.0);
+  rate =
+      tm_vec(variable[3] >= 0 ? value(3) : 0.0, variable[4] >= 0 ? value(4) : 0.0, variable[5] >= 0 ? value(5) : 0.0);
 }
 
 void ToolMotion::evaluate_next(double dt)
@@ -131,8 +124,7 @@ double ToolMotion::top_speed(const double *lo, const double *hi) const
   if (motion.kind != TM_MOTION_ROTATE && motion.kind != TM_MOTION_TRANSROT) return speed;
   double far = 0.0;
   for (int c = 0; c < 8; c++) {
-    const tm_vec3 corner =
-        tm_vec(c & 1 ? hi[0] : lo[0], c & 2 ? hi[1] : lo[1], c & 4 ? hi[2] : lo[2]);
+    const tm_vec3 corner = tm_vec(c & 1 ? hi[0] : lo[0], c & 2 ? hi[1] : lo[1], c & 4 ? hi[2] : lo[2]);
     const tm_vec3 d = tm_vec_sub(tm_pose_to_world(&base, corner), motion.point);
     far = std::max(far, tm_vec_norm(tm_vec_cross(motion.axis, d)) / tm_vec_norm(motion.axis));
   }
@@ -144,8 +136,7 @@ double ToolMotion::top_speed(const double *lo, const double *hi) const
 std::vector<double> ToolMotion::pack() const
 {
   std::vector<double> v = {(double) motion.kind, motion.period, motion.ramp, start};
-  for (const tm_vec3 &a : {motion.v, motion.point, motion.axis, base.shift, moved})
-    v.insert(v.end(), {a.x, a.y, a.z});
+  for (const tm_vec3 &a : {motion.v, motion.point, motion.axis, base.shift, moved}) v.insert(v.end(), {a.x, a.y, a.z});
   const tm_mat3 &r = base.turn;
   v.insert(v.end(), {r.xx, r.xy, r.xz, r.yx, r.yy, r.yz, r.zx, r.zy, r.zz});
   v.push_back(names.empty() ? 0.0 : 1.0);

@@ -68,10 +68,7 @@ void ToolParticles::pack(int n, const int *list, double *buf)
   for (int k = 0; k < n; k++) buf[k] = lost[list[k]];
 }
 
-void ToolParticles::unpack(int n, int first, const double *buf)
-{
-  std::copy_n(buf, n, heat.host_write() + first);
-}
+void ToolParticles::unpack(int n, int first, const double *buf) { std::copy_n(buf, n, heat.host_write() + first); }
 
 void ToolParticles::send(int n, const int *list, double *buf)
 {

@@ -9,7 +9,7 @@
 namespace LAMMPS_NS {
 class Fix;
 class LAMMPS;
-}
+}    // namespace LAMMPS_NS
 
 namespace SPHTM_NS {
 

@@ -92,20 +92,20 @@ std::string TriTool::index(MPI_Comm world, double radius)
 {
   tm_tri_grid_free(&grid_);
   const bool built = tm_tri_grid_build(&grid_, &mesh_, radius, TM_GRID_BUDGET) == TM_MESH_OK;
-  return first_message(world, built ? "" : fmt::format("no memory for the search grid of {} triangles with radius {}",
-                                                    mesh_.nt, radius));
+  return first_message(world, built ? ""
+                                    : fmt::format("no memory for the search grid of {} triangles with radius {}",
+                                                  mesh_.nt, radius));
 }
 
 std::string TriTool::summary() const
 {
   const tm_mesh &m = mesh_;
-  std::string text = fmt::format(
-      "{} triangles, {} vertices, {} smooth patch{}, box {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} "
-      "{:.6g}, ",
-      m.nt, m.nv, m.npatch, m.npatch == 1 ? "" : "es", m.lo[0], m.lo[1], m.lo[2], m.hi[0], m.hi[1],
-      m.hi[2]);
-  text += m.closed ? fmt::format("closed, volume {:.6g}", m.volume)
-                   : fmt::format("area {:.6g}", m.total_area);
+  std::string text =
+      fmt::format("{} triangles, {} vertices, {} smooth patch{}, box {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} "
+                  "{:.6g}, ",
+                  m.nt, m.nv, m.npatch, m.npatch == 1 ? "" : "es", m.lo[0], m.lo[1], m.lo[2], m.hi[0], m.hi[1],
+                  m.hi[2]);
+  text += m.closed ? fmt::format("closed, volume {:.6g}", m.volume) : fmt::format("area {:.6g}", m.total_area);
   if (m.dropped_degenerate) text += fmt::format(", {} degenerate dropped", m.dropped_degenerate);
   if (m.dropped_duplicate) text += fmt::format(", {} duplicate dropped", m.dropped_duplicate);
   return text;
@@ -120,8 +120,7 @@ std::vector<std::string> TriTool::flaws(bool two_sided) const
                                 "inside",
                                 mesh_.open_edges));
   if (mesh_.nonmanifold_edges)
-    lines.push_back(
-        fmt::format("more than two triangles meet at {} edges", mesh_.nonmanifold_edges));
+    lines.push_back(fmt::format("more than two triangles meet at {} edges", mesh_.nonmanifold_edges));
   if (mesh_.flipped_normals)
     lines.push_back(fmt::format("{} facet normals in the file oppose the order of the vertices; "
                                 "the order of the vertices counts",
@@ -133,8 +132,7 @@ double TriTool::bytes() const
 {
   const double nt = mesh_.nt, nv = mesh_.nv;
   return nt * (26 * sizeof(double) + 8 * sizeof(int)) + nv * (6 * sizeof(double) + sizeof(int)) +
-      2 * sizeof(int) * (double) grid_.entries +
-      sizeof(int) * ((double) grid_.nblocks * (TM_GRID_CELLS + 1));
+         2 * sizeof(int) * (double) grid_.entries + sizeof(int) * ((double) grid_.nblocks * (TM_GRID_CELLS + 1));
 }
 
 }    // namespace SPHTM_NS

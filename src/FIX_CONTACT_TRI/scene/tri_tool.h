@@ -46,7 +46,7 @@ class TriTool {
   tm_tri_view view() const { return tm_mesh_view(&mesh_); }
   const tm_grid_view &grid() const { return grid_.view; }
   int grid_blocks() const { return grid_.nblocks; }
-  tm_vec3 origin() const { return origin_; }    // where the file's origin came to lie
+  tm_vec3 origin() const { return origin_; }       // where the file's origin came to lie
   uint64_t content() const { return content_; }    // hash of the file's bytes
   double bytes() const;
 

@@ -13,8 +13,7 @@
 using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
 
-ComputeCuttingForce::ComputeCuttingForce(LAMMPS *lmp, int narg, char **arg) :
-    Compute(lmp, narg, arg)
+ComputeCuttingForce::ComputeCuttingForce(LAMMPS *lmp, int narg, char **arg) : Compute(lmp, narg, arg)
 {
   scalar_flag = 1;
   vector_flag = 1;
@@ -42,16 +41,12 @@ ComputeCuttingForce::ComputeCuttingForce(LAMMPS *lmp, int narg, char **arg) :
   vector = new double[size_vector];
 }
 
-ComputeCuttingForce::~ComputeCuttingForce()
-{
-  delete[] vector;
-}
+ComputeCuttingForce::~ComputeCuttingForce() { delete[] vector; }
 
 FixContactTri *ComputeCuttingForce::tool() const
 {
   auto *found = dynamic_cast<FixContactTri *>(modify->get_fix_by_id(tool_id));
-  if (!found)
-    error->all(FLERR, "Compute cutting/force {}: {} is not the ID of a fix contact/tri", id, tool_id);
+  if (!found) error->all(FLERR, "Compute cutting/force {}: {} is not the ID of a fix contact/tri", id, tool_id);
   return found;
 }
 

@@ -59,8 +59,7 @@ int FixContactTri::modify_param(int narg, char **arg)
     return 1 + command.words;
   }
   if (strcmp(arg[0], "temperature") == 0) {
-    if (narg < 2)
-      utils::missing_cmd_args(FLERR, "fix_modify temperature of fix contact/tri", error);
+    if (narg < 2) utils::missing_cmd_args(FLERR, "fix_modify temperature of fix contact/tri", error);
     temperature.set(positive(lmp, "Fix_modify temperature of fix contact/tri", arg[1]));
     return 2;
   }
@@ -123,8 +122,7 @@ void FixContactTri::report() const
 {
   if (comm->me) return;
   utils::logmesg(lmp, "contact/tri {}: {}: {}\n", id, set.shape.file, tool.summary());
-  for (const auto &line : tool.flaws(set.two_sided))
-    error->warning(FLERR, "Fix contact/tri {}: {}", id, line);
+  for (const auto &line : tool.flaws(set.two_sided)) error->warning(FLERR, "Fix contact/tri {}: {}", id, line);
   const bool heat = state->has(TM_FX_HEAT) && set.has_friction();
   const bool given = set.share >= 0.0 || set.effusivity >= 0.0 || set.body_type;
   for (int t = 1; t <= atom->ntypes; t++) {
@@ -240,8 +238,7 @@ void FixContactTri::post_force(int)
   const auto timed = state->clock().timed(this);
   const double dt = state->time_step().now();
   const bool of_triangles = output.needs_values();
-  if (!update->setupflag)
-    checks.jump(motion.pose(dt, dt), motion.by_variable(), dt, model->smallest_spacing());
+  if (!update->setupflag) checks.jump(motion.pose(dt, dt), motion.by_variable(), dt, model->smallest_spacing());
   ContactLoops::of(state->loops())
       .contact(state->loops(), atom->nlocal, contact_args(motion.pose(state->time_step().ahead(), dt), of_triangles),
                effects(of_triangles), results.begin());
@@ -292,10 +289,7 @@ void FixContactTri::write_output()
 }
 
 // of a set-up or step, or an error: there are no values
-void FixContactTri::check_current() const
-{
-  scene->check_current(state, fmt::format("Fix contact/tri {}", id));
-}
+void FixContactTri::check_current() const { scene->check_current(state, fmt::format("Fix contact/tri {}", id)); }
 
 const double *FixContactTri::results_now()
 {
@@ -318,10 +312,7 @@ double FixContactTri::compute_scalar()
   return temperature.now();
 }
 
-int FixContactTri::image(int *&kinds, double **&rows)
-{
-  return output.image(motion.pose_now(), kinds, rows);
-}
+int FixContactTri::image(int *&kinds, double **&rows) { return output.image(motion.pose_now(), kinds, rows); }
 
 ToolQuery FixContactTri::query() const
 {
@@ -348,12 +339,6 @@ int FixContactTri::pack_forward_comm(int n, int *list, double *buf, int, int *)
   return n;
 }
 
-void FixContactTri::unpack_forward_comm(int n, int first, double *buf)
-{
-  particles.unpack(n, first, buf);
-}
+void FixContactTri::unpack_forward_comm(int n, int first, double *buf) { particles.unpack(n, first, buf); }
 
-double FixContactTri::memory_usage()
-{
-  return tool.bytes() + particles.bytes() + triangles.bytes();
-}
+double FixContactTri::memory_usage() { return tool.bytes() + particles.bytes() + triangles.bytes(); }

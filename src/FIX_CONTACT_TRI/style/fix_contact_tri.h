@@ -24,7 +24,7 @@ namespace SPHTM_NS {
 class Model;
 class ParticleState;
 class Scene;
-}
+}    // namespace SPHTM_NS
 
 namespace LAMMPS_NS {
 
@@ -71,8 +71,8 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   SPHTM_NS::ToolChecks checks;
   SPHTM_NS::ParticleState *state = nullptr;
   const SPHTM_NS::Model *model = nullptr;
-  tm_vec3 reference;              // point of the torques, in the tool's frame
-  double spacing = 0.0;           // of the particles, with which the search grid was built
+  tm_vec3 reference;       // point of the torques, in the tool's frame
+  double spacing = 0.0;    // of the particles, with which the search grid was built
   bool restored = false, overlap_checked = false, warned_deep = false;
 
   void index_tool();

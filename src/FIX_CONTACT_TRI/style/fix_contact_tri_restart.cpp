@@ -49,8 +49,10 @@ void FixContactTri::warn_of_other_input(const std::vector<double> &written) cons
     error->warning(FLERR, "Fix contact/tri {}: the content of mesh file {} is not what it was when the {} was written",
                    id, set.shape.file, file);
   if (take_bits(hash + 2) != set.shape.hash())
-    error->warning(FLERR, "Fix contact/tri {}: the placement of mesh file {} (scale, move, rotate, flip, merge, "
-                          "smooth) is not what it was when the {} was written", id, set.shape.file, file);
+    error->warning(FLERR,
+                   "Fix contact/tri {}: the placement of mesh file {} (scale, move, rotate, flip, merge, "
+                   "smooth) is not what it was when the {} was written",
+                   id, set.shape.file, file);
   std::string other, heat;
   hash = &written[KEYWORDS_AT];
   for (const auto &now : set.hashes()) {
@@ -64,6 +66,8 @@ void FixContactTri::warn_of_other_input(const std::vector<double> &written) cons
                    id, file, other);
   if (!heat.empty())
     error->warning(FLERR, "Fix contact/tri {}: the {} was written with other values of {}; the tool goes on with {}",
-                   id, file, heat, !temperature.by_variable() && written[1] > 0.0 ?
-                   fmt::format("its temperature there, {:.6g}", written[1]) : "those of the script");
+                   id, file, heat,
+                   !temperature.by_variable() && written[1] > 0.0
+                       ? fmt::format("its temperature there, {:.6g}", written[1])
+                       : "those of the script");
 }

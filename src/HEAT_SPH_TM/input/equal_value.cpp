@@ -23,8 +23,7 @@ void EqualValue::set(LAMMPS *l, const std::string &title, const char *text)
     init();    // a missing variable is an error of this line
     return;
   }
-  if (!utils::is_double(text))
-    lmp->error->all(FLERR, "{} must be a number or v_name, got {}", what, text);
+  if (!utils::is_double(text)) lmp->error->all(FLERR, "{} must be a number or v_name, got {}", what, text);
   number = utils::numeric(FLERR, text, false, lmp);
   if (!std::isfinite(number)) lmp->error->all(FLERR, "{} must be finite, got {}", what, text);
 }

@@ -11,11 +11,11 @@ namespace SPHTM_NS {
 TM_FN double tm_heat_nothing(void) { return 0.0; }
 TM_FN void tm_heat_sum(double *sum, const double *value) { *sum += *value; }
 
-#define HEAT_LOOPS(LOOP)                                                                                      \
-  LOOP(SUM, surface_area, tm_surface_flux_args, double, tm_heat, tm_surface_flux_of_group(i, &a, 1).area)     \
-  LOOP(SUM, surface_flux, tm_surface_flux_args, tm_surface_flux_result, tm_surface_flux,                      \
-       tm_surface_flux_of_group(i, &a, 0))                                                                    \
-  LOOP(SUM, dirichlet, tm_dirichlet_args, double, tm_heat, tm_dirichlet(i, &a))                               \
+#define HEAT_LOOPS(LOOP)                                                                                  \
+  LOOP(SUM, surface_area, tm_surface_flux_args, double, tm_heat, tm_surface_flux_of_group(i, &a, 1).area) \
+  LOOP(SUM, surface_flux, tm_surface_flux_args, tm_surface_flux_result, tm_surface_flux,                  \
+       tm_surface_flux_of_group(i, &a, 0))                                                                \
+  LOOP(SUM, dirichlet, tm_dirichlet_args, double, tm_heat, tm_dirichlet(i, &a))                           \
   LOOP(SUM, drive, tm_drive_args, tm_drive_result, tm_drive, tm_drive(i, &a))
 
 struct HeatLoops {

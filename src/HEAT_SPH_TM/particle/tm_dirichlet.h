@@ -7,7 +7,7 @@
 
 typedef struct {
   tm_state state;
-  int group;              /* of LAMMPS's group bits */
+  int group; /* of LAMMPS's group bits */
   tm_real temperature;
 } tm_dirichlet_args;
 
@@ -27,16 +27,16 @@ TM_FN tm_real tm_dirichlet(int i, const tm_dirichlet_args *a)
 typedef struct {
   tm_state state;
   int group;
-  int given[3];           /* nonzero: this component is driven */
-  int act;                /* 0: only sum */
-  tm_real velocity[3];    /* at the end of the step */
+  int given[3];        /* nonzero: this component is driven */
+  int act;             /* 0: only sum */
+  tm_real velocity[3]; /* at the end of the step */
   tm_real dt;
-  tm_real accel_unit;     /* force of the unit style / mass -> acceleration */
+  tm_real accel_unit; /* force of the unit style / mass -> acceleration */
 } tm_drive_args;
 
 typedef struct {
-  tm_real force[3];       /* on the particle, by all others, in the driven directions */
-  tm_real work;           /* of the drive in this step, force unit times length */
+  tm_real force[3]; /* on the particle, by all others, in the driven directions */
+  tm_real work;     /* of the drive in this step, force unit times length */
 } tm_drive_result;
 
 TM_FN tm_drive_result tm_drive_nothing(void)

@@ -10,34 +10,29 @@
 #include "tm_record.h"
 #include "tm_surface.h"
 
-enum tm_flux_mode {
-  TM_FLUX_GIVEN = 0,
-  TM_FLUX_SOURCE = 1,
-  TM_FLUX_CONVECTION = 2,
-  TM_FLUX_RADIATION = 3
-};
+enum tm_flux_mode { TM_FLUX_GIVEN = 0, TM_FLUX_SOURCE = 1, TM_FLUX_CONVECTION = 2, TM_FLUX_RADIATION = 3 };
 
 typedef struct {
-  int mode;                  /* enum tm_flux_mode */
-  tm_real strength;          /* flux, source, convection coefficient, Stefan-Boltzmann constant */
-  tm_real T_inf;             /* temperature of the surroundings */
-  tm_real emissivity;        /* negative: the material's */
+  int mode;           /* enum tm_flux_mode */
+  tm_real strength;   /* flux, source, convection coefficient, Stefan-Boltzmann constant */
+  tm_real T_inf;      /* temperature of the surroundings */
+  tm_real emissivity; /* negative: the material's */
   tm_surface surface;
-  int facing;                /* nonzero: only the area facing d */
+  int facing; /* nonzero: only the area facing d */
   tm_vec3 d;
-  tm_real area_factor;       /* on the area found, to reach a known total; 1 otherwise */
+  tm_real area_factor; /* on the area found, to reach a known total; 1 otherwise */
 
   tm_records rec;
-  const tm_real *normal;        /* 3 per particle, NULL for a source */
-  const int *type, *mask;       /* LAMMPS types and group bits */
-  int group;                    /* particles with (mask & group) */
-  const tm_material *material;  /* indexed by type */
-  tm_real *source;              /* power into the particles, added to */
+  const tm_real *normal;       /* 3 per particle, NULL for a source */
+  const int *type, *mask;      /* LAMMPS types and group bits */
+  int group;                   /* particles with (mask & group) */
+  const tm_material *material; /* indexed by type */
+  tm_real *source;             /* power into the particles, added to */
 } tm_surface_flux_args;
 
 typedef struct {
   tm_real power, area;
-  tm_real rate;              /* decay rate of the particle's temperature by the flux */
+  tm_real rate; /* decay rate of the particle's temperature by the flux */
 } tm_surface_flux_result;
 
 /* Area in use of particle i, without the factor. */
@@ -46,8 +41,7 @@ TM_FN tm_real tm_surface_flux_area(int i, const tm_surface_flux_args *a)
   const tm_real *r = tm_main_record(&a->rec, i), *p = a->normal + 3 * (ptrdiff_t) i;
   const tm_vec3 n = tm_vec(p[0], p[1], p[2]);
   const tm_real volume = r[tm_part(TM_REC_M)] / r[tm_part(TM_REC_RHO)];
-  return a->facing ? tm_surface_area_facing(&a->surface, n, volume, a->d)
-                   : tm_surface_area(&a->surface, n, volume);
+  return a->facing ? tm_surface_area_facing(&a->surface, n, volume, a->d) : tm_surface_area(&a->surface, n, volume);
 }
 
 TM_FN tm_surface_flux_result tm_surface_flux(int i, const tm_surface_flux_args *a)
@@ -64,7 +58,7 @@ TM_FN tm_surface_flux_result tm_surface_flux(int i, const tm_surface_flux_args *
   }
   out.area = a->area_factor * tm_surface_flux_area(i, a);
   const tm_real e = a->emissivity < 0.0 ? m->emissivity : a->emissivity;
-  tm_real flux = a->strength, slope = 0.0;   /* slope = -d flux/dT */
+  tm_real flux = a->strength, slope = 0.0; /* slope = -d flux/dT */
   if (a->mode == TM_FLUX_CONVECTION) {
     flux = tm_convection(a->strength, T, a->T_inf);
     slope = a->strength;

@@ -39,8 +39,10 @@ FixSPHTMDrive::FixSPHTMDrive(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
   datamask_modify = F_MASK;
 
   if (narg != 6)
-    error->all(FLERR, "Fix sph/tm/drive needs three velocities vx vy vz, each a number, v_name or NULL; got "
-                      "{} value{}", narg - 3, narg == 4 ? "" : "s");
+    error->all(FLERR,
+               "Fix sph/tm/drive needs three velocities vx vy vz, each a number, v_name or NULL; got "
+               "{} value{}",
+               narg - 3, narg == 4 ? "" : "s");
   bool any = false;
   for (int k = 0; k < 3; k++) {
     if (strcmp(arg[3 + k], "NULL") == 0) continue;
@@ -75,8 +77,10 @@ void FixSPHTMDrive::check_group()
   for (int i = 0; i < atom->nlocal; i++) mine += (mask[i] & groupbit) && !(mask[i] & state->group_bit());
   MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   if (all)
-    error->all(FLERR, "Fix sph/tm/drive: {} particles of group {} are not in the group of fix sph/tm {}, which "
-                      "moves them; give fix sph/tm the group all", all, group->names[igroup], state->id());
+    error->all(FLERR,
+               "Fix sph/tm/drive: {} particles of group {} are not in the group of fix sph/tm {}, which "
+               "moves them; give fix sph/tm the group all",
+               all, group->names[igroup], state->id());
 }
 
 void FixSPHTMDrive::warn_of_later_forces()
@@ -90,8 +94,10 @@ void FixSPHTMDrive::warn_of_later_forces()
     for (int i = 0; i < atom->nlocal; i++) mine += (atom->mask[i] & groupbit) && (atom->mask[i] & f->groupbit);
     MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
     if (all && comm->me == 0)
-      error->warning(FLERR, "Fix {} ({}) acts on forces after fix sph/tm/drive {}: the velocity will not be the "
-                            "prescribed one; move the drive to the end of the script", f->id, f->style, id);
+      error->warning(FLERR,
+                     "Fix {} ({}) acts on forces after fix sph/tm/drive {}: the velocity will not be the "
+                     "prescribed one; move the drive to the end of the script",
+                     f->id, f->style, id);
   }
 }
 

@@ -48,8 +48,10 @@ FixSPHTMHeat::FixSPHTMHeat(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, a
   int m = 0;
   while (m < 5 && !k.is(MODES[m].name)) m++;
   if (m == 5)
-    error->all(FLERR, "Fix sph/tm/heat needs a mode: temperature T, flux q, source q, convection hc Tinf or "
-                      "radiation Tinf; got {}", given ? k.name() : "none");
+    error->all(FLERR,
+               "Fix sph/tm/heat needs a mode: temperature T, flux q, source q, convection hc Tinf or "
+               "radiation Tinf; got {}",
+               given ? k.name() : "none");
   mode = static_cast<Mode>(m);
   static const char *const strengths[] = {"T", "q", "q", "hc", ""};
   if (MODES[m].strength) read(strength, strengths[m], k);
@@ -126,8 +128,10 @@ void FixSPHTMHeat::init()
   const Settings &set = scene->model().settings_in_use();
   surface = tm_surface_make(set.kernel, domain->dimension, set.spacing, set.h, threshold);
   if (mode == RADIATION && !find_style_units(update->unit_style))
-    error->all(FLERR, "Fix sph/tm/heat radiation needs units with a known Stefan-Boltzmann constant, not {}; "
-                      "convection with a variable coefficient does the same", update->unit_style);
+    error->all(FLERR,
+               "Fix sph/tm/heat radiation needs units with a known Stefan-Boltzmann constant, not {}; "
+               "convection with a variable coefficient does the same",
+               update->unit_style);
 }
 
 void FixSPHTMHeat::setup(int)
@@ -142,8 +146,8 @@ void FixSPHTMHeat::setup(int)
   double all = 0.0;
   MPI_Allreduce(&area, &all, 1, MPI_DOUBLE, MPI_SUM, world);
   if (on_surface() && all == 0.0 && comm->me == 0)
-    error->warning(FLERR, "Fix sph/tm/heat {}: group {} has no free surface{}", MODES[mode].name,
-                   group->names[igroup], facing ? " that faces this way" : "");
+    error->warning(FLERR, "Fix sph/tm/heat {}: group {} has no free surface{}", MODES[mode].name, group->names[igroup],
+                   facing ? " that faces this way" : "");
 }
 
 void FixSPHTMHeat::check_group()
@@ -155,8 +159,10 @@ void FixSPHTMHeat::check_group()
     if ((atom->mask[i] & groupbit) && !(material[atom->type[i]].emissivity > 0.0)) dark = atom->type[i];
   MPI_Allreduce(&dark, &worst, 1, MPI_INT, MPI_MAX, world);
   if (worst)
-    error->all(FLERR, "Fix sph/tm/heat radiation: type {} ({}) has no emissivity; add 'emissivity e' to its "
-                      "pair_coeff or to this fix", worst, scene->model().material_name(worst));
+    error->all(FLERR,
+               "Fix sph/tm/heat radiation: type {} ({}) has no emissivity; add 'emissivity e' to its "
+               "pair_coeff or to this fix",
+               worst, scene->model().material_name(worst));
 }
 
 /* ---------------------------------------------------------------------- fixed temperature */

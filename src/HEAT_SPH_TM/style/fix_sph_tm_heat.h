@@ -34,11 +34,11 @@ class FixSPHTMHeat : public Fix {
   enum Mode { TEMPERATURE, FLUX, SOURCE, CONVECTION, RADIATION } mode;
   std::shared_ptr<SPHTM_NS::Scene> scene;
   SPHTM_NS::ParticleState *state = nullptr;    // of fix sph/tm
-  SPHTM_NS::EqualValue strength, T_inf;    // strength: also the fixed temperature
-  double emissivity = -1.0;                // negative: the material's
+  SPHTM_NS::EqualValue strength, T_inf;        // strength: also the fixed temperature
+  double emissivity = -1.0;                    // negative: the material's
   double threshold = TM_SURFACE_THRESHOLD;
   tm_surface surface = {0.0, 0.0};
-  double known_area = 0.0;                 // > 0: scale the surface found to this total
+  double known_area = 0.0;    // > 0: scale the surface found to this total
   bool facing = false;
   tm_vec3 direction = {0.0, 0.0, 0.0};
 

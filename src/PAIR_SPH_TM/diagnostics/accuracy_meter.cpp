@@ -153,7 +153,7 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::of_centers(AuditPatch &p, unsi
   s.least = rule.least;
   s.most = rule.most;
   const double most = (model.covered_h() > 0.0 ? model.covered_h() : model.settings_in_use().h) +
-      neighbor->skin / tm_kernel_support(model.settings_in_use().kernel);
+                      neighbor->skin / tm_kernel_support(model.settings_in_use().kernel);
   for (int turn = 0; turn < (rule.table ? PSI_TURNS : 1); turn++) {
     SearchLoops::of(Backend::host()).smoothing(Backend::host(), n, s, effects);
     for (int k = 0; k < n; k++) {
@@ -412,8 +412,7 @@ std::string AccuracyMeter::report(double rates, double lists, bigint steps)
   auto more = [&](double time) { return base > 0.0 ? (time / base - 1.0) * rates : 0.0; };
   const double ranks = comm->nprocs, per_rank = atom->natoms / ranks * steps / (audits * ranks);
   const bool host = state.loops().shared();
-  line(ROWS, "stale rows", keeps && host,
-       (all.cause[ROWS] + all.rows + all.sorting) * per_rank - rates - lists);
+  line(ROWS, "stale rows", keeps && host, (all.cause[ROWS] + all.rows + all.sorting) * per_rank - rates - lists);
   if (measured[PRECISION]) line(PRECISION, "single precision", true, (base / all.cause[ROWS] - 1.0) * rates);
   line(SMOOTHING, "smoothing length", !state.has(TM_FX_SMOOTHING), more(all.cause[SMOOTHING]));
   for (const auto &e : EFFECTS) {

@@ -87,8 +87,7 @@ AuditPatch AuditSearch::around(const std::vector<int> &centers, double within)
     args.count[0] = count.data();
     const int longest = SearchLoops::of(Backend::host()).search(Backend::host(), n, args, 0u);
     if (longest <= room) break;
-    if (longest > TM_SEARCH_MOST)
-      error->one(FLERR, "Fix sph/tm audit: a particle has at least {} neighbors", longest);
+    if (longest > TM_SEARCH_MOST) error->one(FLERR, "Fix sph/tm audit: a particle has at least {} neighbors", longest);
     room = longest;
   }
   seconds_of_rows += RunClock::processor_time() - began;

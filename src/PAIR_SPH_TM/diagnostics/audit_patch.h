@@ -30,9 +30,9 @@ class AuditSearch : protected LAMMPS_NS::Pointers {
   AuditSearch(LAMMPS_NS::LAMMPS *, const ParticleState &, const tm_records &);
   AuditPatch around(const std::vector<int> &centers, double within);
   AuditPatch alone(const std::vector<int> &centers) const;    // without neighbors
-  double seconds_of_sorting = 0.0, seconds_of_rows = 0.0;    // processor time
-  double radius, farthest;    // of the rates; how far neighbors can be looked for
-  int rows = 0;              // how many were searched
+  double seconds_of_sorting = 0.0, seconds_of_rows = 0.0;     // processor time
+  double radius, farthest;                                    // of the rates; how far neighbors can be looked for
+  int rows = 0;                                               // how many were searched
 
  private:
   void gather(AuditPatch &) const;

@@ -10,10 +10,7 @@
 namespace SPHTM_NS {
 
 // Time of this thread alone where it runs the loops: on a busy machine wall time would be that of others.
-static double probe_time(const Backend &loops)
-{
-  return loops.shared() ? RunClock::processor_time() : RunClock::now();
-}
+static double probe_time(const Backend &loops) { return loops.shared() ? RunClock::processor_time() : RunClock::now(); }
 
 EffectProbe::EffectProbe(ParticleState &s, StepResults &r, int particles) :
     particles_state(s), results(r), loops(s.loops()), n(particles)
@@ -59,8 +56,8 @@ double EffectProbe::step(unsigned fx)
 
   const tm_state now = particles_state.arrays();
   tm_predict_args p = results.predict_args(particles_state, now);
-  p.rec = {main.loop_write(), stress.loop_write(), heat_record.loop_write(), nullptr, size.loop_write(),
-           hourglass.loop_write()};
+  p.rec = {main.loop_write(), stress.loop_write(), heat_record.loop_write(),
+           nullptr,           size.loop_write(),   hourglass.loop_write()};
 
   tm_update_args u = update_args(particles_state, results);
   for (int id = 0; id < TM_F_COUNT; id++) {
@@ -101,8 +98,7 @@ std::map<unsigned, double> EffectProbe::shares(int rounds)
   for (int k = 0; k < rounds; k++)
     for (auto &l : least) l.second = std::min(l.second, step(l.first));
   std::map<unsigned, double> share;
-  for (const auto &s : sets)
-    share[s.first] = (least[s.second.first] - least[s.second.second]) / least[all];
+  for (const auto &s : sets) share[s.first] = (least[s.second.first] - least[s.second.second]) / least[all];
   return share;
 }
 

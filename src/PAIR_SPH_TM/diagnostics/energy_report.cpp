@@ -29,7 +29,8 @@ void EnergyReport::sum()
   using E = EnergyBalance;
   const E &b = state.energy();
   double mine[ENTRIES] = {};
-  mine[KINETIC] = PairLoops::of(state.loops()).kinetic_energy(state.loops(), atom->nlocal, state.arrays(), state.effects());
+  mine[KINETIC] =
+      PairLoops::of(state.loops()).kinetic_energy(state.loops(), atom->nlocal, state.arrays(), state.effects());
   mine[ELASTIC] = b.of(E::ELASTIC);
   mine[PLASTIC] = b.of(E::PLASTIC) - b.of(E::PLASTIC_HEAT);
   mine[HEAT] = b.of(E::HEAT) - b.of(E::HEAT_EXCHANGED);
@@ -89,9 +90,8 @@ void EnergyReport::look(Look when, bool may_stop)
                "trusted. Likely cause: {}",
                state.id(), update->ntimestep, 100.0 * energy_watch.drift(), energy_watch.went_in(),
                100.0 * drift_allowed,
-               state.time_step().is_fixed()
-                   ? "the constant dt"
-                   : "a body that tears apart or clumps numerically, or a courant too large");
+               state.time_step().is_fixed() ? "the constant dt"
+                                            : "a body that tears apart or clumps numerically, or a courant too large");
 }
 
 }    // namespace SPHTM_NS

@@ -22,7 +22,7 @@ class EnergyReport : protected LAMMPS_NS::Pointers {
   // clang-format on
   EnergyReport(LAMMPS_NS::LAMMPS *, ParticleState &, const Scene &);
 
-  double value(int entry);    // now; collective
+  double value(int entry);             // now; collective
   void forget() { summed_at = -1; }    // velocities and particles may have changed
 
   void set_drift_allowed(double d) { drift_allowed = d; }    // of what went in

@@ -49,26 +49,23 @@ std::string EnergyWatch::warning()
 {
   if (!said_drift && drifting >= LASTING) {
     said_drift = true;
-    return fmt::format(
-        "the sum of the energies has drifted by {:+.3g} % of the {:.6g} that went in",
-        100.0 * drift(), into);
+    return fmt::format("the sum of the energies has drifted by {:+.3g} % of the {:.6g} that went in", 100.0 * drift(),
+                       into);
   }
   if (!said_artificial && making >= LASTING) {
     said_artificial = true;
     return fmt::format("artificial terms (viscosity, artificial stress, hourglass resistance) have "
                        "{} {:.3g} % of the {:.6g} "
                        "that went in",
-                       artificial() > 0.0 ? "taken" : "added", 100.0 * std::fabs(artificial()),
-                       into);
+                       artificial() > 0.0 ? "taken" : "added", 100.0 * std::fabs(artificial()), into);
   }
   return "";
 }
 
 std::vector<double> EnergyWatch::state() const
 {
-  return {
-      (double) begun,          base, given, most_work, last_kinetic, last_sum, (double) said_drift,
-      (double) said_artificial};
+  return {(double) begun,          base, given, most_work, last_kinetic, last_sum, (double) said_drift,
+          (double) said_artificial};
 }
 
 void EnergyWatch::restore(const double *v)

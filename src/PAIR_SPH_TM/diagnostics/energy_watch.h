@@ -23,7 +23,7 @@ class EnergyWatch {
   // the look counts; last: of a run, where one is enough
   void count(bool last);
   bool says() const { return into > least; }
-  double drift() const { return into > 0.0 ? drifted / into : 0.0; }        // over what went in
+  double drift() const { return into > 0.0 ? drifted / into : 0.0; }    // over what went in
   double artificial() const { return into > 0.0 ? made / into : 0.0; }
   double went_in() const { return into; }
   // a warning that is due, each once, or ""
@@ -39,8 +39,8 @@ class EnergyWatch {
  private:
   bool begun = false;
   double least = 0.0;
-  double base = 0.0, given = 0.0;          // sum without drift; kinetic energy given at starts
-  double most_work = 0.0;                  // largest work from outside so far
+  double base = 0.0, given = 0.0;    // sum without drift; kinetic energy given at starts
+  double most_work = 0.0;            // largest work from outside so far
   double last_kinetic = 0.0, last_sum = 0.0;
   double drifted = 0.0, made = 0.0, into = 0.0;
   bool said_drift = false, said_artificial = false;

@@ -29,8 +29,10 @@ void check_materials(LAMMPS *lmp, const Model &model, const char *hybrid_style)
 {
   for (int i = 1; i <= lmp->atom->ntypes; i++)
     if (model.materials()[i].rho0 <= 0.0)
-      lmp->error->all(FLERR, "Pair sph/tm: no material for atom type {0}; write 'pair_coeff {0} {0} {1}"
-                             "<file> <card>' or the constants inline", i, hybrid_style);
+      lmp->error->all(FLERR,
+                      "Pair sph/tm: no material for atom type {0}; write 'pair_coeff {0} {0} {1}"
+                      "<file> <card>' or the constants inline",
+                      i, hybrid_style);
 }
 
 void check_styles(LAMMPS *lmp, const Model &model, const std::string &restart_fix, ParticleState &state)
@@ -40,14 +42,16 @@ void check_styles(LAMMPS *lmp, const Model &model, const std::string &restart_fi
     error->all(FLERR, "More than one fix sph/tm: one owns the state of all particles of pair style sph/tm; remove "
                       "the others");
   if (!restart_fix.empty() && !state.history().restored())
-    error->all(FLERR, "Fix {} sph/tm: the {} holds the state of the particles under the fix ID {}; write "
-                      "'fix {} ... sph/tm ...' once, after read_restart", state.id(), restart_file_name(lmp), restart_fix,
-               restart_fix);
+    error->all(FLERR,
+               "Fix {} sph/tm: the {} holds the state of the particles under the fix ID {}; write "
+               "'fix {} ... sph/tm ...' once, after read_restart",
+               state.id(), restart_file_name(lmp), restart_fix, restart_fix);
   if (model.settings_in_use().plane_stress && lmp->domain->dimension != 2)
     error->all(FLERR, "Pair style sph/tm plane stress needs dimension 2");
   if (utils::strmatch(lmp->force->pair_style, "^hybrid/scaled"))
-    error->all(FLERR, "Pair style sph/tm does not work in hybrid/scaled: its forces belong to the stress that it keeps, which "
-                      "no factor scales; use hybrid or hybrid/overlay");
+    error->all(FLERR,
+               "Pair style sph/tm does not work in hybrid/scaled: its forces belong to the stress that it keeps, which "
+               "no factor scales; use hybrid or hybrid/overlay");
 }
 
 // particles without a mass of their own: it follows from the material, where that is known already
@@ -73,14 +77,16 @@ void check_masses(LAMMPS *lmp, const Model &model, const ParticleState &state)
   if (lmp->comm->me) return;
   for (int t = 1; t <= atom->ntypes; t++)
     if (all[t])
-      lmp->error->warning(FLERR, "Pair sph/tm: {} particles of type {} have a mass of their own, density times spacing "
-                            "gives {:.8g}; 'set type {} mass {:.8g}' sets it, 'effects smoothing on' of fix sph/tm "
-                            "gives each the size of its mass", all[t], t, model.particle_mass(t), t,
-                     model.particle_mass(t));
+      lmp->error->warning(FLERR,
+                          "Pair sph/tm: {} particles of type {} have a mass of their own, density times spacing "
+                          "gives {:.8g}; 'set type {} mass {:.8g}' sets it, 'effects smoothing on' of fix sph/tm "
+                          "gives each the size of its mass",
+                          all[t], t, model.particle_mass(t), t, model.particle_mass(t));
     else if (!atom->rmass_flag && differs(atom->mass[t], t))
-      lmp->error->warning(FLERR, "Pair sph/tm: mass of type {} is {:.8g}, density times spacing gives "
-                            "{:.8g}; the mass is kept. Without a mass command it follows from the material",
-                     t, atom->mass[t], model.particle_mass(t));
+      lmp->error->warning(FLERR,
+                          "Pair sph/tm: mass of type {} is {:.8g}, density times spacing gives "
+                          "{:.8g}; the mass is kept. Without a mass command it follows from the material",
+                          t, atom->mass[t], model.particle_mass(t));
 }
 
 // a spacing in another unit than the box: before LAMMPS complains about its bins
@@ -98,9 +104,10 @@ void check_volume(LAMMPS *lmp, const Model &model, const ParticleState &state)
     MPI_Allreduce(&mine, &needed, 1, MPI_DOUBLE, MPI_SUM, lmp->world);
   }
   if (needed > 3.0 * box)
-    lmp->error->all(FLERR, "Pair style sph/tm spacing {:.8g}: {} particles would need {} of {:.6g}, the box has {:.6g}; "
-                      "give the spacing of the particles in the length unit of the run", spacing, atom->natoms,
-               dim == 3 ? "a volume" : "an area", needed, box);
+    lmp->error->all(FLERR,
+                    "Pair style sph/tm spacing {:.8g}: {} particles would need {} of {:.6g}, the box has {:.6g}; "
+                    "give the spacing of the particles in the length unit of the run",
+                    spacing, atom->natoms, dim == 3 ? "a volume" : "an area", needed, box);
 }
 
 // LAMMPS's bins are half of the cutoff wide, and at most a hundred times wider than the box
@@ -112,19 +119,20 @@ void check_bins(LAMMPS *lmp, const Model &model)
   for (int d = 0; d < 3; d++)
     if (bin > MOST * lmp->domain->prd[d])
       lmp->error->all(FLERR,
-                 "Pair style sph/tm spacing {:.8g}: the box is only {:.6g} long in {}; make it at "
-                 "least {:.6g}, for "
-                 "instance {:.6g}{}",
-                 spacing, lmp->domain->prd[d], "xyz"[d], bin / MOST, spacing,
-                 d == 2 && lmp->domain->dimension == 2 ? " (in 2d its thickness has no other meaning)"
-                                                  : "");
+                      "Pair style sph/tm spacing {:.8g}: the box is only {:.6g} long in {}; make it at "
+                      "least {:.6g}, for "
+                      "instance {:.6g}{}",
+                      spacing, lmp->domain->prd[d], "xyz"[d], bin / MOST, spacing,
+                      d == 2 && lmp->domain->dimension == 2 ? " (in 2d its thickness has no other meaning)" : "");
 }
 
 static bool is_default_skin(const char *unit_style, double skin)
 {
-  static const struct { const char *style; double skin; } defaults[] = {
-      {"lj", 0.3}, {"real", 2.0}, {"metal", 2.0}, {"si", 0.001}, {"cgs", 0.1}, {"electron", 2.0},
-      {"micro", 0.1}, {"nano", 0.1}};
+  static const struct {
+    const char *style;
+    double skin;
+  } defaults[] = {{"lj", 0.3},  {"real", 2.0},     {"metal", 2.0}, {"si", 0.001},
+                  {"cgs", 0.1}, {"electron", 2.0}, {"micro", 0.1}, {"nano", 0.1}};
   return std::any_of(std::begin(defaults), std::end(defaults),
                      [&](const auto &d) { return strcmp(unit_style, d.style) == 0 && skin == d.skin; });
 }
@@ -135,24 +143,25 @@ void set_skin(LAMMPS *lmp, const Model &model)
   Neighbor *neighbor = lmp->neighbor;
   if (!is_default_skin(lmp->update->unit_style, neighbor->skin)) return;
   neighbor->skin = 0.1 * model.support();
-  if (lmp->comm->me == 0)
-    utils::logmesg(lmp, "sph/tm: neighbor skin {:.6g}, a tenth of the reach\n", neighbor->skin);
+  if (lmp->comm->me == 0) utils::logmesg(lmp, "sph/tm: neighbor skin {:.6g}, a tenth of the reach\n", neighbor->skin);
 }
 
 void check_mixed(LAMMPS *lmp, const Model &model, const Backend &loops)
 {
   const Settings &set = model.settings_in_use();
   if (!PairLoops::has_single(loops, set.kernel))
-    lmp->error->all(FLERR, "Pair style sph/tm precision mixed on a GPU is for the kernel hyperbolic alone; write 'precision "
-                           "double', or that kernel");
+    lmp->error->all(FLERR,
+                    "Pair style sph/tm precision mixed on a GPU is for the kernel hyperbolic alone; write 'precision "
+                    "double', or that kernel");
   const Domain &box = *lmp->domain;
   double far = 0.0;
   for (int d = 0; d < box.dimension; d++) far = std::max({far, fabs(box.boxlo[d]), fabs(box.boxhi[d])});
   const double farthest = tm_single_farthest(single_position_unit(model, lmp->neighbor->skin)) * set.spacing;
   if (far > farthest)
-    lmp->error->all(FLERR, "Pair style sph/tm precision mixed: the box reaches {:.3g} from the origin, and beyond {:.3g} "
-                           "positions are too coarse for spacing {:.3g}; move the origin into the box", far, farthest,
-                    set.spacing);
+    lmp->error->all(FLERR,
+                    "Pair style sph/tm precision mixed: the box reaches {:.3g} from the origin, and beyond {:.3g} "
+                    "positions are too coarse for spacing {:.3g}; move the origin into the box",
+                    far, farthest, set.spacing);
 }
 
 }    // namespace SPHTM_NS

@@ -21,7 +21,7 @@ void check_volume(LAMMPS_NS::LAMMPS *, const Model &, const ParticleState &);
 void check_masses(LAMMPS_NS::LAMMPS *, const Model &, const ParticleState &);
 void give_masses(LAMMPS_NS::LAMMPS *, const Model &);    // to particles that have none
 void check_bins(LAMMPS_NS::LAMMPS *, const Model &);
-void set_skin(LAMMPS_NS::LAMMPS *, const Model &);       // where it is the default of the unit style
+void set_skin(LAMMPS_NS::LAMMPS *, const Model &);                        // where it is the default of the unit style
 void check_mixed(LAMMPS_NS::LAMMPS *, const Model &, const Backend &);    // precision mixed
 
 }    // namespace SPHTM_NS

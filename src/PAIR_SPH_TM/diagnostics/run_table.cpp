@@ -20,9 +20,9 @@ using namespace LAMMPS_NS;
 namespace SPHTM_NS {
 
 namespace {
-constexpr bigint TABLE_STEPS = 10;           // a shorter run says little about its times
-constexpr double PROBE_SHARE = 0.02;         // of the run that the probe may take
-constexpr double PROBE_ALWAYS = 0.05;        // s it may take in any case
+constexpr bigint TABLE_STEPS = 10;       // a shorter run says little about its times
+constexpr double PROBE_SHARE = 0.02;     // of the run that the probe may take
+constexpr double PROBE_ALWAYS = 0.05;    // s it may take in any case
 constexpr int PROBE_ROUNDS = 5, PROBE_PARTICLES = 1 << 20;
 }    // namespace
 
@@ -66,8 +66,9 @@ std::map<unsigned, double> RunTable::bytes_by_effect()
 // share of each effect in prediction, rates and update, or nothing where the run was too short
 std::map<unsigned, double> RunTable::probe_effects(double seconds, bigint steps)
 {
-  const double step = (state.clock().of(RunClock::PREDICT) + state.clock().of(RunClock::RATES) +
-                       state.clock().of(RunClock::UPDATE)) / steps;
+  const double step =
+      (state.clock().of(RunClock::PREDICT) + state.clock().of(RunClock::RATES) + state.clock().of(RunClock::UPDATE)) /
+      steps;
   const double sample = std::min(1.0, (double) PROBE_PARTICLES / std::max(atom->nlocal, 1));
   int variants = 2;
   for (const unsigned bit : effects_in_loops()) variants += state.has(bit);
@@ -152,12 +153,13 @@ void RunTable::print(const EnergyWatch &energy)
   const std::string audits = meter ? meter->report(part[RunClock::RATES], lists, steps) : "";
 
   if (comm->me) return;
-  utils::logmesg(lmp, "\nsph/tm: {} steps of {} particles\n  {:<26} {:>10} {:>7} {:>12} {:>10}\n{}",
-                 steps, atom->natoms, "effect or part", "seconds", "%", "ns/part/step", "bytes/part", text);
+  utils::logmesg(lmp, "\nsph/tm: {} steps of {} particles\n  {:<26} {:>10} {:>7} {:>12} {:>10}\n{}", steps,
+                 atom->natoms, "effect or part", "seconds", "%", "ns/part/step", "bytes/part", text);
   if (!audits.empty()) utils::logmesg(lmp, "{}", audits);
-  utils::logmesg(lmp, "  energy: {}\n", !state.has(TM_FX_LEDGER)
-                     ? "not summed up, and not checked; 'energy yes' of fix sph/tm does"
-                     : energy.says() ? energy.in_words() : "nothing went in");
+  utils::logmesg(lmp, "  energy: {}\n",
+                 !state.has(TM_FX_LEDGER) ? "not summed up, and not checked; 'energy yes' of fix sph/tm does"
+                 : energy.says()          ? energy.in_words()
+                                          : "nothing went in");
   if (asynchronous)
     utils::logmesg(lmp, "  The loops run beside the host: a part may wait for those before it. 'table wait' tells them "
                         "apart, and slows the run.\n");

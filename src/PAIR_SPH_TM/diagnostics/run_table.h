@@ -27,7 +27,7 @@ class RunTable : protected LAMMPS_NS::Pointers {
   void stop_clock() { timing = false; }    // the run's time begins with its first step
   bool start_clock();                      // false: it runs already
   bool is_timing() const { return timing; }
-  LAMMPS_NS::bigint steps() const;         // since the clock was started
+  LAMMPS_NS::bigint steps() const;    // since the clock was started
   void print(const EnergyWatch &);
   // rows: all, rates, prediction and update, neighbor rows; columns: seconds, ns per particle and step
   double value(int row, int column);

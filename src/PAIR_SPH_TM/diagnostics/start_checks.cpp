@@ -38,8 +38,8 @@ namespace {
 // run stops, beyond the second it warns
 constexpr double DENSE = 1.17, DENSE_WARNED = 1.1, THIN = 1.09, THIN_WARNED = 1.045;
 constexpr double DENSE_OF_SIZES = 1.6, THIN_OF_SIZES = 1.4;    // where particles have sizes of their own
-constexpr double CLOSE = 0.1;                 // of the spacing: in one place
-constexpr double CLOSE_BETWEEN_RUNS = 0.7;    // where it was not so at the end of the last run
+constexpr double CLOSE = 0.1;                                  // of the spacing: in one place
+constexpr double CLOSE_BETWEEN_RUNS = 0.7;                     // where it was not so at the end of the last run
 }    // namespace
 
 /* ---------------------------------------------------------------------- other fixes and commands */
@@ -58,17 +58,22 @@ void StartChecks::check_company(const Pair *pair)
     error->all(FLERR, "Fix sph/tm needs the forces of pair style sph/tm, which 'pair_modify compute no' leaves out; "
                       "write 'pair_modify compute yes'");
   for (const auto &f : modify->get_fix_by_style("^dt/reset"))
-    error->all(FLERR, "Fix {} dt/reset works against fix sph/tm, which sets the time step itself; remove it, and limit "
-                      "the step with the keyword dt/max", f->id);
+    error->all(FLERR,
+               "Fix {} dt/reset works against fix sph/tm, which sets the time step itself; remove it, and limit "
+               "the step with the keyword dt/max",
+               f->id);
   for (const auto &f : modify->get_fix_list())
     if (f->box_change & (Fix::BOX_CHANGE_SIZE | Fix::BOX_CHANGE_SHAPE) && comm->me == 0)
-      error->warning(FLERR, "Fix {} {} changes the box: where it moves the particles with it, their stress and density know "
-                            "nothing of it", f->id, f->style);
+      error->warning(FLERR,
+                     "Fix {} {} changes the box: where it moves the particles with it, their stress and density know "
+                     "nothing of it",
+                     f->id, f->style);
   state.atoms().to_host();
   check_integrators();
   const bigint members = group->count(state.group_index());
   if (members == 0 && atom->natoms > 0 && comm->me == 0)
-    error->warning(FLERR, "Fix sph/tm {}: group {} is empty: no particle moves", state.id(), group->names[state.group_index()]);
+    error->warning(FLERR, "Fix sph/tm {}: group {} is empty: no particle moves", state.id(),
+                   group->names[state.group_index()]);
 }
 
 // a particle with two of them would move twice as far
@@ -174,7 +179,8 @@ void StartChecks::check_strain(const tm_nearest &c)
   const std::string text = fmt::format(
       "Fix sph/tm {}: particles were moved against each other after the last run (nearest neighbors on the mean {:.4g} "
       "times as far apart, {:.4g} times as many neighbors); their stress and density know nothing of it. Bodies are moved "
-      "as a whole, and strained by velocities in a run", state.id(), near, count);
+      "as a whole, and strained by velocities in a run",
+      state.id(), near, count);
   if (worst > STOPS) error->all(FLERR, text);
   if (comm->me == 0) error->warning(FLERR, text);
 }
@@ -193,22 +199,26 @@ void StartChecks::look_at_changes()
   const std::vector<bigint> now = particles_of_types(true);
   for (int t = 1; t <= atom->ntypes; t++)
     if (now[t] > last_run.types[t])
-      error->all(FLERR, "Fix sph/tm {}: {} particles became type {} ({}) after a run; their state belongs to another "
-                        "material. Set types before the first run, or delete and create the particles", state.id(),
-                 now[t] - last_run.types[t], t, model().material_name(t));
+      error->all(FLERR,
+                 "Fix sph/tm {}: {} particles became type {} ({}) after a run; their state belongs to another "
+                 "material. Set types before the first run, or delete and create the particles",
+                 state.id(), now[t] - last_run.types[t], t, model().material_name(t));
   for (int t = 1; t <= atom->ntypes; t++)
     if (now[t] && fabs(model().materials()[t].rho0 - last_run.density[t]) > 1e-6 * last_run.density[t])
-      error->all(FLERR, "Fix sph/tm {}: the density of type {} ({}) changed from {:.6g} to {:.6g} after a run; the particles "
-                        "keep theirs. Materials are given before the first run", state.id(), t, model().material_name(t),
-                 last_run.density[t] / model().units().density,
+      error->all(FLERR,
+                 "Fix sph/tm {}: the density of type {} ({}) changed from {:.6g} to {:.6g} after a run; the particles "
+                 "keep theirs. Materials are given before the first run",
+                 state.id(), t, model().material_name(t), last_run.density[t] / model().units().density,
                  model().materials()[t].rho0 / model().units().density);
   const double mass = total_mass();
   const bigint mine_now = atom->nlocal;
   bigint particles;
   MPI_Allreduce(&mine_now, &particles, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   if (particles == last_run.particles && fresh.empty() && fabs(mass - last_run.mass) > 1e-6 * last_run.mass)
-    error->all(FLERR, "Fix sph/tm {}: the mass of the particles changed from {:.8g} to {:.8g} after a run; it belongs to "
-                      "their density and volume. Masses are given before the first run", state.id(), last_run.mass, mass);
+    error->all(FLERR,
+               "Fix sph/tm {}: the mass of the particles changed from {:.8g} to {:.8g} after a run; it belongs to "
+               "their density and volume. Masses are given before the first run",
+               state.id(), last_run.mass, mass);
 }
 
 /* ---------------------------------------------------------------------- particles */
@@ -224,9 +234,10 @@ void StartChecks::check_values()
       if (!std::isfinite(v[k])) what = "velocity";
     }
     if (what)
-      error->one(FLERR, "Fix sph/tm: the {} of particle {} (type {}) at {:.6g} {:.6g} {:.6g} is not a finite "
-                        "number at the start; its velocity is {:.6g} {:.6g} {:.6g}", what, atom->tag[i],
-                 atom->type[i], x[0], x[1], x[2], v[0], v[1], v[2]);
+      error->one(FLERR,
+                 "Fix sph/tm: the {} of particle {} (type {}) at {:.6g} {:.6g} {:.6g} is not a finite "
+                 "number at the start; its velocity is {:.6g} {:.6g} {:.6g}",
+                 what, atom->tag[i], atom->type[i], x[0], x[1], x[2], v[0], v[1], v[2]);
   }
 }
 
@@ -237,11 +248,12 @@ void StartChecks::check_overlap(const tm_nearest &c, double least)
   double **x = atom->x;
   const auto pair = std::minmax(c.i, c.j, [&](int i, int j) { return atom->tag[i] < atom->tag[j]; });
   const int i = pair.first, j = pair.second;
-  error->one(FLERR, "Pair style sph/tm: particles {} and {} are {} at {:.6g} {:.6g} {:.6g}; {}remove one of "
-                    "them ('delete_atoms overlap {:.6g} all all')",
-             atom->tag[i], atom->tag[j], c.distance == 0.0 ? "in the same place" :
-             fmt::format("only {:.6g} of the spacing apart", c.distance / dp), x[i][0], x[i][1],
-             x[i][2], c.distance < CLOSE * dp ? "" : "set bodies one spacing apart, or ", 0.5 * dp);
+  error->one(FLERR,
+             "Pair style sph/tm: particles {} and {} are {} at {:.6g} {:.6g} {:.6g}; {}remove one of "
+             "them ('delete_atoms overlap {:.6g} all all')",
+             atom->tag[i], atom->tag[j],
+             c.distance == 0.0 ? "in the same place" : fmt::format("only {:.6g} of the spacing apart", c.distance / dp),
+             x[i][0], x[i][1], x[i][2], c.distance < CLOSE * dp ? "" : "set bodies one spacing apart, or ", 0.5 * dp);
 }
 
 // masses against the lattice sum of what is there: of all particles, or of those that came since the last run
@@ -318,14 +330,15 @@ void StartChecks::judge_filling(const Filling &mine, double of_lattice, bool siz
     const double *x = atom->x[i];
     const tm_real *r = scene.results().host_records().main + tm_record(i, TM_REC);
     const double mass = r[tm_part(TM_REC_M)], due = r[tm_part(TM_REC_RHO)] * pow(set.spacing, domain->dimension);
-    const std::string remedy = !sizes && fabs(mass / due - 1.0) > 0.05
-        ? fmt::format("its mass is {:.6g}, density times spacing gives {:.6g}: leave out the mass "
-                      "command, or 'set type {} "
-                      "mass {:.6g}' where particles have masses of their own",
-                      mass, due, atom->type[i], due)
+    const std::string remedy =
+        !sizes && fabs(mass / due - 1.0) > 0.05
+            ? fmt::format("its mass is {:.6g}, density times spacing gives {:.6g}: leave out the mass "
+                          "command, or 'set type {} "
+                          "mass {:.6g}' where particles have masses of their own",
+                          mass, due, atom->type[i], due)
         : all[1] > 0.3 * all[0] && all[2] < 0.05 * all[0]
-        ? fmt::format("write 'spacing {}' in pair_style{}", spacing_in_words(s * set.spacing),
-                      dense ? ", or delete what was created twice" : "")
+            ? fmt::format("write 'spacing {}' in pair_style{}", spacing_in_words(s * set.spacing),
+                          dense ? ", or delete what was created twice" : "")
         : dense ? std::string("two bodies or lattices are too close together or lie over each "
                               "other: set them one spacing "
                               "apart, or remove what is double with delete_atoms overlap")
@@ -337,8 +350,8 @@ void StartChecks::judge_filling(const Filling &mine, double of_lattice, bool siz
                     "density says, as if the particles were {:.3g} of the spacing {:.6g} apart; so "
                     "have {:.0f} of {:.0f} particles, by "
                     "5 % of the spacing or more; {}",
-                    atom->tag[i], atom->type[i], x[0], x[1], x[2], sum / of_lattice, s, set.spacing,
-                    all[1], all[0], remedy);
+                    atom->tag[i], atom->type[i], x[0], x[1], x[2], sum / of_lattice, s, set.spacing, all[1], all[0],
+                    remedy);
     if (stop) error->one(FLERR, text);
     error->warning(FLERR, text);
   }

@@ -42,19 +42,19 @@ class StartChecks : protected LAMMPS_NS::Pointers {
   const LAMMPS_NS::Fix &fix;    // fix sph/tm
   ParticleState &state;
   const Scene &scene;
-  struct Filling {              // of the particles of this rank
+  struct Filling {    // of the particles of this rank
     double particles = 0, off = 0, right = 0, densest = 0.0, thinnest = 1e300;
     int dense_at = -1, thin_at = -1;
   };
   struct {
-    std::vector<LAMMPS_NS::bigint> types;    // how many particles of each; empty: there was no run
-    std::vector<double> density;             // reference density of each
-    double nearest = 0.0;                    // the smallest distance of two
+    std::vector<LAMMPS_NS::bigint> types;                      // how many particles of each; empty: there was no run
+    std::vector<double> density;                               // reference density of each
+    double nearest = 0.0;                                      // the smallest distance of two
     double mean_nearest = 0.0, neighbors = 0.0, mass = 0.0;    // means and sum over all
     uint64_t places = 0;
     LAMMPS_NS::bigint particles = 0;
   } last_run;
-  std::vector<LAMMPS_NS::tagint> fresh;      // of all ranks: those that came since then
+  std::vector<LAMMPS_NS::tagint> fresh;    // of all ranks: those that came since then
 
   const Model &model() const;
   void check_integrators();

@@ -36,17 +36,20 @@ void StateRestart::unpack(int nlocal, int nth)
   int m = 0;
   for (int i = 0; i < nth; i++) m += static_cast<int>(extra[m]);
   if (static_cast<int>(extra[m]) != state.fields().columns() + RESTART_HEAD)
-    error->one(FLERR, "Fix sph/tm {}: the {} holds {} values per particle, {} expected", state.id(), restart_file_name(lmp),
-               static_cast<int>(extra[m]) - RESTART_HEAD, state.fields().columns());
+    error->one(FLERR, "Fix sph/tm {}: the {} holds {} values per particle, {} expected", state.id(),
+               restart_file_name(lmp), static_cast<int>(extra[m]) - RESTART_HEAD, state.fields().columns());
   if (extra[m + 1] != (double) atom->tag[nlocal])    // LAMMPS does not move these values with the particles
-    error->one(FLERR, "Fix sph/tm {}: particle {} stands where the {} has the state of particle {}: the file is damaged, or "
-                      "particles were deleted, sorted or given other IDs after read_restart; write the fixes first", state.id(),
-               atom->tag[nlocal], restart_file_name(lmp), extra[m + 1]);
+    error->one(FLERR,
+               "Fix sph/tm {}: particle {} stands where the {} has the state of particle {}: the file is damaged, or "
+               "particles were deleted, sorted or given other IDs after read_restart; write the fixes first",
+               state.id(), atom->tag[nlocal], restart_file_name(lmp), extra[m + 1]);
   const double *row = extra + m + RESTART_HEAD;
   for (int k = 0; k < state.fields().columns(); k++)
     if (!std::isfinite(row[k]))
-      error->one(FLERR, "Fix sph/tm {}: the {} is damaged, or was written after a fault: value {} of the state of "
-                        "particle {} is not a finite number", state.id(), restart_file_name(lmp), k + 1, atom->tag[nlocal]);
+      error->one(FLERR,
+                 "Fix sph/tm {}: the {} is damaged, or was written after a fault: value {} of the state of "
+                 "particle {} is not a finite number",
+                 state.id(), restart_file_name(lmp), k + 1, atom->tag[nlocal]);
   state.fields().unpack(nlocal, row);
   read_.rows++;
   read_.hash += hash_bytes(row, state.fields().columns() * sizeof(double));
@@ -58,10 +61,13 @@ void StateRestart::check_rows()
   uint64_t mine[2] = {read_.rows, read_.hash}, all[2];
   MPI_Allreduce(mine, all, 2, MPI_UINT64_T, MPI_SUM, world);
   if (read_.rows_written > 0 && all[0] == 0)
-    error->all(FLERR, "Fix sph/tm {}: the {} does not hold the state of its particles", state.id(), restart_file_name(lmp));
+    error->all(FLERR, "Fix sph/tm {}: the {} does not hold the state of its particles", state.id(),
+               restart_file_name(lmp));
   if (all[0] > 0 && all[0] == read_.rows_written && all[1] != read_.hash_written)
-    error->all(FLERR, "Fix sph/tm {}: the {} is damaged: the state of its particles does not have the checksum written "
-                      "with it", state.id(), restart_file_name(lmp));
+    error->all(FLERR,
+               "Fix sph/tm {}: the {} is damaged: the state of its particles does not have the checksum written "
+               "with it",
+               state.id(), restart_file_name(lmp));
   read_ = {};
 }
 
@@ -104,9 +110,8 @@ void StateRestart::write(FILE *fp, EnergyWatch &energy_watch)
   value.push_back(THIS_VERSION);
   append_bits(value, all[0]);
   append_bits(value, all[1]);
-  value.insert(value.end(),
-               {(double) state.fields().mask(), (double) state.history().begun(), (double) sized_by(), (double) step.cause(),
-                step.now(), step.next()});
+  value.insert(value.end(), {(double) state.fields().mask(), (double) state.history().begun(), (double) sized_by(),
+                             (double) step.cause(), step.now(), step.next()});
   value.insert(value.end(), sums, sums + BALANCE_VALUES);
   const std::vector<double> watched = energy_watch.state();
   value.insert(value.end(), watched.begin(), watched.end());
@@ -115,11 +120,13 @@ void StateRestart::write(FILE *fp, EnergyWatch &energy_watch)
 
 void StateRestart::read(char *buf, EnergyWatch &energy_watch)
 {
-  const std::vector<double> v = read_restart_block(lmp, fmt::format("Fix sph/tm {}", state.id()), buf, VERSION + 1, 1000);
+  const std::vector<double> v =
+      read_restart_block(lmp, fmt::format("Fix sph/tm {}", state.id()), buf, VERSION + 1, 1000);
   const bool fits = v[VERSION] == THIS_VERSION && v.size() == VALUES && v[FIELDS] >= 0 &&
-      v[FIELDS] < (1u << TM_F_COUNT) && v[CAUSE] >= 0 && v[CAUSE] < TM_DT_CAUSES;
+                    v[FIELDS] < (1u << TM_F_COUNT) && v[CAUSE] >= 0 && v[CAUSE] < TM_DT_CAUSES;
   if (!fits)
-    error->all(FLERR, "Fix sph/tm {}: the {} was written by another version of the plugin", state.id(), restart_file_name(lmp));
+    error->all(FLERR, "Fix sph/tm {}: the {} was written by another version of the plugin", state.id(),
+               restart_file_name(lmp));
   read_.rows_written = take_bits(&v[ROWS]);
   read_.hash_written = take_bits(&v[HASH]);
   state.fields().enable_mask((unsigned) v[FIELDS], atom->nmax);
@@ -142,11 +149,14 @@ void StateRestart::check_sizes()
 {
   const int missing = sized_in_file & ~sized_by();
   sized_in_file = 0;
-  const bool frozen = state.effect_plan().is_forced_on(TM_FX_SMOOTHING);    // lengths may stay as they are; masses are the fix's
+  const bool frozen =
+      state.effect_plan().is_forced_on(TM_FX_SMOOTHING);    // lengths may stay as they are; masses are the fix's
   const bool refined = (missing & SIZED_BY_REFINE) != 0;
   if (!refined && (!missing || frozen)) return;
-  error->all(FLERR, "Fix sph/tm {}: the {} is of a run with fix adapt/neigh {}, which {}; write that fix too, with the "
-                    "same keywords{}", state.id(), restart_file_name(lmp), refined ? "refine" : "asph",
+  error->all(FLERR,
+             "Fix sph/tm {}: the {} is of a run with fix adapt/neigh {}, which {}; write that fix too, with the "
+             "same keywords{}",
+             state.id(), restart_file_name(lmp), refined ? "refine" : "asph",
              refined ? "split its particles" : "set its smoothing lengths",
              refined ? "" : ", or 'effects smoothing on' to go on with the lengths as they are");
 }

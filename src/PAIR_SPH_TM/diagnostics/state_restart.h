@@ -35,7 +35,7 @@ class StateRestart : protected LAMMPS_NS::Pointers {
   const Scene &scene;
   struct {
     uint64_t rows = 0, hash = 0, rows_written = 0, hash_written = 0;
-  } read_;                  // from a restart file, until it is checked
+  } read_;    // from a restart file, until it is checked
   enum { SIZED_BY_ASPH = 1, SIZED_BY_REFINE = 2 };
   int sized_in_file = 0;    // what gave the particles of the file their sizes, until it is checked
   int sized_by() const;

@@ -52,8 +52,8 @@ void StopReport::stop_on_lost(int i)
              "cause: a box too small for the motion, or a particle shot out{}. Make the box "
              "larger, use boundary m or s, or let it go with 'lost ignore' of fix "
              "sph/tm and 'thermo_modify lost ignore'",
-             update->ntimestep, atom->tag[i], atom->type[i], x[0], x[1], x[2], v[0], v[1], v[2],
-             "xyz"[d], x[d] < a.lo[d] ? "lower" : "upper",
+             update->ntimestep, atom->tag[i], atom->type[i], x[0], x[1], x[2], v[0], v[1], v[2], "xyz"[d],
+             x[d] < a.lo[d] ? "lower" : "upper",
              scene_has("^contact/tri") || state.has(TM_FX_BODIES) ? " by an unstable contact" : "");
 }
 
@@ -68,8 +68,8 @@ void StopReport::warn_of_melting(int i)
                  "first above the melting "
                  "temperature {:.6g} of {}: {:.6g} K; it has no strength from there on",
                  update->ntimestep, atom->tag[i], atom->type[i], x[0], x[1], x[2],
-                 state.model().materials()[atom->type[i]].t_melt,
-                 state.model().material_name(atom->type[i]), state.temperature(i));
+                 state.model().materials()[atom->type[i]].t_melt, state.model().material_name(atom->type[i]),
+                 state.temperature(i));
 }
 
 // how particle i stands among its neighbors, in words; torn: it has lost most of them
@@ -154,12 +154,12 @@ std::string StopReport::likely_cause(int i, int status)
       break;
     default:
       if (most_by_conduction(i)) {
-        may(true,
-            "conduction faster than the step between particles far closer or lighter than the "
-            "spacing says: lower "
-            "dt/max or courant");
-        may(!state.has(TM_FX_ARTSTRESS) && !state.has(TM_FX_HOURGLASS), "tension that draws particles together: use artstress or "
-                                                            "hourglass of pair_style");
+        may(true, "conduction faster than the step between particles far closer or lighter than the "
+                  "spacing says: lower "
+                  "dt/max or courant");
+        may(!state.has(TM_FX_ARTSTRESS) && !state.has(TM_FX_HOURGLASS),
+            "tension that draws particles together: use artstress or "
+            "hourglass of pair_style");
         break;
       }
       may(scene_has("^sph/tm/heat"), "a heat sink (fix sph/tm/heat) stronger than the particle can feed in one step");
@@ -181,32 +181,30 @@ void StopReport::stop_on(const tm_update_result &r)
   const double rho = state.field(TM_F_RHO)[i], T = state.temperature(i), *pstrain = state.field(TM_F_PSTRAIN);
   std::string what;
   switch (r.status) {
-    case TM_BAD_NAN:
-      what = "state is not a number";
-      break;
+    case TM_BAD_NAN: what = "state is not a number"; break;
     case TM_BAD_DENSITY:
       what = fmt::format("density {:.6g} is not positive", rho / state.model().units().density);
       break;
     case TM_BAD_VOLUME:
-      what = fmt::format(
-          "density is {:.4g} times that of the material, beyond the factor {:.4g} of density/max",
-          rho / m.rho0, densest);
+      what = fmt::format("density is {:.4g} times that of the material, beyond the factor {:.4g} of density/max",
+                         rho / m.rho0, densest);
       break;
     case TM_BAD_VELOCITY:
       what = fmt::format("velocity {:.6g} is above ten times the speed of sound",
                          sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
       break;
     case TM_BAD_STRAIN:
-      what = fmt::format("plastic strain grew by {:.4g} in one step", pstrain ? state.time_step().now() * pstrain[3 * (size_t) i + 1] : 0.0);
+      what = fmt::format("plastic strain grew by {:.4g} in one step",
+                         pstrain ? state.time_step().now() * pstrain[3 * (size_t) i + 1] : 0.0);
       break;
     case TM_BAD_HEAT:
       what = fmt::format("temperature {:.6g} is above the {:.6g} of temperature/max", T, hottest);
       break;
-    default:
-      what = fmt::format("temperature {:.6g} is not positive", T);
+    default: what = fmt::format("temperature {:.6g} is not positive", T);
   }
-  error->one(FLERR, "Fix sph/tm stops at step {}: particle {} (type {}) at {:.6g} {:.6g} {:.6g}: {}; {}. "
-                    "Restart files written before remain valid.",
+  error->one(FLERR,
+             "Fix sph/tm stops at step {}: particle {} (type {}) at {:.6g} {:.6g} {:.6g}: {}; {}. "
+             "Restart files written before remain valid.",
              update->ntimestep, atom->tag[i], atom->type[i], x[0], x[1], x[2], what, likely_cause(i, r.status));
 }
 

@@ -46,16 +46,14 @@ double not_negative(LAMMPS *lmp, const std::string &what, const char *text)
 double number_within(LAMMPS *lmp, const std::string &what, const char *text, double lo, double hi)
 {
   const double v = value(text);
-  if (!(v > lo && v <= hi))
-    lmp->error->all(FLERR, "{} must be a number > {} and <= {}, got {}", what, lo, hi, text);
+  if (!(v > lo && v <= hi)) lmp->error->all(FLERR, "{} must be a number > {} and <= {}, got {}", what, lo, hi, text);
   return v;
 }
 
 int integer_within(LAMMPS *lmp, const std::string &what, const char *text, int lo, int hi)
 {
   const double v = utils::is_integer(text) ? strtod(text, nullptr) : NAN;
-  if (!(v >= lo && v <= hi))
-    lmp->error->all(FLERR, "{} must be an integer from {} to {}, got {}", what, lo, hi, text);
+  if (!(v >= lo && v <= hi)) lmp->error->all(FLERR, "{} must be an integer from {} to {}, got {}", what, lo, hi, text);
   return (int) v;
 }
 

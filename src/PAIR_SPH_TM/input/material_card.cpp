@@ -45,7 +45,8 @@ static std::string read_file(LAMMPS *lmp, const char *style, const char *name)
     if (!path.empty() && !regular) lmp->error->one(FLERR, "{}: '{}' is not a regular file", style, path);
     constexpr off_t MOST = 100000000;
     if (regular && s.st_size > MOST)
-      lmp->error->one(FLERR, "{}: '{}' has {} bytes; a file of material cards has at most {}", style, path, s.st_size, MOST);
+      lmp->error->one(FLERR, "{}: '{}' has {} bytes; a file of material cards has at most {}", style, path, s.st_size,
+                      MOST);
     FILE *fp = path.empty() ? nullptr : fopen(path.c_str(), "rb");
     if (fp) {
       char buffer[4096];
@@ -57,9 +58,10 @@ static std::string read_file(LAMMPS *lmp, const char *style, const char *name)
   }
   MPI_Bcast(&size, 1, MPI_INT, 0, lmp->world);
   if (size < 0)
-    lmp->error->all(FLERR, "{}: '{}' is neither a keyword ({}) nor a material file here, in the "
-                    "folders of LAMMPS_POTENTIALS or in those of SPHTM_MATERIALS", style, name,
-                    known_keywords());
+    lmp->error->all(FLERR,
+                    "{}: '{}' is neither a keyword ({}) nor a material file here, in the "
+                    "folders of LAMMPS_POTENTIALS or in those of SPHTM_MATERIALS",
+                    style, name, known_keywords());
   text.resize(size);
   MPI_Bcast(&text[0], size, MPI_CHAR, 0, lmp->world);
   return text;
@@ -113,8 +115,7 @@ std::vector<CardLine> find_card(LAMMPS *lmp, const char *style, const char *file
     } else if (!inside) {
       fail(line.number, "expected 'material <name>', got '" + first + "'");
     } else if (first == "end") {
-      if (line.words.size() != 1)
-        fail(line.number, "'end' stands alone, got '" + line.words[1] + "'");
+      if (line.words.size() != 1) fail(line.number, "'end' stands alone, got '" + line.words[1] + "'");
       inside = false;
     } else if (names.back() == name) {
       card.push_back(line);

@@ -13,14 +13,14 @@ static constexpr double MOL = 1.0 / 6.02214129e23;    // as in LAMMPS
 
 static const StyleUnits STYLE_UNITS[] = {
     // style     mass              length            time   energy             pressure density
-    {"si",       1.0,              1.0,              1.0,   1.0,               1.0,      1.0, "Pa", "kg/m3"},
-    {"cgs",      1e-3,             1e-2,             1.0,   1e-7,              0.1,      1e3, "dyn/cm2", "g/cm3"},
-    {"real",     1e-3 * MOL,       1e-10,            1e-15, 4184.0 * MOL,      101325.0, 1e3, "atm", "g/cm3"},
-    {"metal",    1e-3 * MOL,       1e-10,            1e-12, 1.6021765e-19,     1e5,      1e3, "bar", "g/cm3"},
+    {"si", 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, "Pa", "kg/m3"},
+    {"cgs", 1e-3, 1e-2, 1.0, 1e-7, 0.1, 1e3, "dyn/cm2", "g/cm3"},
+    {"real", 1e-3 * MOL, 1e-10, 1e-15, 4184.0 * MOL, 101325.0, 1e3, "atm", "g/cm3"},
+    {"metal", 1e-3 * MOL, 1e-10, 1e-12, 1.6021765e-19, 1e5, 1e3, "bar", "g/cm3"},
     {"electron", 1.66053906660e-27, 5.29177210903e-11, 1e-15, 4.3597447222e-18, 1.0,
      1.66053906660e-27 / (5.29177210903e-11 * 5.29177210903e-11 * 5.29177210903e-11), "Pa", "amu/bohr3"},
-    {"micro",    1e-15,            1e-6,             1e-6,  1e-15,             1e3,      1e3, "pg/(um us2)", "pg/um3"},
-    {"nano",     1e-21,            1e-9,             1e-9,  1e-21,             1e6,      1e6, "ag/(nm ns2)", "ag/nm3"},
+    {"micro", 1e-15, 1e-6, 1e-6, 1e-15, 1e3, 1e3, "pg/(um us2)", "pg/um3"},
+    {"nano", 1e-21, 1e-9, 1e-9, 1e-21, 1e6, 1e6, "ag/(nm ns2)", "ag/nm3"},
 };
 
 const StyleUnits *find_style_units(const std::string &style)
@@ -73,8 +73,8 @@ bool in_range(Range range, double x)
 
 const char *range_text(Range range)
 {
-  static const char *const TEXT[] = {"finite", "finite and > 0", "finite and >= 0",
-                                     "from 0 to 1", "above -1 and below 0.5"};
+  static const char *const TEXT[] = {"finite", "finite and > 0", "finite and >= 0", "from 0 to 1",
+                                     "above -1 and below 0.5"};
   return TEXT[range];
 }
 
@@ -90,7 +90,7 @@ static const std::vector<Constant> CONSTANTS = {
 #define TM_CONSTANT(name, unit, range) {#name, &M::name, nullptr, unit, range},
     TM_STRENGTH_CONSTANTS(TM_CONSTANT)
 #undef TM_CONSTANT
-    {"d1", &M::d1, nullptr, PLAIN, ANY},
+        {"d1", &M::d1, nullptr, PLAIN, ANY},
     {"d2", &M::d2, nullptr, PLAIN, ANY},
     {"d3", &M::d3, nullptr, PLAIN, ANY},
     {"d4", &M::d4, nullptr, PLAIN, ANY},
@@ -111,7 +111,7 @@ static const std::vector<Group> GROUPS = {
 #define TM_LAW(id, number, name, flow, names) {"strength", name, &M::strength, id, utils::split_words(names)},
     TM_STRENGTH_LAWS(TM_LAW)
 #undef TM_LAW
-    {"damage", "johnson/cook", &M::damage, TM_DAMAGE_JOHNSON_COOK, {"d1", "d2", "d3", "d4", "d5"}},
+        {"damage", "johnson/cook", &M::damage, TM_DAMAGE_JOHNSON_COOK, {"d1", "d2", "d3", "d4", "d5"}},
     {"damage", "strain", &M::damage, TM_DAMAGE_STRAIN, {"strain_max"}},
     {"damage", "none", &M::damage, TM_DAMAGE_NONE, {}},
     {"heat", nullptr, &M::heat, 1, {"conductivity", "capacity", "taylor_quinney"}},

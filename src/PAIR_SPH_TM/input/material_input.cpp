@@ -89,15 +89,14 @@ void MaterialReader::table(Words &w, const std::string &what, const Constant &c)
   const std::string count = w.word[w.at].substr(6);
   t.n = utils::is_integer(count) && count.size() < 4 ? std::stoi(count) : 0;
   if (t.n < 1 || t.n > TM_TABLE_MAX)
-    error->all(FLERR, "{}: {} takes table/N with N from 1 to {}, got '{}'", where, what,
-               TM_TABLE_MAX, w.word[w.at]);
+    error->all(FLERR, "{}: {} takes table/N with N from 1 to {}, got '{}'", where, what, TM_TABLE_MAX, w.word[w.at]);
   w.at++;
   for (int i = 0; i < t.n; i++) {
     const std::string which = fmt::format("{} of {}", i + 1, t.n);
     t.t[i] = number(w, fmt::format("{} table temperature {}", what, which), NOT_NEGATIVE);
     if (i > 0 && t.t[i] <= t.t[i - 1])
-      error->all(FLERR, "{}: {} table/{} takes {} pairs T y with T increasing, got {} after {}",
-                 where, what, t.n, t.n, t.t[i], t.t[i - 1]);
+      error->all(FLERR, "{}: {} table/{} takes {} pairs T y with T increasing, got {} after {}", where, what, t.n, t.n,
+                 t.t[i], t.t[i - 1]);
     t.y[i] = number(w, fmt::format("{} table value {}", what, which), c.range);
   }
   m.*c.table = t;
@@ -127,21 +126,18 @@ void MaterialReader::group(Words &w)
 {
   const Group &g = find_group(w);
   const std::string name = g.option ? fmt::format("{} {}", g.keyword, g.option) : g.keyword;
-  if (!seen.insert(g.keyword).second)
-    error->all(FLERR, "{}: {} is given twice", where, g.keyword);
+  if (!seen.insert(g.keyword).second) error->all(FLERR, "{}: {} is given twice", where, g.keyword);
   ever.insert(g.keyword);
   if (g.selector) m.*g.selector = g.choice;
   int k = 0;
   for (const std::string &id : g.constants) {
     const Constant &c = *find_constant(id);
-    const std::string what =
-        fmt::format("{} value {} of {} ({})", name, ++k, g.constants.size(), c.name);
+    const std::string what = fmt::format("{} value {} of {} ({})", name, ++k, g.constants.size(), c.name);
     if (c.table) table(w, what, c);
     else m.*c.number = number(w, what, c.range);
   }
   if (!w.done() && utils::is_double(w.word[w.at]))
-    error->all(FLERR, "{}: {} takes {} values, got one more: {}", where, name, g.constants.size(),
-               w.word[w.at]);
+    error->all(FLERR, "{}: {} takes {} values, got one more: {}", where, name, g.constants.size(), w.word[w.at]);
 }
 
 // set constant value: kept until all keywords are known
@@ -151,9 +147,7 @@ void MaterialReader::change(Words &w)
   if (w.done()) error->all(FLERR, "{}: set needs a constant and a value", where);
   const std::string name = w.word[w.at++];
   const Constant *c = find_constant(name);
-  if (!c)
-    error->all(FLERR, "{}: set knows no constant '{}'; known are {}", where, name,
-               known_constants());
+  if (!c) error->all(FLERR, "{}: set knows no constant '{}'; known are {}", where, name, known_constants());
   for (const Change &old : changes)
     if (old.constant == c) error->all(FLERR, "{}: set {} is given twice", where, name);
   changes.push_back({c, number(w, "set " + name + " value", c->range)});
@@ -194,9 +188,8 @@ void MaterialReader::apply_changes()
       active = g.selector ? m.*g.selector == g.choice : ever.count(g.keyword) > 0;
     }
     if (!active)
-      error->all(FLERR, "{}: set {} needs {}{}{}, which this material does not have", where,
-                 x.constant->name, owner->keyword, owner->option ? " " : "",
-                 owner->option ? owner->option : "");
+      error->all(FLERR, "{}: set {} needs {}{}{}, which this material does not have", where, x.constant->name,
+                 owner->keyword, owner->option ? " " : "", owner->option ? owner->option : "");
     if (x.constant->number) m.*x.constant->number = x.value;
     else {
       m.*x.constant->table = tm_table{};
@@ -210,19 +203,25 @@ void MaterialReader::check_damage()
 {
   if (m.damage != TM_DAMAGE_JOHNSON_COOK) return;
   const auto fracture = [this](double s) { return m.d1 + m.d2 * exp(m.d3 * s); };
-  const std::string what = fmt::format("{}: damage johnson/cook {:.6g} {:.6g} {:.6g}: the strain at fracture", where,
-                                       m.d1, m.d2, m.d3);
+  const std::string what =
+      fmt::format("{}: damage johnson/cook {:.6g} {:.6g} {:.6g}: the strain at fracture", where, m.d1, m.d2, m.d3);
   if (!(fracture(1.0 / 3.0) > TM_FRACTURE_STRAIN_MIN))
-    error->all(FLERR, "{} in tension, d1 + d2 exp(d3 s) at s = 1/3, is {:.6g}, and must be above 0; for no damage "
-                      "write 'damage none'", what, fracture(1.0 / 3.0));
+    error->all(FLERR,
+               "{} in tension, d1 + d2 exp(d3 s) at s = 1/3, is {:.6g}, and must be above 0; for no damage "
+               "write 'damage none'",
+               what, fracture(1.0 / 3.0));
   if (lmp->comm->me) return;
   for (const double s : {TM_TRIAXIALITY_MIN, TM_TRIAXIALITY_MAX})
     if (!(fracture(s) > TM_FRACTURE_STRAIN_MIN))
-      error->warning(FLERR, "{} d1 + d2 exp(d3 s) is {:.6g} at s = {:.6g} (mean stress over von Mises stress): there "
-                            "it fails at once", what, fracture(s), s);
+      error->warning(FLERR,
+                     "{} d1 + d2 exp(d3 s) is {:.6g} at s = {:.6g} (mean stress over von Mises stress): there "
+                     "it fails at once",
+                     what, fracture(s), s);
   if (m.d5 <= -1.0)
-    error->warning(FLERR, "{} goes with 1 + d5 T*, d5 = {:.6g}, and is not above 0 at the melting temperature: hot "
-                          "material fails at once", what, m.d5);
+    error->warning(FLERR,
+                   "{} goes with 1 + d5 T*, d5 = {:.6g}, and is not above 0 at the melting temperature: hot "
+                   "material fails at once",
+                   what, m.d5);
 }
 
 // what follows from the constants, and what must hold between them
@@ -234,8 +233,7 @@ tm_material MaterialReader::finish(const std::string &source)
   if (!ever.count("density")) error->all(FLERR, "{}: missing 'density rho'", where);
   if (solid && !ever.count("elastic")) error->all(FLERR, "{}: missing 'elastic E nu'", where);
   if (!solid && !m.heat) error->all(FLERR, "{}: body heat needs 'heat k cp chi'", where);
-  if (m.emissivity > 0.0 && !m.heat)
-    error->all(FLERR, "{}: emissivity needs 'heat k cp chi'", where);
+  if (m.emissivity > 0.0 && !m.heat) error->all(FLERR, "{}: emissivity needs 'heat k cp chi'", where);
   const Group &strength = strength_of(m);
   if (uses(strength, "t_ref") && !(m.t_melt > m.t_ref))
     error->all(FLERR, "{}: strength {} needs t_melt above t_ref, got {} and {}", where, strength.option, m.t_melt,
@@ -243,8 +241,10 @@ tm_material MaterialReader::finish(const std::string &source)
   if (m.damage != TM_DAMAGE_NONE && tm_strength_flow(m.strength) == TM_FLOW_NONE)
     error->all(FLERR, "{}: damage needs a strength with plastic flow: {}", where, known_flow_laws());
   if (m.damage == TM_DAMAGE_JOHNSON_COOK && !uses(strength, "jc_rate0") && (m.d4 != 0.0 || m.d5 != 0.0))
-    error->all(FLERR, "{}: damage johnson/cook with d4 or d5 needs the reference rate and the "
-               "temperatures of strength johnson/cook; use 0 for both", where);
+    error->all(FLERR,
+               "{}: damage johnson/cook with d4 or d5 needs the reference rate and the "
+               "temperatures of strength johnson/cook; use 0 for both",
+               where);
   check_damage();
   m.shear = m.young / (2.0 * (1.0 + m.poisson));
   m.bulk = m.young / (3.0 * (1.0 - 2.0 * m.poisson));
@@ -253,8 +253,7 @@ tm_material MaterialReader::finish(const std::string &source)
 
 std::vector<std::string> word_list(int narg, char **arg, int first)
 {
-  return narg > first ? std::vector<std::string>(arg + first, arg + narg)
-                      : std::vector<std::string>();
+  return narg > first ? std::vector<std::string>(arg + first, arg + narg) : std::vector<std::string>();
 }
 }    // namespace
 
@@ -267,19 +266,20 @@ tm_material material_from_args(LAMMPS *lmp, const char *style, int narg, char **
   return reader.finish("");
 }
 
-tm_material material_from_card(LAMMPS *lmp, const char *style, const char *file, const char *name,
-                               int narg, char **arg, int first)
+tm_material material_from_card(LAMMPS *lmp, const char *style, const char *file, const char *name, int narg, char **arg,
+                               int first)
 {
   const StyleUnits *units = find_style_units(lmp->update->unit_style);
   if (!units)
-    lmp->error->all(FLERR, "{}: material cards are in SI and cannot be converted to units {}; give "
-                    "the constants inline", style, lmp->update->unit_style);
+    lmp->error->all(FLERR,
+                    "{}: material cards are in SI and cannot be converted to units {}; give "
+                    "the constants inline",
+                    style, lmp->update->unit_style);
   MaterialReader reader(lmp, style);
   const std::string card = fmt::format("material {} of {}", name, file);
   for (const CardLine &line : find_card(lmp, style, file, name)) {
     if (line.words[0] == "set")
-      lmp->error->all(FLERR, "{}, {} line {}: set belongs into the input script", style, card,
-                      line.number);
+      lmp->error->all(FLERR, "{}, {} line {}: set belongs into the input script", style, card, line.number);
     reader.read(line.words, fmt::format("{} line {}", card, line.number));
   }
   reader.from_si(*units);
@@ -290,24 +290,22 @@ tm_material material_from_card(LAMMPS *lmp, const char *style, const char *file,
 
 tm_material read_material(LAMMPS *lmp, const char *style, int narg, char **arg)
 {
-  if (narg < 1) lmp->error->all(FLERR, "{}: needs {}, or a file and a material name", style,
-                                known_keywords());
+  if (narg < 1) lmp->error->all(FLERR, "{}: needs {}, or a file and a material name", style, known_keywords());
   if (is_keyword(arg[0])) {
     const tm_material m = material_from_args(lmp, style, narg, arg);
     warn_of_units(lmp, style, m);
     return m;
   }
   if (narg < 2)
-    lmp->error->all(FLERR, "{}: '{}' is neither a keyword ({}) nor a material file followed by the "
-                    "name of a material", style, arg[0], known_keywords());
+    lmp->error->all(FLERR,
+                    "{}: '{}' is neither a keyword ({}) nor a material file followed by the "
+                    "name of a material",
+                    style, arg[0], known_keywords());
   const tm_material m = material_from_card(lmp, style, arg[0], arg[1], narg, arg, 2);
   warn_of_units(lmp, style, m);
   return m;
 }
 
-std::string material_title(int narg, char **arg)
-{
-  return narg > 1 && !is_keyword(arg[0]) ? arg[1] : "inline";
-}
+std::string material_title(int narg, char **arg) { return narg > 1 && !is_keyword(arg[0]) ? arg[1] : "inline"; }
 
 }    // namespace SPHTM_NS

@@ -20,13 +20,12 @@ class LAMMPS;
 namespace SPHTM_NS {
 
 // style is the command for messages, e.g. "Pair sph/tm coeff"; the constants start at arg[first]
-tm_material material_from_args(LAMMPS_NS::LAMMPS *lmp, const char *style, int narg, char **arg,
-                               int first = 0);
+tm_material material_from_args(LAMMPS_NS::LAMMPS *lmp, const char *style, int narg, char **arg, int first = 0);
 
 // the card of this name, looked for in the file as given, in LAMMPS_POTENTIALS, then in
 // SPHTM_MATERIALS; the keywords from arg[first] on override it, in the units of the run
-tm_material material_from_card(LAMMPS_NS::LAMMPS *lmp, const char *style, const char *file,
-                               const char *name, int narg = 0, char **arg = nullptr, int first = 0);
+tm_material material_from_card(LAMMPS_NS::LAMMPS *lmp, const char *style, const char *file, const char *name,
+                               int narg = 0, char **arg = nullptr, int first = 0);
 
 // either: constants when arg[0] is one of the keywords, else file and card name
 tm_material read_material(LAMMPS_NS::LAMMPS *lmp, const char *style, int narg, char **arg);

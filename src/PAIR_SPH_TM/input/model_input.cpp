@@ -21,20 +21,26 @@ Settings read_settings(LAMMPS *lmp, int narg, char **arg)
 {
   Error *error = lmp->error;
   if (narg < 4)
-    error->all(FLERR, "Illegal pair_style sph/tm: expected 'sph/tm <kernel> <h/spacing> spacing "
-                      "<dp> ...', got {} arguments", narg);
+    error->all(FLERR,
+               "Illegal pair_style sph/tm: expected 'sph/tm <kernel> <h/spacing> spacing "
+               "<dp> ...', got {} arguments",
+               narg);
   Settings set;
   int kernel = -1;
   for (int k = 0; k < TM_KERNEL_COUNT; k++)
     if (strcmp(arg[0], kernel_name(k)) == 0) kernel = k;
   if (kernel < 0)
-    error->all(FLERR, "Unknown pair style sph/tm kernel {}: choose hyperbolic, cubic, quintic, "
-                      "wendland/c2 or wendland/c4", arg[0]);
+    error->all(FLERR,
+               "Unknown pair style sph/tm kernel {}: choose hyperbolic, cubic, quintic, "
+               "wendland/c2 or wendland/c4",
+               arg[0]);
   set.kernel = kernel;
   set.ratio = positive(lmp, "Pair style sph/tm ratio of smoothing length to spacing", arg[1]);
   if (set.ratio < 0.8 || set.ratio > 4.0)
-    error->all(FLERR, "Pair style sph/tm ratio of smoothing length to spacing must be between 0.8 "
-                      "and 4, got {}", arg[1]);
+    error->all(FLERR,
+               "Pair style sph/tm ratio of smoothing length to spacing must be between 0.8 "
+               "and 4, got {}",
+               arg[1]);
 
   Keywords k(lmp, "Pair style sph/tm", narg - 2, arg + 2);
   while (k.next()) {
@@ -69,13 +75,13 @@ Settings read_settings(LAMMPS *lmp, int narg, char **arg)
     else if (k.is("plane")) set.plane_stress = k.second("strain", "stress");
     else if (k.is("precision")) set.mixed = k.second("double", "mixed");
     else
-      error->all(FLERR, "Unknown pair style sph/tm keyword {}: known are spacing, viscosity, "
-                        "balsara, artstress, hourglass, xsph, form, correction, plane, precision", k.name());
+      error->all(FLERR,
+                 "Unknown pair style sph/tm keyword {}: known are spacing, viscosity, "
+                 "balsara, artstress, hourglass, xsph, form, correction, plane, precision",
+                 k.name());
   }
-  if (set.spacing <= 0.0)
-    error->all(FLERR, "Pair style sph/tm needs the keyword spacing with the particle spacing");
-  if (set.correction && set.form_f14)
-    error->all(FLERR, "Pair style sph/tm correction yes needs form f15");
+  if (set.spacing <= 0.0) error->all(FLERR, "Pair style sph/tm needs the keyword spacing with the particle spacing");
+  if (set.correction && set.form_f14) error->all(FLERR, "Pair style sph/tm correction yes needs form f15");
   set.h = set.ratio * set.spacing;
   return set;
 }
@@ -83,8 +89,10 @@ Settings read_settings(LAMMPS *lmp, int narg, char **arg)
 void check_spacing_kept(LAMMPS *lmp, const Settings &before, const Settings &now)
 {
   if (before.spacing > 0.0 && fabs(now.spacing - before.spacing) > 1e-9 * before.spacing)
-    lmp->error->all(FLERR, "Pair style sph/tm spacing changed from {:.8g} to {:.8g} after a run; masses and sizes of the "
-                           "particles belong to the old one", before.spacing, now.spacing);
+    lmp->error->all(FLERR,
+                    "Pair style sph/tm spacing changed from {:.8g} to {:.8g} after a run; masses and sizes of the "
+                    "particles belong to the old one",
+                    before.spacing, now.spacing);
 }
 
 // how two types meet: bond | none | heat [conductance hc] | contact [friction mu] [penalty PFAC]
@@ -104,12 +112,12 @@ static void read_meeting(LAMMPS *lmp, int narg, char **arg, Model &model)
   law.conductance = what == "contact" ? -1.0 : 0.0;    // contact: no heat unless asked
   for (int iarg = 3; iarg < narg; iarg += 2) {
     const std::string key = arg[iarg];
-    if (iarg + 1 >= narg)
-      error->all(FLERR, "Pair sph/tm coeff {} keyword {} needs a value", what, key);
+    if (iarg + 1 >= narg) error->all(FLERR, "Pair sph/tm coeff {} keyword {} needs a value", what, key);
     const char *val = arg[iarg + 1];
     if (key == "conductance" && (law.meeting == HEAT_ONLY || law.meeting == CONTACT)) {
-      law.conductance = strcmp(val, "perfect") == 0 ? 0.0
-          : positive(lmp, "Pair sph/tm coeff " + what + " conductance", val) * unit_scale(lmp).energy;
+      law.conductance = strcmp(val, "perfect") == 0
+                            ? 0.0
+                            : positive(lmp, "Pair sph/tm coeff " + what + " conductance", val) * unit_scale(lmp).energy;
     } else if (key == "friction" && law.meeting == CONTACT)
       law.contact.friction = not_negative(lmp, "Pair sph/tm coeff contact friction", val);
     else if (key == "penalty" && law.meeting == CONTACT)
@@ -118,8 +126,9 @@ static void read_meeting(LAMMPS *lmp, int narg, char **arg, Model &model)
       law.contact.damping = not_negative(lmp, "Pair sph/tm coeff contact damping", val);
     else
       error->all(FLERR, "Unknown pair sph/tm coeff {} keyword {}: known {}", what, key,
-                 law.meeting == CONTACT ? "are friction, penalty, damping and conductance"
-                     : law.meeting == HEAT_ONLY ? "is conductance" : "is none");
+                 law.meeting == CONTACT     ? "are friction, penalty, damping and conductance"
+                 : law.meeting == HEAT_ONLY ? "is conductance"
+                                            : "is none");
   }
   int count = 0;
   for (int i = ilo; i <= ihi; i++)
@@ -128,9 +137,7 @@ static void read_meeting(LAMMPS *lmp, int narg, char **arg, Model &model)
       model.set_law(i, j, law);
       count++;
     }
-  if (count == 0)
-    error->all(FLERR, "Pair sph/tm coeff {} needs two different types, got {} {}", what, arg[0],
-               arg[1]);
+  if (count == 0) error->all(FLERR, "Pair sph/tm coeff {} needs two different types, got {} {}", what, arg[0], arg[1]);
 }
 
 void read_coefficients(LAMMPS *lmp, int narg, char **arg, Model &model)
@@ -144,16 +151,18 @@ void read_coefficients(LAMMPS *lmp, int narg, char **arg, Model &model)
   utils::bounds(FLERR, arg[1], 1, model.types(), jlo, jhi, error);
 
   static const char *const meetings[] = {"bond", "none", "contact", "heat"};
-  const bool meeting = std::any_of(std::begin(meetings), std::end(meetings),
-                                   [&](const char *m) { return strcmp(arg[2], m) == 0; }) &&
+  const bool meeting =
+      std::any_of(std::begin(meetings), std::end(meetings), [&](const char *m) { return strcmp(arg[2], m) == 0; }) &&
       !(strcmp(arg[2], "heat") == 0 && ilo == jlo && ihi == jhi && ilo == ihi);
   if (meeting) {
     read_meeting(lmp, narg, arg, model);
     return;
   }
   if (std::max(ilo, jlo) > std::min(ihi, jhi))
-    error->all(FLERR, "Pair sph/tm coeff {0} {1}: a material belongs to one type; write 'pair_coeff {1} {1} ...', "
-                      "and for two types bond, none, heat or contact", arg[0], arg[1]);
+    error->all(FLERR,
+               "Pair sph/tm coeff {0} {1}: a material belongs to one type; write 'pair_coeff {1} {1} ...', "
+               "and for two types bond, none, heat or contact",
+               arg[0], arg[1]);
   tm_material m = read_material(lmp, "Pair sph/tm coeff", narg - 2, arg + 2);
   scale_material(m, unit_scale(lmp));
   int count = 0;

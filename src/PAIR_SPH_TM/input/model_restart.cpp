@@ -142,7 +142,8 @@ Settings ModelRestart::read_settings(FILE *fp)
   read_checked(lmp, WHO, fp, &r, sizeof(r));
   const bool known = r.front.hash && front.hash;
   refuse_damaged(known && (front.bytes != r.front.bytes || front.hash != r.front.hash)
-                     ? "the checksum of its head (box, groups, masses) does not fit" : "");
+                     ? "the checksum of its head (box, groups, masses) does not fit"
+                     : "");
   return r.set;
 }
 
@@ -168,15 +169,14 @@ std::vector<std::string> changes(const Settings &then, const Settings &now)
   // clang-format on
   std::vector<std::string> found;
   if (then.kernel != now.kernel)
-    found.push_back(fmt::format("kernel was {}, is {}", kernel_name(then.kernel),
-                                kernel_name(now.kernel)));
+    found.push_back(fmt::format("kernel was {}, is {}", kernel_name(then.kernel), kernel_name(now.kernel)));
   for (const auto &n : numbers)
     if (then.*n.value != now.*n.value) found.push_back(change(n.name, then.*n.value, now.*n.value));
   if (then.art_n != now.art_n) found.push_back(change("artstress exponent", then.art_n, now.art_n));
   for (const auto &f : flags)
     if (then.*f.value != now.*f.value)
-      found.push_back(fmt::format("{} was {}, is {}", f.name, then.*f.value ? "yes" : "no",
-                                  now.*f.value ? "yes" : "no"));
+      found.push_back(
+          fmt::format("{} was {}, is {}", f.name, then.*f.value ? "yes" : "no", now.*f.value ? "yes" : "no"));
   return found;
 }
 
@@ -212,8 +212,7 @@ void ModelRestart::compare(const Model &model)
   if (comm->me) return;
   const std::string tail = " than in the run that wrote the " + restart_file_name(lmp);
   auto say = [&](const std::string &what, const std::vector<std::string> &found) {
-    if (!found.empty())
-      error->warning(FLERR, "{}{} differs{}: {}", WHO, what, tail, utils::join_words(found, "; "));
+    if (!found.empty()) error->warning(FLERR, "{}{} differs{}: {}", WHO, what, tail, utils::join_words(found, "; "));
   };
   say("", changes(then->settings, model.settings_in_use()));
   for (int i = 1; i <= model.types(); i++) {

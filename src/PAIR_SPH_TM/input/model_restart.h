@@ -26,7 +26,7 @@ class ModelRestart : protected LAMMPS_NS::Pointers {
   void read(FILE *, Model &, int **setflag);
 
   const std::string &fix_id() const { return fix; }    // the fix whose state the file holds, or empty
-  void compare(const Model &);                          // once, before the first run after read_restart
+  void compare(const Model &);                         // once, before the first run after read_restart
 
  private:
   std::string fix, file;

@@ -92,10 +92,8 @@ std::vector<double> read_restart_block(LAMMPS *lmp, const std::string &who, cons
     error->all(FLERR, "{}: the {} is damaged: the checksum does not fit", who, name);
   for (const double v : values)
     if (!std::isfinite(v))
-      error->all(
-          FLERR,
-          "{}: the {} was written after a fault: it holds a value that is not a finite number", who,
-          name);
+      error->all(FLERR, "{}: the {} was written after a fault: it holds a value that is not a finite number", who,
+                 name);
   return values;
 }
 

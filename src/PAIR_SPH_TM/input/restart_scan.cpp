@@ -108,8 +108,8 @@ std::string Scan::fix_state(const std::string &id, const std::string &style)
   if (!read(n) || n < 0 || n > left) return CUT;
   std::vector<char> state(n);
   if (!read(state.data(), n)) return CUT;
-  const bool ours = style == "sph/tm" || style == "adapt/neigh" || style == "contact/tri" ||
-      style == "sph/tm/heat" || style == "sph/tm/drive";
+  const bool ours = style == "sph/tm" || style == "adapt/neigh" || style == "contact/tri" || style == "sph/tm/heat" ||
+                    style == "sph/tm/drive";
   if (!ours) return "";
   BlockHead head;
   if (n < (int) sizeof(head)) return fmt::format("values of fix {} are missing", id);
@@ -202,9 +202,8 @@ std::string Scan::rows()
   for (int k = 0; k < parts && fault.empty(); k++) fault = part(k);
   if (!fault.empty()) return fault;
   if (known && written.hash && (found.rows != written.rows || found.hash != written.hash))
-    return found.rows != written.rows
-        ? fmt::format("it holds {} of {} particles", found.rows, written.rows)
-        : std::string("the checksum of the particles does not fit");
+    return found.rows != written.rows ? fmt::format("it holds {} of {} particles", found.rows, written.rows)
+                                      : std::string("the checksum of the particles does not fit");
   return "";
 }
 

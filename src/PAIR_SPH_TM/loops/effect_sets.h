@@ -46,11 +46,10 @@ static constexpr int rate_set_index(unsigned effects)
   int set = 0;
   if ((effects & TM_FX_EXTENDED_MASK) == TM_FX_SMOOTHING && (effects & TM_FX_VISCOSITY))
     set = 9 + ((effects & TM_FX_ARTSTRESS) ? 1 : 0) + ((effects & TM_FX_CONDUCTION) ? 2 : 0);
-  else if (effects & TM_FX_EXTENDED_MASK)
-    set = 8;
+  else if (effects & TM_FX_EXTENDED_MASK) set = 8;
   else
     set = ((effects & TM_FX_VISCOSITY) ? 1 : 0) + ((effects & TM_FX_ARTSTRESS) ? 2 : 0) +
-        ((effects & TM_FX_CONDUCTION) ? 4 : 0);
+          ((effects & TM_FX_CONDUCTION) ? 4 : 0);
   return kernel_of(effects) * RATE_SETS_PER_KERNEL + 2 * set + is_3d(effects);
 }
 
@@ -78,8 +77,8 @@ static constexpr unsigned kernel_set(int index)
 static constexpr int kernel_set_index(unsigned effects) { return 2 * kernel_of(effects) + is_3d(effects); }
 
 // of the update; the prediction tells the forms of the momentum equation apart too
-constexpr unsigned RARE_IN_UPDATE = TM_FX_DAMAGE | TM_FX_ENERGY | TM_FX_BALSARA | TM_FX_XSPH | TM_FX_PLANE_STRESS |
-    TM_FX_SMOOTHING | TM_FX_HOURGLASS;
+constexpr unsigned RARE_IN_UPDATE =
+    TM_FX_DAMAGE | TM_FX_ENERGY | TM_FX_BALSARA | TM_FX_XSPH | TM_FX_PLANE_STRESS | TM_FX_SMOOTHING | TM_FX_HOURGLASS;
 constexpr unsigned RARE_IN_PREDICTION = RARE_IN_UPDATE | TM_FX_FORM_F14;
 
 }    // namespace SPHTM_NS

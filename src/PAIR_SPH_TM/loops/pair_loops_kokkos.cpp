@@ -97,8 +97,7 @@ struct Predict {
   Limits *limits;    // of the step that begins
   KOKKOS_FUNCTION void operator()(int i) const
   {
-    if (i == 0)
-    {
+    if (i == 0) {
       for (unsigned long long *p : {limits->dt, limits->dt + 1, limits->dt + 2, &limits->trouble}) *p = ~0ull;
       limits->melted = INT_MAX;
     }

@@ -72,8 +72,7 @@ void hourglass(int begin, int end, const tm_rates_args *args, unsigned effects)
 constexpr unsigned TESTED = TM_FX_CORRECTION | TM_FX_ARTSTRESS;
 
 // in chunks, so that the records are still in the cache for the artificial stress
-template <unsigned SET, unsigned ASK>
-void predict_set(int begin, int end, const tm_predict_args *args, unsigned given)
+template <unsigned SET, unsigned ASK> void predict_set(int begin, int end, const tm_predict_args *args, unsigned given)
 {
   const unsigned effects = SET | (given & ASK);
   for (; begin < end; begin += TM_CHUNK) {
@@ -116,8 +115,8 @@ tm_update_result update(int begin, int end, const tm_update_args *args, unsigned
 {
   constexpr unsigned HEAT = TM_FX_HEAT, CONDUCTION = TM_FX_CONDUCTION, FLOW = TM_FX_PLASTICITY;
   const update_range_t run = (effects & RARE_IN_UPDATE) ? update_set<0u, ~0u>
-      : (effects & HEAT) ? update_of<HEAT, CONDUCTION, FLOW, TM_FX_LEDGER, TM_FX_3D>(effects)
-                         : update_of<0u, FLOW, TM_FX_LEDGER, TM_FX_3D>(effects);
+                             : (effects & HEAT) ? update_of<HEAT, CONDUCTION, FLOW, TM_FX_LEDGER, TM_FX_3D>(effects)
+                                                : update_of<0u, FLOW, TM_FX_LEDGER, TM_FX_3D>(effects);
   return run(begin, end, args, effects);
 }
 

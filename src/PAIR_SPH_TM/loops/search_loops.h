@@ -17,10 +17,10 @@ TM_FN int tm_largest_nothing(void) { return 0; }
 TM_FN void tm_largest_sum(int *most, const int *n) { *most = *n > *most ? *n : *most; }
 
 // the box of points; particles in order of cells; rows, of which the longest is returned
-#define SEARCH_LOOPS(LOOP)                                                                         \
-  LOOP(SUM, bounds, PointsLoop, tm_bounds, tm_bounds, tm_bounds_of(a.x + 3 * (ptrdiff_t) i))       \
-  LOOP(OWN, sort_into_cells, void, const tm_cells &)                                               \
-  LOOP(RANGE_SUM, search, tm_search_args, int, tm_largest)                                         \
+#define SEARCH_LOOPS(LOOP)                                                                   \
+  LOOP(SUM, bounds, PointsLoop, tm_bounds, tm_bounds, tm_bounds_of(a.x + 3 * (ptrdiff_t) i)) \
+  LOOP(OWN, sort_into_cells, void, const tm_cells &)                                         \
+  LOOP(RANGE_SUM, search, tm_search_args, int, tm_largest)                                   \
   LOOP(SUM, smoothing, tm_smoothing_args, tm_size_range, tm_size, tm_smoothing(i, &a, effects))
 
 struct SearchLoops {

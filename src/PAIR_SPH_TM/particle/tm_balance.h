@@ -37,8 +37,9 @@ TM_FN tm_real tm_tensile_share(int kernel, int dim, tm_real h, int n)
 TM_FN void tm_tensile_table(int kernel, int dim, int n, tm_real *table)
 {
   for (int k = 0; k < TM_GRADIENT_ENTRIES; k++)
-    table[k] = tm_tensile_share(kernel, dim, TM_GRADIENT_LEAST + k *
-                   (TM_GRADIENT_MOST - TM_GRADIENT_LEAST) / (TM_GRADIENT_ENTRIES - 1), n);
+    table[k] =
+        tm_tensile_share(kernel, dim,
+                         TM_GRADIENT_LEAST + k * (TM_GRADIENT_MOST - TM_GRADIENT_LEAST) / (TM_GRADIENT_ENTRIES - 1), n);
 }
 
 /* The share of particle i; table: NULL where the stress is not balanced; size: NULL where all have the one ratio. */

@@ -12,26 +12,26 @@
 #include "tm_rates.h"
 
 typedef struct {
-  tm_real friction;    /* Coulomb coefficient, >= 0 */
-  tm_real penalty;     /* PFAC, > 0 */
-  tm_real damping;     /* DFAC, share of critical, >= 0 */
+  tm_real friction; /* Coulomb coefficient, >= 0 */
+  tm_real penalty;  /* PFAC, > 0 */
+  tm_real damping;  /* DFAC, share of critical, >= 0 */
 } tm_body_law;
 
 typedef struct {
-  const tm_body_law *law;   /* per type pair, index i * (ntypes + 1) + j */
-  const int *contact;       /* nonzero where a type pair meets by contact */
-  const tm_real *young;     /* per type */
-  const tm_real *effusivity;/* per type, sqrt(k rho c_p) at the reference temperature */
-  tm_real spacing;          /* dp of the pair style */
+  const tm_body_law *law;    /* per type pair, index i * (ntypes + 1) + j */
+  const int *contact;        /* nonzero where a type pair meets by contact */
+  const tm_real *young;      /* per type */
+  const tm_real *effusivity; /* per type, sqrt(k rho c_p) at the reference temperature */
+  tm_real spacing;           /* dp of the pair style */
   tm_real dt;
-  tm_real *source;          /* heat power of particle i, added to, or NULL */
+  tm_real *source; /* heat power of particle i, added to, or NULL */
 } tm_body_contact_args;
 
 typedef struct {
-  tm_real spring;           /* elastic energy, half of each pair */
+  tm_real spring; /* elastic energy, half of each pair */
   tm_real damping_power, friction_power;
-  tm_real heat_power;       /* friction heat into the particle */
-  tm_real work_power;       /* of the contact force on the particle */
+  tm_real heat_power; /* friction heat into the particle */
+  tm_real work_power; /* of the contact force on the particle */
 } tm_body_contact_result;
 
 TM_FN tm_body_contact_result tm_body_contact_nothing(void)
@@ -51,10 +51,10 @@ TM_FN void tm_body_contact_sum(tm_body_contact_result *sum, const tm_body_contac
 
 /* One pair in contact. */
 typedef struct {
-  tm_vec3 n, vt;            /* unit vector from j to i; sliding of i against j, F15 (14) */
-  tm_real delta, vn;        /* penetration, F15 (9), and its rate of opening */
-  tm_real stiffness, mass;  /* F15 (10), reduced mass */
-  tm_real fn, ft, speed;    /* normal force, friction, |vt| */
+  tm_vec3 n, vt;           /* unit vector from j to i; sliding of i against j, F15 (14) */
+  tm_real delta, vn;       /* penetration, F15 (9), and its rate of opening */
+  tm_real stiffness, mass; /* F15 (10), reduced mass */
+  tm_real fn, ft, speed;   /* normal force, friction, |vt| */
 } tm_body_pair;
 
 /* Edge of particle i. */
@@ -79,8 +79,8 @@ TM_FN int tm_body_contact_normal(int i, int j, tm_vec3 vi, const tm_rates_args *
   c->delta = dp - r;
   c->n = tm_vec_scale(1.0 / r, d);
   c->mass = mi * mj / (mi + mj);
-  c->stiffness = tm_contact_stiffness(law->penalty, b->young[a->type[i]], b->young[a->type[j]], b->spacing,
-                                      tm_min(si, sj), dim3);
+  c->stiffness =
+      tm_contact_stiffness(law->penalty, b->young[a->type[i]], b->young[a->type[j]], b->spacing, tm_min(si, sj), dim3);
   c->vn = tm_vec_dot(v, c->n);
   c->vt = tm_contact_tangential(v, c->n);
   c->speed = tm_vec_norm(c->vt);
@@ -104,8 +104,8 @@ TM_FN tm_real tm_body_contact_heat(const tm_body_pair *c, tm_real bi, tm_real bj
   return bi + bj > 0.0 ? c->ft * c->speed * bi / (bi + bj) : 0.5 * c->ft * c->speed;
 }
 
-TM_FN tm_body_contact_result tm_body_contact(int i, const tm_rates_args *a,
-                                             const tm_body_contact_args *b, unsigned effects)
+TM_FN tm_body_contact_result tm_body_contact(int i, const tm_rates_args *a, const tm_body_contact_args *b,
+                                             unsigned effects)
 {
   const int dim3 = (effects & TM_FX_3D) != 0;
   const ptrdiff_t begin = (ptrdiff_t) a->rows.mechanical[i] + a->rows.thermal[i];

@@ -17,30 +17,30 @@
 
 typedef struct {
   tm_real lo[3], width[3], inv_width[3];
-  tm_real widest;           /* the largest search radius */
+  tm_real widest; /* the largest search radius */
   int cells[3];
-  int n;                    /* particles, owned and ghost */
-  const double *x;          /* 3 of each */
-  const tm_real *radius;     /* of each, or NULL: all the same */
+  int n;                 /* particles, owned and ghost */
+  const double *x;       /* 3 of each */
+  const tm_real *radius; /* of each, or NULL: all the same */
   /* results */
-  int *cell;                /* of each particle */
-  int *begin;               /* of each cell, and the end of the last */
-  int *index;               /* particles in order of cells, TM_COLUMN more entries than n */
-  int *marked;              /* how many before each entry of the order are marked; or NULL */
-  tm_real *column[4];       /* x y z of these, and their search radius where each has its own; as long */
-  tm_real *look[2];         /* with a radius of each: search radius of the particles in a cell, and scratch */
+  int *cell;          /* of each particle */
+  int *begin;         /* of each cell, and the end of the last */
+  int *index;         /* particles in order of cells, TM_COLUMN more entries than n */
+  int *marked;        /* how many before each entry of the order are marked; or NULL */
+  tm_real *column[4]; /* x y z of these, and their search radius where each has its own; as long */
+  tm_real *look[2];   /* with a radius of each: search radius of the particles in a cell, and scratch */
 } tm_cells;
 
 TM_FN int tm_cells_of_axis(const tm_cells *c, int axis, double x)
 {
   const tm_real k = (x - c->lo[axis]) * c->inv_width[axis];
-  return (int) tm_clamp(k, 0.0, c->cells[axis] - 1);    /* not a number: 0 */
+  return (int) tm_clamp(k, 0.0, c->cells[axis] - 1); /* not a number: 0 */
 }
 TM_FN int tm_cells_number(const tm_cells *c) { return c->cells[0] * c->cells[1] * c->cells[2]; }
 TM_FN int tm_cells_of(const tm_cells *c, const double *x)
 {
-  return (tm_cells_of_axis(c, 2, x[2]) * c->cells[1] + tm_cells_of_axis(c, 1, x[1])) * c->cells[0]
-       + tm_cells_of_axis(c, 0, x[0]);
+  return (tm_cells_of_axis(c, 2, x[2]) * c->cells[1] + tm_cells_of_axis(c, 1, x[1])) * c->cells[0] +
+         tm_cells_of_axis(c, 0, x[0]);
 }
 
 /* Particle i into place k of the order. */
@@ -126,8 +126,8 @@ TM_FN tm_real tm_cells_look(const tm_cells *c, int cell, int axis, const tm_real
 /* ---- the cells around a place, run by run */
 
 typedef struct {
-  int lo[3], hi[3];         /* cells along each axis */
-  int y, z;                 /* of the run that comes next */
+  int lo[3], hi[3]; /* cells along each axis */
+  int y, z;         /* of the run that comes next */
 } tm_around;
 
 TM_FN tm_around tm_cells_around(const tm_cells *c, const double *x)

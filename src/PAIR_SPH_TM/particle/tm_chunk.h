@@ -26,9 +26,9 @@
 typedef struct {
   const int *index;
   const ptrdiff_t *first;
-  const int *mechanical;   /* number of mechanical neighbors */
-  const int *thermal;      /* number of neighbors that only exchange heat */
-  const int *contact;      /* number of neighbors of other bodies */
+  const int *mechanical; /* number of mechanical neighbors */
+  const int *thermal;    /* number of neighbors that only exchange heat */
+  const int *contact;    /* number of neighbors of other bodies */
   ptrdiff_t stride;
 } tm_rows;
 
@@ -37,25 +37,25 @@ typedef struct {
   tm_rows rows;
   tm_records rec;
   tm_records_single single;
-  unsigned effects;        /* run-time bits for the extended instantiation */
+  unsigned effects; /* run-time bits for the extended instantiation */
 
-  tm_real h;               /* smoothing length */
-  tm_real support_radius2; /* (support * h)^2 */
-  tm_real norm;            /* kernel constant, 1/h^dim included */
-  tm_real slope_norm;      /* of its slope: norm/h over the lattice's gradient, see tm_lattice.h */
-  tm_real support2, norm_of_one;   /* of h = 1, for particles with an h of their own */
+  tm_real h;                     /* smoothing length */
+  tm_real support_radius2;       /* (support * h)^2 */
+  tm_real norm;                  /* kernel constant, 1/h^dim included */
+  tm_real slope_norm;            /* of its slope: norm/h over the lattice's gradient, see tm_lattice.h */
+  tm_real support2, norm_of_one; /* of h = 1, for particles with an h of their own */
   tm_real visc_alpha, visc_beta;
-  int art_n;               /* exponent of the artificial stress */
-  tm_real art_inv_w;       /* 1 / shape(dp/h) */
-  tm_real xsph;            /* XSPH epsilon, 0..1 */
-  tm_real force_unit;      /* mass times acceleration -> force of the unit style */
-  const tm_real *conductance;  /* interface conductance per type pair (0: bonded), or NULL */
-  const int *which;        /* the particles, or NULL: all */
-  const int *type;         /* LAMMPS types, owned and ghost; only with conductance */
+  int art_n;                  /* exponent of the artificial stress */
+  tm_real art_inv_w;          /* 1 / shape(dp/h) */
+  tm_real xsph;               /* XSPH epsilon, 0..1 */
+  tm_real force_unit;         /* mass times acceleration -> force of the unit style */
+  const tm_real *conductance; /* interface conductance per type pair (0: bonded), or NULL */
+  const int *which;           /* the particles, or NULL: all */
+  const int *type;            /* LAMMPS types, owned and ghost; only with conductance */
   int ntypes;
 
   /* results, rows of owned particles; added to where said so */
-  double *force;           /* 3, added to what is there unless force_begins */
+  double *force; /* 3, added to what is there unless force_begins */
   int force_begins;
   tm_real *gradient;       /* 9, L row major, in rows of tm_layout.h */
   tm_real *heat;           /* conduction, power per volume, or NULL */
@@ -113,19 +113,19 @@ TM_FN tm_pair_size tm_size_of_all(const tm_rates_args *a, tm_real length, tm_rea
 
 typedef struct {
   /* the particle and the kernel of its pairs */
-  int i, sizes;                /* sizes: particles have sizes of their own */
+  int i, sizes; /* sizes: particles have sizes of their own */
   tm_coord x, y, z;
-  tm_pair unit;                /* of positions in single */
+  tm_pair unit; /* of positions in single */
   tm_pair_size of_all, own;
   tm_pair support_radius2, far;
-  const tm_pair *main, *size;  /* records */
+  const tm_pair *main, *size; /* records */
   /* its row */
   const int *row;
   ptrdiff_t stride;
   int end;
   /* the chunk */
-  int k, last;                 /* next entry of the row; the row ends in this chunk */
-  int n, lanes;                /* neighbors, and with the lanes that are filled up */
+  int k, last;  /* next entry of the row; the row ends in this chunk */
+  int n, lanes; /* neighbors, and with the lanes that are filled up */
 } tm_chunk;
 
 /* own: the first three columns of the particle's record. */
@@ -173,7 +173,9 @@ TM_FN int tm_chunk_gather(tm_chunk *c, int *jj, tm_pair *position, int dim3)
   c->n = (size ? r2 * (inv_h * size[(ptrdiff_t) jj[0] * TM_REC_SIZE + TM_SIZE_INV_H]) : r2) < limit;
   c->lanes = 1;
   if (TM_SINGLE) {
-    position[0] = dx; position[1] = dy; position[2] = dz;
+    position[0] = dx;
+    position[1] = dy;
+    position[2] = dz;
   }
   return 1;
 #else
@@ -265,8 +267,7 @@ TM_FN tm_lanes tm_chunk_lanes_apart(tm_coord x, const tm_pair *column, int l)
    kernel, which rounds differently. */
 TM_FN tm_pair_size tm_chunk_pair_size(const tm_chunk *c, tm_values *size, int l, const tm_pair *norm_of_one, int dim3)
 {
-  return c->sizes ? tm_pair_of_sizes(&c->own, size[TM_SIZE_INV_H][tm_at(l)],
-                                     size[TM_SIZE_FACTOR][tm_at(l)],
+  return c->sizes ? tm_pair_of_sizes(&c->own, size[TM_SIZE_INV_H][tm_at(l)], size[TM_SIZE_FACTOR][tm_at(l)],
                                      size[TM_SIZE_TENSILE][tm_at(l)], *norm_of_one, dim3)
                   : c->of_all;
 }

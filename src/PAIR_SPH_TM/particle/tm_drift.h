@@ -10,10 +10,10 @@
 
 typedef struct {
   tm_state state;
-  int group;              /* x is integrated for these */
-  tm_real half;           /* dt/2 */
-  int closed[3][2];       /* nonzero: a particle beyond this face of the box is lost */
-  double lo[3], hi[3];    /* of the box */
+  int group;           /* x is integrated for these */
+  tm_real half;        /* dt/2 */
+  int closed[3][2];    /* nonzero: a particle beyond this face of the box is lost */
+  double lo[3], hi[3]; /* of the box */
 } tm_drift_args;
 
 /* Nonzero: the particle is lost. */
@@ -29,8 +29,7 @@ TM_FN int tm_drift(int i, const tm_drift_args *a, unsigned effects)
     for (int d = 0; d < dim; d++) x[d] += a->half * (v[d] + (u ? u[tm_column(d)] : 0.0));
   }
   int lost = 0;
-  for (int d = 0; d < dim; d++)
-    lost |= (a->closed[d][0] && x[d] < a->lo[d]) || (a->closed[d][1] && x[d] > a->hi[d]);
+  for (int d = 0; d < dim; d++) lost |= (a->closed[d][0] && x[d] < a->lo[d]) || (a->closed[d][1] && x[d] > a->hi[d]);
   return lost;
 }
 

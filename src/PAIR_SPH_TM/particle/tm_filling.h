@@ -15,15 +15,15 @@
 
 typedef struct {
   tm_rows rows;
-  tm_records rec;       /* of owned and ghost particles */
+  tm_records rec; /* of owned and ghost particles */
   int kernel, dim;
-  tm_real h;            /* of particles without a size of their own */
+  tm_real h; /* of particles without a size of their own */
 } tm_filling_args;
 
 typedef struct {
-  tm_real sum;          /* S */
-  tm_real spread;       /* sum V W r^2/(h^2 S) */
-  int inside;           /* its neighbors lie around it evenly */
+  tm_real sum;    /* S */
+  tm_real spread; /* sum V W r^2/(h^2 S) */
+  int inside;     /* its neighbors lie around it evenly */
 } tm_filling;
 
 /* On the lattice: h over the spacing of the masses, s: true spacing over theirs. */

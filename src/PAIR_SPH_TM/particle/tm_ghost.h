@@ -7,7 +7,7 @@
 
 typedef struct {
   tm_records rec;
-  tm_real *values;    /* columns values per particle, or NULL: the records */
+  tm_real *values; /* columns values per particle, or NULL: the records */
   int columns;
 } tm_ghost_args;
 
@@ -16,7 +16,7 @@ TM_FN int tm_ghost_width(const tm_ghost_args *a)
 {
   if (a->values) return a->columns;
   return TM_REC - TM_REC_M + (a->rec.stress ? (int) TM_REC_STRESS : 0) + (a->rec.heat ? (int) TM_REC_HEAT : 0) +
-      (a->rec.size ? (int) TM_REC_SIZE : 0);
+         (a->rec.size ? (int) TM_REC_SIZE : 0);
 }
 
 /* Columns first to columns - 1 of a record into buf and back; what follows in buf. */

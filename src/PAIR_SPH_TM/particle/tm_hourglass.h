@@ -68,7 +68,7 @@ TM_FN tm_vec3 tm_hourglass_rate(tm_real weights, tm_vec3 x, tm_vec3 v, tm_sym3 x
   tm_sym3 M = tm_sym(s * xx.xx - x.x * x.x, s * xx.yy - x.y * x.y, s * xx.zz - x.z * x.z, s * xx.xy - x.x * x.y,
                      s * xx.xz - x.x * x.z, s * xx.yz - x.y * x.z);
   const tm_real mean = (M.xx + M.yy + (dim3 ? M.zz : 0.0)) / (dim3 ? 3.0 : 2.0);
-  if (!(mean > 1e-6 * s * (xx.xx + xx.yy + xx.zz))) return none;    /* all in one place */
+  if (!(mean > 1e-6 * s * (xx.xx + xx.yy + xx.zz))) return none; /* all in one place */
   M = tm_sym_scale(1.0 / mean, M);
   if (!dim3) {
     M.zz = 1.0;
@@ -77,7 +77,7 @@ TM_FN tm_vec3 tm_hourglass_rate(tm_real weights, tm_vec3 x, tm_vec3 v, tm_sym3 x
   const tm_real det = tm_sym_det(M);
   if (!(det > TM_HOURGLASS_LEAST)) return none;
   const tm_sym3 inverse = tm_sym_inverse_bounded(M, dim3, 0.0);
-  const tm_vec3 b = tm_vec_scale(1.0 / mean, tm_sym_mul_vec(inverse, x));    /* B x = C b, C of the centered v (x) x */
+  const tm_vec3 b = tm_vec_scale(1.0 / mean, tm_sym_mul_vec(inverse, x)); /* B x = C b, C of the centered v (x) x */
   const tm_real bx = tm_vec_dot(b, x);
   return tm_vec(s * (vx.xx * b.x + vx.xy * b.y + vx.xz * b.z) - v.x * bx - v.x,
                 s * (vx.yx * b.x + vx.yy * b.y + vx.yz * b.z) - v.y * bx - v.y,
@@ -88,8 +88,8 @@ TM_FN tm_vec3 tm_hourglass_rate(tm_real weights, tm_vec3 x, tm_vec3 v, tm_sym3 x
 enum {
   TM_GCOL_W = TM_REC_P,
   TM_GCOL_SIZE = TM_GCOL_W + TM_REC_HOURGLASS,
-  TM_GCOL_WEIGHT = TM_GCOL_SIZE + TM_REC_SIZE,    /* m_j/rho_j W */
-  TM_GCOL_FORCE,                                  /* m_j k_ij/(rho_i rho_j) W'/r^3 */
+  TM_GCOL_WEIGHT = TM_GCOL_SIZE + TM_REC_SIZE, /* m_j/rho_j W */
+  TM_GCOL_FORCE,                               /* m_j k_ij/(rho_i rho_j) W'/r^3 */
   TM_GCOLUMNS
 };
 
@@ -104,8 +104,8 @@ TM_FN void tm_hourglass_coefficients(const tm_chunk *c, const tm_rates_args *a, 
   const tm_real q = r * p.inv_h, volume = col[TM_REC_M][tm_at(l)] / col[TM_REC_RHO][tm_at(l)];
   const tm_real ki = own[TM_HOURGLASS_K], kj = col[TM_GCOL_W + TM_HOURGLASS_K][tm_at(l)];
   col[TM_GCOL_WEIGHT][tm_at(l)] = volume * p.norm * tm_kernel_shape(kernel, q);
-  col[TM_GCOL_FORCE][tm_at(l)] = volume * p.slope_norm * tm_kernel_slope(kernel, q) * 2.0 * ki * kj /
-                                    ((ki + kj + 1e-300) * r2 * r * rhoi);
+  col[TM_GCOL_FORCE][tm_at(l)] =
+      volume * p.slope_norm * tm_kernel_slope(kernel, q) * 2.0 * ki * kj / ((ki + kj + 1e-300) * r2 * r * rhoi);
 }
 
 /* Sums over the neighbors for tm_hourglass_rate() and the force. */
@@ -125,21 +125,21 @@ TM_FN tm_hourglass_sums tm_hourglass_sums_zero(void)
 }
 
 /* The pairs with TM_LANES neighbors of a chunk, from neighbor l on, into the sums. */
-TM_FN void tm_hourglass_add(const tm_chunk *c, int dim3, const tm_real *own, const tm_real *velocity,
-                            tm_values *col, int l, tm_hourglass_sums *s)
+TM_FN void tm_hourglass_add(const tm_chunk *c, int dim3, const tm_real *own, const tm_real *velocity, tm_values *col,
+                            int l, tm_hourglass_sums *s)
 {
   const tm_lanes zero = {0}, w = tm_values_load(col[TM_GCOL_WEIGHT], l);
   const tm_lanes_vec d = {tm_chunk_lanes_apart(c->x, col[0], l), tm_chunk_lanes_apart(c->y, col[1], l),
-                          dim3 ? tm_chunk_lanes_apart(c->z, col[2], l) : zero};    /* x_i - x_j */
-  const tm_lanes_vec v = tm_pair_difference(velocity, col + TM_REC_V, l, dim3);      /* v_i - v_j */
-  const tm_lanes_vec wx = tm_lanes_scale(-w, d);                                    /* m_j/rho_j W (x_j - x_i) */
+                          dim3 ? tm_chunk_lanes_apart(c->z, col[2], l) : zero}; /* x_i - x_j */
+  const tm_lanes_vec v = tm_pair_difference(velocity, col + TM_REC_V, l, dim3); /* v_i - v_j */
+  const tm_lanes_vec wx = tm_lanes_scale(-w, d);                                /* m_j/rho_j W (x_j - x_i) */
   s->weights += w;
   tm_sum_vec_add(&s->x, wx);
   tm_pair_xsph(&s->v, w, v);
   tm_pair_gradient(&s->xx, d, wx, dim3);
   tm_pair_gradient(&s->vx, v, wx, dim3);
 
-  const tm_lanes_vec across = tm_pair_difference(own, col + TM_GCOL_W, l, dim3);     /* w_i - w_j */
+  const tm_lanes_vec across = tm_pair_difference(own, col + TM_GCOL_W, l, dim3); /* w_i - w_j */
   const tm_lanes along = tm_lanes_dot(across, d, dim3) * tm_values_load(col[TM_GCOL_FORCE], l);
   tm_pair_artificial(&s->acceleration, &s->artificial, tm_lanes_scale(along, d), v);
 }
@@ -185,7 +185,9 @@ TM_FN void tm_hourglass(int i, const tm_rates_args *a, unsigned effects)
   const tm_real mf = ri[TM_REC_M] * a->force_unit;
   tm_real *out = a->hourglass_rate + 3 * (ptrdiff_t) i;
   double *f = a->force + 3 * (ptrdiff_t) i;
-  out[0] = rate.x; out[1] = rate.y; out[2] = rate.z;
+  out[0] = rate.x;
+  out[1] = rate.y;
+  out[2] = rate.z;
   f[0] += mf * acceleration.x;
   f[1] += mf * acceleration.y;
   f[2] += mf * acceleration.z;

@@ -9,9 +9,9 @@
 
 typedef struct {
   tm_state state;
-  unsigned fields;      /* mask of the fields to be set, 1 << enum tm_field_id */
+  unsigned fields; /* mask of the fields to be set, 1 << enum tm_field_id */
   tm_real temperature;
-  tm_real ratio;        /* smoothing length over spacing */
+  tm_real ratio; /* smoothing length over spacing */
   int dim3;
 } tm_initial_args;
 
@@ -69,8 +69,7 @@ TM_FN tm_update_result tm_initial_limits(int i, const tm_update_args *a, unsigne
     const tm_real c = tm_main_record(&a->rec, i)[tm_part(TM_REC_C)];
     out.dt[TM_DT_SOUND] = tm_sound_time_step(h, c, a->visc_alpha, a->hourglass, effects);
     const double *f = s->force + 3 * (ptrdiff_t) i;
-    const tm_real acc =
-        a->accel_unit / tm_particle_mass(s, i) * sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
+    const tm_real acc = a->accel_unit / tm_particle_mass(s, i) * sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
     if (s->mask[i] & a->group) out.dt[TM_DT_FORCE] = tm_force_time_step(h, acc);
   }
   if (effects & TM_FX_CONDUCTION)

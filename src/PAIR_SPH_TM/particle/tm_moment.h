@@ -31,7 +31,7 @@ TM_FN tm_sym3 tm_moment_sum(int i, const tm_rates_args *a, unsigned effects)
   const int kernel = tm_fx_kernel(effects), dim3 = (effects & TM_FX_3D) != 0;
   const int sizes = (a->effects & TM_FX_SMOOTHING) != 0;
   const tm_lanes zero = {0};
-  enum { Z = 4, SLOPE = Z + TM_REC_SIZE, COLUMNS };    /* x y z m, size, m_j W'/r */
+  enum { Z = 4, SLOPE = Z + TM_REC_SIZE, COLUMNS }; /* x y z m, size, m_j W'/r */
   tm_real ri[TM_REC];
   tm_fetch(a->rec.main + tm_record(i, TM_REC), TM_REC_V, ri);
   tm_sum_mat M = tm_sum_mat_zero();
@@ -45,7 +45,7 @@ TM_FN tm_sym3 tm_moment_sum(int i, const tm_rates_args *a, unsigned effects)
     tm_chunk_fetch_main(&c, jj, TM_REC_V, dim3, col);
     if (sizes) tm_fetch_rows(a->rec.size, TM_REC_SIZE, jj, lanes, col[Z]);
     TM_SIMD
-    for (int l = 0; l < lanes; l++) {    /* rounding depends on this form, see tm_chunk_pair_size() */
+    for (int l = 0; l < lanes; l++) { /* rounding depends on this form, see tm_chunk_pair_size() */
       const int m = tm_at(l);
       const tm_real dx = c.x - col[0][m], dy = c.y - col[1][m], dz = dim3 ? c.z - col[2][m] : 0.0;
       const tm_real r = sqrt(dx * dx + dy * dy + dz * dz);

@@ -18,11 +18,11 @@
 enum { TM_MEETS_MECHANICAL = 1, TM_MEETS_THERMAL = 2, TM_MEETS_CONTACT = 4, TM_SEGMENTS = 3 };
 
 typedef struct {
-  const int *list, *length;       /* the host's list: entry k of i is list[i row_step + k step] */
+  const int *list, *length; /* the host's list: entry k of i is list[i row_step + k step] */
   ptrdiff_t row_step, step;
-  int bits;                       /* of an entry that are the index */
-  const unsigned char *meets;     /* per type pair, index i * (ntypes + 1) + j: segments */
-  const int *type, *tag;          /* LAMMPS's, owned and ghost */
+  int bits;                   /* of an entry that are the index */
+  const unsigned char *meets; /* per type pair, index i * (ntypes + 1) + j: segments */
+  const int *type, *tag;      /* LAMMPS's, owned and ghost */
   int ntypes;
   /* results */
   int *index, *count[TM_SEGMENTS];
@@ -58,10 +58,7 @@ TM_FN ptrdiff_t tm_row_slice_size(int s, int n, const tm_row_args *a)
   return (ptrdiff_t) longest * TM_ROW_SLICE;
 }
 
-TM_FN int tm_row_before(int j, int k, const int *tag)
-{
-  return tag[j] != tag[k] ? tag[j] < tag[k] : j < k;
-}
+TM_FN int tm_row_before(int j, int k, const int *tag) { return tag[j] != tag[k] ? tag[j] < tag[k] : j < k; }
 
 /* Entries of row i, sorted in one by one. */
 TM_FN void tm_row_fill(int i, const tm_row_args *a)
@@ -122,10 +119,10 @@ TM_FN void tm_row_put(int i, int k, int n, const tm_row_entry *entry, const tm_r
 
 typedef struct {
   tm_rows rows;
-  const tm_real *main;    /* records */
-  tm_real support_radius2;         /* (support h)^2, with size support^2 */
-  const tm_real *size;    /* records of size, or NULL */
-  tm_real *count;         /* mechanical neighbors within the support radius of each particle, or NULL */
+  const tm_real *main;     /* records */
+  tm_real support_radius2; /* (support h)^2, with size support^2 */
+  const tm_real *size;     /* records of size, or NULL */
+  tm_real *count;          /* mechanical neighbors within the support radius of each particle, or NULL */
 } tm_near_args;
 
 /* Square of the distance in the row; j its particle. */
@@ -152,10 +149,10 @@ TM_FN tm_real tm_near_count(int i, const tm_near_args *a)
 }
 
 typedef struct {
-  tm_real distance;       /* of the closest mechanical neighbors */
+  tm_real distance; /* of the closest mechanical neighbors */
   int i, j;
-  tm_real sum;            /* of the distances to the nearest neighbor */
-  tm_real count;          /* of particles that have one */
+  tm_real sum;   /* of the distances to the nearest neighbor */
+  tm_real count; /* of particles that have one */
 } tm_nearest;
 
 TM_FN tm_nearest tm_nearest_nothing(void)

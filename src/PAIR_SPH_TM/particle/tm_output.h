@@ -8,31 +8,31 @@
 #include "tm_surface.h"
 
 /* what there is, and its name in compute sph/tm/atom */
-#define TM_OUTPUT_TABLE(VALUE)              \
-  VALUE(TM_OUT_DENSITY, "density")          \
-  VALUE(TM_OUT_TEMPERATURE, "temperature")  \
-  VALUE(TM_OUT_PSTRAIN, "pstrain")          \
-  VALUE(TM_OUT_RATE, "pstrain/rate")        \
-  VALUE(TM_OUT_FLOW, "flowstress")          \
-  VALUE(TM_OUT_MISES, "vonmises")           \
-  VALUE(TM_OUT_PRESSURE, "pressure")        \
-  VALUE(TM_OUT_XX, "stress/xx")             \
-  VALUE(TM_OUT_YY, "stress/yy")             \
-  VALUE(TM_OUT_ZZ, "stress/zz")             \
-  VALUE(TM_OUT_XY, "stress/xy")             \
-  VALUE(TM_OUT_XZ, "stress/xz")             \
-  VALUE(TM_OUT_YZ, "stress/yz")             \
-  VALUE(TM_OUT_DAMAGE, "damage")            \
-  VALUE(TM_OUT_FAILED, "failed")            \
-  VALUE(TM_OUT_ENERGY, "energy")            \
-  VALUE(TM_OUT_THICKNESS, "thickness")      \
-  VALUE(TM_OUT_SOUND, "soundspeed")         \
-  VALUE(TM_OUT_H, "h")                      \
-  VALUE(TM_OUT_LEVEL, "level")              \
-  VALUE(TM_OUT_NEIGHBORS, "neighbors")      \
-  VALUE(TM_OUT_ADAPTNODE, "adaptnode")      \
-  VALUE(TM_OUT_SEARCHES, "searches")        \
-  VALUE(TM_OUT_AREA, "surface/area")        \
+#define TM_OUTPUT_TABLE(VALUE)             \
+  VALUE(TM_OUT_DENSITY, "density")         \
+  VALUE(TM_OUT_TEMPERATURE, "temperature") \
+  VALUE(TM_OUT_PSTRAIN, "pstrain")         \
+  VALUE(TM_OUT_RATE, "pstrain/rate")       \
+  VALUE(TM_OUT_FLOW, "flowstress")         \
+  VALUE(TM_OUT_MISES, "vonmises")          \
+  VALUE(TM_OUT_PRESSURE, "pressure")       \
+  VALUE(TM_OUT_XX, "stress/xx")            \
+  VALUE(TM_OUT_YY, "stress/yy")            \
+  VALUE(TM_OUT_ZZ, "stress/zz")            \
+  VALUE(TM_OUT_XY, "stress/xy")            \
+  VALUE(TM_OUT_XZ, "stress/xz")            \
+  VALUE(TM_OUT_YZ, "stress/yz")            \
+  VALUE(TM_OUT_DAMAGE, "damage")           \
+  VALUE(TM_OUT_FAILED, "failed")           \
+  VALUE(TM_OUT_ENERGY, "energy")           \
+  VALUE(TM_OUT_THICKNESS, "thickness")     \
+  VALUE(TM_OUT_SOUND, "soundspeed")        \
+  VALUE(TM_OUT_H, "h")                     \
+  VALUE(TM_OUT_LEVEL, "level")             \
+  VALUE(TM_OUT_NEIGHBORS, "neighbors")     \
+  VALUE(TM_OUT_ADAPTNODE, "adaptnode")     \
+  VALUE(TM_OUT_SEARCHES, "searches")       \
+  VALUE(TM_OUT_AREA, "surface/area")       \
   VALUE(TM_OUT_HOURGLASS, "hourglass")
 
 #define TM_OUTPUT_ID(id, name) id,
@@ -42,18 +42,18 @@ enum tm_output_id { TM_OUTPUT_TABLE(TM_OUTPUT_ID) TM_OUT_COUNT };
 typedef struct {
   tm_state state;
   unsigned effects;
-  int group;                  /* 0 for all others */
-  const tm_real *main;        /* records, with surface */
-  const tm_real *surface;     /* 3 per particle, or NULL */
-  const tm_real *neighbors;   /* number of neighbors of each, or NULL */
-  const tm_real *lists;       /* history of total-Lagrangian lists, or NULL: all particles are updated-Lagrangian */
-  int lists_columns, was_ul, ul_steps;    /* columns of the history, and which are shown */
+  int group;                /* 0 for all others */
+  const tm_real *main;      /* records, with surface */
+  const tm_real *surface;   /* 3 per particle, or NULL */
+  const tm_real *neighbors; /* number of neighbors of each, or NULL */
+  const tm_real *lists;     /* history of total-Lagrangian lists, or NULL: all particles are updated-Lagrangian */
+  int lists_columns, was_ul, ul_steps; /* columns of the history, and which are shown */
   tm_surface measure;
-  tm_real temperature, h;     /* of all, where they are no state */
-  tm_real stress, density, energy;   /* unit of the run -> mass, length, time */
+  tm_real temperature, h;          /* of all, where they are no state */
+  tm_real stress, density, energy; /* unit of the run -> mass, length, time */
   int columns;
-  const int *wanted;          /* enum tm_output_id of each column */
-  double *value;              /* results, columns per particle */
+  const int *wanted; /* enum tm_output_id of each column */
+  double *value;     /* results, columns per particle */
 } tm_output_args;
 
 TM_FN tm_real tm_output_state(int i, const tm_output_args *a, int id, int column, tm_real otherwise)
@@ -90,10 +90,15 @@ TM_FN tm_real tm_output_value(int which, int i, const tm_output_args *a)
     case TM_OUT_FLOW: return to_stress * tm_output_state(i, a, TM_F_PSTRAIN, 2, 0.0);
     case TM_OUT_MISES: return to_stress * tm_sym_mises(tm_sym_from_row(tm_field_row(&a->state, TM_F_STRESS, i)));
     case TM_OUT_PRESSURE: return to_stress * tm_output_pressure(i, a, m);
-    case TM_OUT_XX: case TM_OUT_YY: case TM_OUT_ZZ: case TM_OUT_XY: case TM_OUT_XZ: case TM_OUT_YZ: {
+    case TM_OUT_XX:
+    case TM_OUT_YY:
+    case TM_OUT_ZZ:
+    case TM_OUT_XY:
+    case TM_OUT_XZ:
+    case TM_OUT_YZ: {
       const int k = which - TM_OUT_XX;
-      return to_stress * (tm_field_row(&a->state, TM_F_STRESS, i)[tm_column(k)]
-                          - (k < 3 ? tm_output_pressure(i, a, m) : 0.0));
+      return to_stress *
+             (tm_field_row(&a->state, TM_F_STRESS, i)[tm_column(k)] - (k < 3 ? tm_output_pressure(i, a, m) : 0.0));
     }
     case TM_OUT_DAMAGE: return tm_output_state(i, a, TM_F_DAMAGE, 0, 0.0);
     case TM_OUT_FAILED: return tm_output_state(i, a, TM_F_DAMAGE, 1, 0.0) > 0.5 ? 1.0 : 0.0;
@@ -101,7 +106,8 @@ TM_FN tm_real tm_output_value(int which, int i, const tm_output_args *a)
     case TM_OUT_THICKNESS: return tm_output_state(i, a, TM_F_THICKNESS, 0, 1.0);
     case TM_OUT_SOUND:
       return m->body == TM_BODY_SOLID ? tm_eos_sound_speed(m, tm_output_state(i, a, TM_F_RHO, 0, 0.0),
-                                                           tm_output_state(i, a, TM_F_ENERGY, 0, 0.0)) : 0.0;
+                                                           tm_output_state(i, a, TM_F_ENERGY, 0, 0.0))
+                                      : 0.0;
     case TM_OUT_H: return tm_output_state(i, a, TM_F_SIZE, TM_S_H, a->h);
     case TM_OUT_NEIGHBORS: return a->neighbors ? a->neighbors[i] : 0.0;
     case TM_OUT_ADAPTNODE: return a->lists ? a->lists[(ptrdiff_t) i * a->lists_columns + a->was_ul] : 1.0;
@@ -111,7 +117,7 @@ TM_FN tm_real tm_output_value(int which, int i, const tm_output_args *a)
       return tm_vec_norm(tm_vec(tm_output_state(i, a, TM_F_HOURGLASS, TM_G_W, 0.0),
                                 tm_output_state(i, a, TM_F_HOURGLASS, TM_G_W + 1, 0.0),
                                 tm_output_state(i, a, TM_F_HOURGLASS, TM_G_W + 2, 0.0)));
-    default: return 0.0;    /* level: fix adapt/neigh knows it, on the host */
+    default: return 0.0; /* level: fix adapt/neigh knows it, on the host */
   }
 }
 

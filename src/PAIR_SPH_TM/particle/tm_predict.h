@@ -21,13 +21,13 @@
 typedef struct {
   tm_state state;
   tm_records rec;
-  tm_real dt_ahead;      /* time from the state to the force point: dt/2, or 0 at set-up */
-  tm_real art_eps;       /* artificial stress epsilon, 0..1 */
-  const tm_real *gradient;  /* tm_gradient_table, with particles of their own size */
-  int art_component;     /* nonzero: F14 (18) per component instead of principal axes */
-  const tm_real *share;  /* tm_tensile_table where the artificial stress is balanced, else NULL */
-  tm_real hourglass;     /* xi, stiffness of hourglass control over rho c^2 */
-  tm_real ratio;         /* h over spacing, of particles without a size of their own */
+  tm_real dt_ahead;        /* time from the state to the force point: dt/2, or 0 at set-up */
+  tm_real art_eps;         /* artificial stress epsilon, 0..1 */
+  const tm_real *gradient; /* tm_gradient_table, with particles of their own size */
+  int art_component;       /* nonzero: F14 (18) per component instead of principal axes */
+  const tm_real *share;    /* tm_tensile_table where the artificial stress is balanced, else NULL */
+  tm_real hourglass;       /* xi, stiffness of hourglass control over rho c^2 */
+  tm_real ratio;           /* h over spacing, of particles without a size of their own */
 } tm_predict_args;
 
 /* Velocity of particle i at the force point. */
@@ -54,8 +54,8 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
   const tm_real *h1 = tm_field_row(s, TM_F_HISTORY, i), *h2 = h1 + tm_column(TM_H_STEP);
 
   const tm_vec3 v = tm_predict_velocity(i, a);
-  const tm_real rho = *tm_field_row(s, TM_F_RHO, i) + w.last * h1[tm_column(TM_H_RHO)] +
-      w.older * h2[tm_column(TM_H_RHO)];
+  const tm_real rho =
+      *tm_field_row(s, TM_F_RHO, i) + w.last * h1[tm_column(TM_H_RHO)] + w.older * h2[tm_column(TM_H_RHO)];
   tm_sym3 dev = tm_sym_from_row(tm_field_row(s, TM_F_STRESS, i));
   dev = tm_sym_axpy(dev, w.last, tm_sym_from_row(h1 + tm_column(TM_H_S)));
   dev = tm_sym_axpy(dev, w.older, tm_sym_from_row(h2 + tm_column(TM_H_S)));
@@ -71,7 +71,7 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
     p = tm_damage_pressure(p, failed);
     if (failed) dev = tm_sym(0, 0, 0, 0, 0, 0);
   }
-  if (effects & TM_FX_PLANE_STRESS) p = dev.zz;  /* sigma_zz = s_zz - p = 0 */
+  if (effects & TM_FX_PLANE_STRESS) p = dev.zz; /* sigma_zz = s_zz - p = 0 */
 
   /* plane stress: sums run over areas, so density and stress count times the thickness */
   const tm_real lz = (effects & TM_FX_PLANE_STRESS) ? *tm_field_row(s, TM_F_THICKNESS, i) : 1.0;
@@ -84,7 +84,9 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
   const double *x = s->x + 3 * (ptrdiff_t) i;
   for (int k = 0; k < 3; k++) r[tm_part(TM_REC_X + k)] = x[k];
   r[tm_part(TM_REC_M)] = tm_particle_mass(s, i);
-  r[tm_part(TM_REC_V)] = v.x; r[tm_part(TM_REC_V + 1)] = v.y; r[tm_part(TM_REC_V + 2)] = v.z;
+  r[tm_part(TM_REC_V)] = v.x;
+  r[tm_part(TM_REC_V + 1)] = v.y;
+  r[tm_part(TM_REC_V + 2)] = v.z;
   r[tm_part(TM_REC_RHO)] = rho_sum;
   tm_sym_to_record(r, TM_REC_P, P);
   r[tm_part(TM_REC_C)] = c;
@@ -111,12 +113,16 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
 /* One particle of a chunk: col[c * TM_COLUMN] holds P, and receives the artificial stress. */
 TM_FN void tm_predict_tensile(tm_real *col, tm_real eps, tm_real scale, int component, int dim3)
 {
-  const tm_sym3 P = tm_sym(col[0], col[TM_COLUMN], col[2 * TM_COLUMN], col[3 * TM_COLUMN],
-                           col[4 * TM_COLUMN], col[5 * TM_COLUMN]);
+  const tm_sym3 P =
+      tm_sym(col[0], col[TM_COLUMN], col[2 * TM_COLUMN], col[3 * TM_COLUMN], col[4 * TM_COLUMN], col[5 * TM_COLUMN]);
   const tm_sym3 q = component ? tm_artificial_stress_component(P, eps, scale, dim3)
                               : tm_artificial_stress_principal(P, eps, scale, dim3);
-  col[0] = q.xx; col[TM_COLUMN] = q.yy; col[2 * TM_COLUMN] = q.zz;
-  col[3 * TM_COLUMN] = q.xy; col[4 * TM_COLUMN] = q.xz; col[5 * TM_COLUMN] = q.yz;
+  col[0] = q.xx;
+  col[TM_COLUMN] = q.yy;
+  col[2 * TM_COLUMN] = q.zz;
+  col[3 * TM_COLUMN] = q.xy;
+  col[4 * TM_COLUMN] = q.xz;
+  col[5 * TM_COLUMN] = q.yz;
 }
 
 /* P - share R for P, in the units of P. */

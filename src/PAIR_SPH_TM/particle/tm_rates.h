@@ -37,11 +37,11 @@ enum {
   TM_COL_CORRECTION = TM_COL_HEAT + TM_REC_HEAT,
   TM_COL_SIZE = TM_COL_CORRECTION + TM_REC_CORRECTION,
   TM_COL_SLOPE = TM_COL_SIZE + TM_REC_SIZE, /* m_j W'/r */
-  TM_COL_TENSILE,      /* f^n of the artificial stress */
-  TM_COL_VISCOUS,      /* Pi */
-  TM_COL_CONDUCTED,    /* power per volume into i */
-  TM_COL_PER_RHO,      /* 1/rho_j */
-  TM_COL_SMOOTH,       /* m_j/rho_mean W */
+  TM_COL_TENSILE,                           /* f^n of the artificial stress */
+  TM_COL_VISCOUS,                           /* Pi */
+  TM_COL_CONDUCTED,                         /* power per volume into i */
+  TM_COL_PER_RHO,                           /* 1/rho_j */
+  TM_COL_SMOOTH,                            /* m_j/rho_mean W */
   TM_COLUMNS
 };
 
@@ -70,12 +70,12 @@ TM_FN tm_rates_terms tm_rates_terms_of(unsigned effects, unsigned run_time)
 
 /* Values of the particle itself. */
 typedef struct {
-  tm_pair r[TM_REC];                  /* main record */
-  tm_pair stress[TM_MORE];            /* artificial stress */
+  tm_pair r[TM_REC];       /* main record */
+  tm_pair stress[TM_MORE]; /* artificial stress */
   tm_pair correction[TM_REC_CORRECTION];
-  tm_pair T, k;                       /* temperature, conductivity */
+  tm_pair T, k; /* temperature, conductivity */
   tm_pair inv_rho;
-  tm_pair mass, volume;               /* in single, where weights are symmetric; else 1 */
+  tm_pair mass, volume; /* in single, where weights are symmetric; else 1 */
   tm_pair visc_alpha, visc_beta, norm_of_one;
   int art_n;
 } tm_rates_own;
@@ -90,8 +90,7 @@ TM_FN void tm_rates_load(int i, const tm_rates_args *a, const tm_rates_terms *t,
   own->T = own->k = 0;
   for (int c = 0; c < TM_MORE; c++) own->stress[c] = 0;
   for (int c = 0; c < TM_REC_CORRECTION; c++) own->correction[c] = 0;
-  if (t->artstress)
-    tm_fetch(rec->stress + tm_pair_record(i, TM_STRESS_COLUMNS), TM_STRESS_COLUMNS, own->stress);
+  if (t->artstress) tm_fetch(rec->stress + tm_pair_record(i, TM_STRESS_COLUMNS), TM_STRESS_COLUMNS, own->stress);
   if (t->conduction) {
     const tm_pair *heat = rec->heat + tm_pair_record(i, TM_HEAT_COLUMNS);
     own->T = heat[TM_REC_T];
@@ -112,16 +111,14 @@ TM_FN void tm_rates_fetch(const tm_chunk *c, const int *jj, const tm_rates_terms
 {
   const int all = TM_COLUMN > 1 || TM_SINGLE || t->viscosity;
   tm_chunk_fetch_main(c, jj, all ? TM_REC : TM_REC_C, t->dim3, col);
-  if (t->artstress)    /* in single with heat behind it, whose columns begin within a group of four */
-    tm_fetch_records(rec->stress, TM_STRESS_COLUMNS, 0, TM_STRESS_COLUMNS, jj, c->lanes,
-                     col[TM_COL_STRESS]);
+  if (t->artstress) /* in single with heat behind it, whose columns begin within a group of four */
+    tm_fetch_records(rec->stress, TM_STRESS_COLUMNS, 0, TM_STRESS_COLUMNS, jj, c->lanes, col[TM_COL_STRESS]);
   else if (TM_SINGLE && t->conduction)
     tm_fetch_records(rec->stress, TM_MORE, 4, TM_MORE - 4, jj, c->lanes, col[TM_COL_STRESS + 4]);
   if (t->conduction && !TM_SINGLE)
     tm_fetch_records(rec->heat, TM_REC_HEAT, 0, TM_REC_HEAT, jj, c->lanes, col[TM_COL_HEAT]);
   if (t->sizes) tm_fetch_rows(rec->size, TM_REC_SIZE, jj, c->lanes, col[TM_COL_SIZE]);
-  if (t->correction)
-    tm_fetch_rows(rec->correction, TM_REC_CORRECTION, jj, c->lanes, col[TM_COL_CORRECTION]);
+  if (t->correction) tm_fetch_rows(rec->correction, TM_REC_CORRECTION, jj, c->lanes, col[TM_COL_CORRECTION]);
 }
 
 /* Coefficients of the pair with neighbor l of a chunk. */
@@ -142,21 +139,18 @@ TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, con
                                    own->r[TM_REC_RHO] + rhoj, &inv_r);
     if (t->balsara) pi *= TM_PAIR(0.5) * (own->r[TM_REC_BALSARA] + col[TM_REC_BALSARA][tm_at(l)]);
     col[TM_COL_VISCOUS][tm_at(l)] = pi;
-  } else
-    inv_r = 1 / r;
-  const tm_pair g = p.slope_norm * tm_kernel_slope(t->kernel, q) * inv_r;  /* W'/r */
+  } else inv_r = 1 / r;
+  const tm_pair g = p.slope_norm * tm_kernel_slope(t->kernel, q) * inv_r; /* W'/r */
   col[TM_COL_SLOPE][tm_at(l)] = mj * own->mass * g;
-  if (t->artstress)
-    col[TM_COL_TENSILE][tm_at(l)] = tm_power_int(tm_kernel_shape(t->kernel, q) * p.inv_w, own->art_n);
-  if (t->conduction)    /* F15 (6) */
+  if (t->artstress) col[TM_COL_TENSILE][tm_at(l)] = tm_power_int(tm_kernel_shape(t->kernel, q) * p.inv_w, own->art_n);
+  if (t->conduction) /* F15 (6) */
     col[TM_COL_CONDUCTED][tm_at(l)] =
-        tm_conduction_pair(own->k, col[TM_COL_HEAT + TM_REC_K][tm_at(l)], own->T,
-                           col[TM_COL_HEAT + TM_REC_T][tm_at(l)], mj / rhoj * own->volume,
-                           tm_conduction_slope(t->kernel, q, g));
+        tm_conduction_pair(own->k, col[TM_COL_HEAT + TM_REC_K][tm_at(l)], own->T, col[TM_COL_HEAT + TM_REC_T][tm_at(l)],
+                           mj / rhoj * own->volume, tm_conduction_slope(t->kernel, q, g));
   if (t->form_f14 || t->surface) col[TM_COL_PER_RHO][tm_at(l)] = 1 / rhoj;
   if (t->xsph)
-    col[TM_COL_SMOOTH][tm_at(l)] = tm_xsph_pair(mj, TM_PAIR(0.5) * (own->r[TM_REC_RHO] + rhoj),
-                                                   p.norm * tm_kernel_shape(t->kernel, q));
+    col[TM_COL_SMOOTH][tm_at(l)] =
+        tm_xsph_pair(mj, TM_PAIR(0.5) * (own->r[TM_REC_RHO] + rhoj), p.norm * tm_kernel_shape(t->kernel, q));
 }
 
 typedef struct {
@@ -181,7 +175,7 @@ TM_FN void tm_rates_add(const tm_chunk *c, const tm_rates_terms *t, const tm_rat
   const tm_lanes zero = {0};
   const int dim3 = t->dim3;
   const tm_lanes_vec d = {tm_chunk_lanes_apart(c->x, col[0], l), tm_chunk_lanes_apart(c->y, col[1], l),
-                          dim3 ? tm_chunk_lanes_apart(c->z, col[2], l) : zero};    /* x_i - x_j */
+                          dim3 ? tm_chunk_lanes_apart(c->z, col[2], l) : zero}; /* x_i - x_j */
   const tm_lanes_vec v = tm_pair_difference(own->r + TM_REC_V, col + TM_REC_V, l, dim3);
   const tm_lanes_vec m_gradw = tm_lanes_scale(tm_values_load(col[TM_COL_SLOPE], l), d);
   const tm_lanes per_rho = t->form_f14 || t->surface ? tm_values_load(col[TM_COL_PER_RHO], l) : zero;
@@ -195,8 +189,7 @@ TM_FN void tm_rates_add(const tm_chunk *c, const tm_rates_terms *t, const tm_rat
   const tm_lanes_vec g_momentum = t->form_f14 ? tm_lanes_scale(own->inv_rho + zero, g) : m_gradw;
   if (t->correction)
     tm_pair_momentum(a, tm_pair_tensor_sum(own->correction, col + TM_COL_CORRECTION, l), g_momentum, dim3);
-  else
-    tm_pair_momentum(a, tm_pair_symmetric_sum(own->r + TM_REC_P, col + TM_REC_P, l), g_momentum, dim3);
+  else tm_pair_momentum(a, tm_pair_symmetric_sum(own->r + TM_REC_P, col + TM_REC_P, l), g_momentum, dim3);
 
   /* artificial terms F14 (15): their heating apart, for the energy balance */
   tm_lanes_vec artificial = {zero, zero, zero};
@@ -206,7 +199,7 @@ TM_FN void tm_rates_add(const tm_chunk *c, const tm_rates_terms *t, const tm_rat
   if (t->viscosity) tm_pair_viscosity(&artificial, tm_values_load(col[TM_COL_VISCOUS], l), m_gradw);
   if (t->artstress || t->viscosity) tm_pair_artificial(a, &s->artificial, artificial, v);
 
-  if (t->conduction) s->heat += tm_values_load(col[TM_COL_CONDUCTED], l);                  /* F15 (6) */
+  if (t->conduction) s->heat += tm_values_load(col[TM_COL_CONDUCTED], l); /* F15 (6) */
   if (t->xsph) tm_pair_xsph(&s->xsph, tm_values_load(col[TM_COL_SMOOTH], l), v);
   if (t->surface) tm_sum_vec_add(&s->surface, tm_lanes_scale(per_rho, m_gradw));
 }
@@ -233,7 +226,9 @@ TM_FN void tm_rates_store(int i, const tm_rates_args *a, const tm_rates_terms *t
     const tm_sym3 K = tm_sym_load(a->correction + (ptrdiff_t) i * 6);
     for (int r = 0; r < 9; r += 3) {
       const tm_vec3 l = tm_sym_mul_vec(K, tm_vec(L[r], L[r + 1], L[r + 2]));
-      L[r] = l.x; L[r + 1] = l.y; L[r + 2] = l.z;
+      L[r] = l.x;
+      L[r + 1] = l.y;
+      L[r + 2] = l.z;
     }
   }
   const tm_real per_force = TM_SINGLE ? rec->volume * per_length : mi, mf = per_force * a->force_unit;

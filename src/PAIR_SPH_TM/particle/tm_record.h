@@ -22,9 +22,9 @@ enum {
   TM_REC_BALSARA = 15, /* shear switch 0..1 */
   TM_REC = 16
 };
-enum { TM_REC_STRESS = 6 };                            /* artificial stress, xx yy zz xy xz yz */
-enum { TM_REC_T = 0, TM_REC_K = 1, TM_REC_HEAT = 2 };  /* temperature, conductivity */
-enum { TM_REC_CORRECTION = 9 };                        /* P K, row major */
+enum { TM_REC_STRESS = 6 };                           /* artificial stress, xx yy zz xy xz yz */
+enum { TM_REC_T = 0, TM_REC_K = 1, TM_REC_HEAT = 2 }; /* temperature, conductivity */
+enum { TM_REC_CORRECTION = 9 };                       /* P K, row major */
 /* 1/h, correction of sums over gradW (tm_lattice.h), 1/W of the reference spacing of the artificial
    stress over W(0)'s norm, edge of the particle; see tm_size.h */
 enum { TM_SIZE_INV_H = 0, TM_SIZE_FACTOR = 1, TM_SIZE_TENSILE = 2, TM_SIZE_DP = 3, TM_REC_SIZE = 4 };
@@ -33,33 +33,30 @@ enum { TM_SIZE_INV_H = 0, TM_SIZE_FACTOR = 1, TM_SIZE_TENSILE = 2, TM_SIZE_DP = 
 enum { TM_HOURGLASS_K = 3, TM_REC_HOURGLASS = 4 };
 
 typedef struct {
-  tm_real *main;        /* TM_REC per particle, owned and ghost */
-  tm_real *stress;      /* TM_REC_STRESS, or NULL */
-  tm_real *heat;        /* TM_REC_HEAT, or NULL */
-  tm_real *correction;  /* TM_REC_CORRECTION, or NULL */
-  tm_real *size;        /* TM_REC_SIZE, or NULL: all particles have the size of the pair style */
-  tm_real *hourglass;   /* TM_REC_HOURGLASS, or NULL */
+  tm_real *main;       /* TM_REC per particle, owned and ghost */
+  tm_real *stress;     /* TM_REC_STRESS, or NULL */
+  tm_real *heat;       /* TM_REC_HEAT, or NULL */
+  tm_real *correction; /* TM_REC_CORRECTION, or NULL */
+  tm_real *size;       /* TM_REC_SIZE, or NULL: all particles have the size of the pair style */
+  tm_real *hourglass;  /* TM_REC_HOURGLASS, or NULL */
 } tm_records;
 
 /* The same for pair arithmetic in single, see tm_single.h. */
-enum { TM_MORE = 8, TM_MORE_HEAT = 6 };  /* artificial stress, temperature, conductivity */
+enum { TM_MORE = 8, TM_MORE_HEAT = 6 }; /* artificial stress, temperature, conductivity */
 
 typedef struct {
-  float *main;          /* TM_REC per particle; the position is three whole numbers; 4 columns together */
-  float *more;          /* TM_MORE, or NULL; 4 columns together */
-  float *correction;    /* TM_REC_CORRECTION, or NULL */
-  float *size;          /* TM_REC_SIZE, or NULL */
-  tm_real length;       /* lengths are in units of this */
-  tm_real volume;       /* masses in density times this, length^dim */
-  tm_real position;     /* unit of positions, in units of length */
+  float *main;       /* TM_REC per particle; the position is three whole numbers; 4 columns together */
+  float *more;       /* TM_MORE, or NULL; 4 columns together */
+  float *correction; /* TM_REC_CORRECTION, or NULL */
+  float *size;       /* TM_REC_SIZE, or NULL */
+  tm_real length;    /* lengths are in units of this */
+  tm_real volume;    /* masses in density times this, length^dim */
+  tm_real position;  /* unit of positions, in units of length */
 } tm_records_single;
 
 /* Record of particle i; column c is its entry tm_part(c). */
 TM_FN tm_real *tm_main_record(const tm_records *rec, int i) { return rec->main + tm_record(i, TM_REC); }
-TM_FN tm_real *tm_stress_record(const tm_records *rec, int i)
-{
-  return rec->stress + tm_record(i, TM_REC_STRESS);
-}
+TM_FN tm_real *tm_stress_record(const tm_records *rec, int i) { return rec->stress + tm_record(i, TM_REC_STRESS); }
 TM_FN tm_real *tm_heat_record(const tm_records *rec, int i) { return rec->heat + tm_record(i, TM_REC_HEAT); }
 
 #endif

@@ -10,22 +10,22 @@
 
 #include <limits.h>
 
-enum { TM_SEARCH_MOST = 2048 };   /* entries a row can have */
+enum { TM_SEARCH_MOST = 2048 }; /* entries a row can have */
 
 typedef struct {
   tm_cells cells;
-  tm_real radius;                 /* where particles have none of their own */
-  const unsigned char *meets;    /* per type pair: segments, or NULL: all are mechanical neighbors */
-  int segments;                  /* those wanted, bits of TM_MEETS_... */
+  tm_real radius;             /* where particles have none of their own */
+  const unsigned char *meets; /* per type pair: segments, or NULL: all are mechanical neighbors */
+  int segments;               /* those wanted, bits of TM_MEETS_... */
   const int *type, *tag;
   int ntypes;
-  int images;                    /* there are ghosts: several particles can have the same tag */
-  const int *which;              /* the particles to search for, or NULL: all */
+  int images;       /* there are ghosts: several particles can have the same tag */
+  const int *which; /* the particles to search for, or NULL: all */
   int capacity;
   ptrdiff_t stride;
   int *index;
-  const ptrdiff_t *first;        /* where the row of each particle begins */
-  int *count[TM_SEGMENTS];       /* results: lengths of the segments wanted */
+  const ptrdiff_t *first;  /* where the row of each particle begins */
+  int *count[TM_SEGMENTS]; /* results: lengths of the segments wanted */
 } tm_search_args;
 
 /* Is entry j one of row i? The segments it stands in. */
@@ -38,8 +38,8 @@ TM_FN int tm_search_meets(int i, int j, const tm_search_args *a)
 
 /* Entries k of the order, begin <= k < end, within the search radius of x: appended to found; returns the new n,
    more than most as soon as they are too many. found has room for TM_COLUMN more than most. */
-TM_FN int tm_search_run(const tm_search_args *a, int begin, int end, const double *x, tm_real radius,
-                        int n, int most, int *found)
+TM_FN int tm_search_run(const tm_search_args *a, int begin, int end, const double *x, tm_real radius, int n, int most,
+                        int *found)
 {
   const tm_cells *c = &a->cells;
   const tm_real r2i = radius * radius;
@@ -96,7 +96,7 @@ TM_HOST_FN void tm_search_order(const int *found, int n, const int *tag, int *pl
 #endif
   for (int k = 0; k < n; k++) sum += place[k];
   if (sum == n * (n - 1) / 2) return;
-  for (int k = 0; k < n; k++)    /* images of one particle */
+  for (int k = 0; k < n; k++) /* images of one particle */
     for (int l = 0; l < n; l++) place[k] += key[l] == key[k] && found[l] < found[k];
 }
 
@@ -122,7 +122,7 @@ TM_HOST_FN int tm_search(int i, const tm_search_args *a)
   for (int s = 0; s < TM_SEGMENTS; s++) {
     if (!(a->segments >> s & 1)) continue;
     int m = 0;
-    if (!a->meets || a->segments == 1 << s) {    /* all stand in it */
+    if (!a->meets || a->segments == 1 << s) { /* all stand in it */
       m = n;
       if (total + m <= room)
         for (int k = 0; k < n; k++) row[place[k] * a->stride] = found[k];
@@ -163,7 +163,7 @@ TM_FN void tm_search_place(int thread, int threads, int n, const int *found, con
       mine[q] = tag[entry < n ? entry : k];
       before[q] = 0;
     }
-    for (int l = 0; l < n; l++)    /* tags are positive: the sign of the difference */
+    for (int l = 0; l < n; l++) /* tags are positive: the sign of the difference */
       for (int q = 0; q < TOGETHER; q++) before[q] += (int) ((unsigned) (tag[l] - mine[q]) >> 31);
     for (int q = 0; q < TOGETHER; q++) {
       const int entry = k + q * threads;

@@ -20,7 +20,7 @@
 #include <string.h>
 
 typedef struct {
-  tm_records rec;            /* in double, owned and ghost */
+  tm_records rec; /* in double, owned and ghost */
   tm_records_single single;
 } tm_single_args;
 
@@ -70,7 +70,7 @@ TM_FN void tm_single(int i, const tm_single_args *a, unsigned effects)
     const tm_real *z = a->rec.size + (ptrdiff_t) i * TM_REC_SIZE;
     float *size = s->size + (ptrdiff_t) i * TM_REC_SIZE;
     size[TM_SIZE_INV_H] = (float) (z[TM_SIZE_INV_H] * s->length);
-    size[TM_SIZE_FACTOR] = (float) z[TM_SIZE_FACTOR];            /* without a unit */
+    size[TM_SIZE_FACTOR] = (float) z[TM_SIZE_FACTOR]; /* without a unit */
     size[TM_SIZE_TENSILE] = (float) z[TM_SIZE_TENSILE];
     size[TM_SIZE_DP] = (float) (z[TM_SIZE_DP] / s->length);
   }

@@ -60,14 +60,15 @@ enum { TM_GRADIENT_ENTRIES = 257 };
 TM_FN void tm_gradient_table(int kernel, int dim, tm_real *table)
 {
   for (int k = 0; k < TM_GRADIENT_ENTRIES; k++)
-    table[k] = 1.0 / tm_lattice_gradient(kernel, dim, TM_GRADIENT_LEAST + k *
-                     (TM_GRADIENT_MOST - TM_GRADIENT_LEAST) / (TM_GRADIENT_ENTRIES - 1));
+    table[k] = 1.0 / tm_lattice_gradient(kernel, dim,
+                                         TM_GRADIENT_LEAST +
+                                             k * (TM_GRADIENT_MOST - TM_GRADIENT_LEAST) / (TM_GRADIENT_ENTRIES - 1));
 }
 
 TM_FN tm_real tm_gradient_factor(const tm_real *table, tm_real ratio)
 {
   const tm_real at = (ratio - TM_GRADIENT_LEAST) * (TM_GRADIENT_ENTRIES - 1) / (TM_GRADIENT_MOST - TM_GRADIENT_LEAST);
-  const tm_real in = tm_min(tm_max(at, 0.0), TM_GRADIENT_ENTRIES - 1.0);  /* NaN: 0 */
+  const tm_real in = tm_min(tm_max(at, 0.0), TM_GRADIENT_ENTRIES - 1.0); /* NaN: 0 */
   const int k = (int) tm_min(in, TM_GRADIENT_ENTRIES - 2.0);
   return table[k] + (in - k) * (table[k + 1] - table[k]);
 }
@@ -110,7 +111,7 @@ TM_FN tm_size_range tm_size_of(int i, const tm_state *s)
 {
   const tm_real *size = tm_field_row(s, TM_F_SIZE, i);
   tm_size_range r = tm_size_nothing();
-  if (!(size[tm_column(TM_S_H)] > 0.0)) return r;    /* new, and not set yet */
+  if (!(size[tm_column(TM_S_H)] > 0.0)) return r; /* new, and not set yet */
   r.largest_h = r.smallest_h = size[tm_column(TM_S_H)];
   r.smallest_dp = size[tm_column(TM_S_DP)];
   return r;

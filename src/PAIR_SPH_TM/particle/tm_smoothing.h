@@ -12,10 +12,10 @@
 typedef struct {
   tm_state state;
   tm_records rec;
-  tm_rows rows;                /* all mechanical neighbors below support * h of the particle */
-  const tm_asph_table *table;  /* NULL: h follows the density */
-  int first;                   /* nonzero: only finds targets that are not known yet */
-  tm_real least, most;         /* limits of h, in units of that the particle was made with */
+  tm_rows rows;               /* all mechanical neighbors below support * h of the particle */
+  const tm_asph_table *table; /* NULL: h follows the density */
+  int first;                  /* nonzero: only finds targets that are not known yet */
+  tm_real least, most;        /* limits of h, in units of that the particle was made with */
 } tm_smoothing_args;
 
 /* sum over j != i of shape(|x_ij|/h), of Psi in S13 (1) */

@@ -32,21 +32,15 @@ typedef struct {
   /* per particle, see tm_fields.h; NULL when the field is off */
   tm_real *field[TM_F_COUNT];
   double *x, *v, *force;
-  const int *type, *mask;       /* LAMMPS types and group bits */
-  const tm_material *material;  /* indexed by type */
-  const double *mass;           /* per type (index type), or NULL */
-  const double *rmass;          /* per particle, or NULL */
+  const int *type, *mask;      /* LAMMPS types and group bits */
+  const tm_material *material; /* indexed by type */
+  const double *mass;          /* per type (index type), or NULL */
+  const double *rmass;         /* per particle, or NULL */
 } tm_state;
 
 /* Row of particle i; column c is its entry tm_column(c). */
-TM_FN tm_real *tm_field_row(const tm_state *s, int id, int i)
-{
-  return s->field[id] + tm_row(i, tm_field_columns(id));
-}
-TM_FN tm_real tm_particle_mass(const tm_state *s, int i)
-{
-  return s->rmass ? s->rmass[i] : s->mass[s->type[i]];
-}
+TM_FN tm_real *tm_field_row(const tm_state *s, int id, int i) { return s->field[id] + tm_row(i, tm_field_columns(id)); }
+TM_FN tm_real tm_particle_mass(const tm_state *s, int i) { return s->rmass ? s->rmass[i] : s->mass[s->type[i]]; }
 /* Smoothing length of particle i; h is that of all where they do not differ. */
 TM_FN tm_real tm_particle_h(const tm_state *s, int i, tm_real h, unsigned effects)
 {

@@ -14,8 +14,8 @@ typedef struct {
   tm_records rec;
   const int *type;
   const tm_material *material;
-  tm_real to_energy;      /* mass length^2/time^2 -> energy of the unit style */
-  double *per_particle;   /* TM_TALLY per particle: energy, virial; or NULL */
+  tm_real to_energy;    /* mass length^2/time^2 -> energy of the unit style */
+  double *per_particle; /* TM_TALLY per particle: energy, virial; or NULL */
 } tm_tally_args;
 
 enum { TM_TALLY = 7 };
@@ -33,12 +33,10 @@ TM_FN tm_tally_result tm_tally(int i, const tm_tally_args *a, unsigned effects)
   if (m->body == TM_BODY_SOLID) {
     const tm_real *r = tm_main_record(&a->rec, i);
     const tm_real rho = r[tm_part(TM_REC_RHO)], volume = r[tm_part(TM_REC_M)] / rho;
-    const tm_sym3 sigma =
-        tm_sym_scale((effects & TM_FX_FORM_F14) ? 1.0 : rho * rho, tm_sym_from_record(r, TM_REC_P));
+    const tm_sym3 sigma = tm_sym_scale((effects & TM_FX_FORM_F14) ? 1.0 : rho * rho, tm_sym_from_record(r, TM_REC_P));
     const tm_sym3 s = tm_sym_deviator(sigma);
     const tm_real p = -tm_sym_trace(sigma) / 3.0;
-    out.value[0] = volume * a->to_energy *
-        (tm_sym_ddot(s, s) / (4.0 * m->shear) + p * p / (2.0 * m->bulk));
+    out.value[0] = volume * a->to_energy * (tm_sym_ddot(s, s) / (4.0 * m->shear) + p * p / (2.0 * m->bulk));
     tm_sym_store(out.value + 1, tm_sym_scale(-volume * a->to_energy, sigma));
   }
   if (a->per_particle)

@@ -25,13 +25,13 @@
 
 enum tm_status {
   TM_OK = 0,
-  TM_BAD_NAN = 1,          /* a state value is not finite */
-  TM_BAD_DENSITY = 2,      /* density not positive */
-  TM_BAD_VELOCITY = 3,     /* faster than ten times the speed of sound */
-  TM_BAD_TEMPERATURE = 4,  /* temperature not positive */
-  TM_BAD_HEAT = 5,         /* temperature above the largest that the run allows */
-  TM_BAD_VOLUME = 6,       /* density over or under the reference by more than the run allows */
-  TM_BAD_STRAIN = 7        /* more plastic strain in a step than TM_STRAIN_STEP */
+  TM_BAD_NAN = 1,         /* a state value is not finite */
+  TM_BAD_DENSITY = 2,     /* density not positive */
+  TM_BAD_VELOCITY = 3,    /* faster than ten times the speed of sound */
+  TM_BAD_TEMPERATURE = 4, /* temperature not positive */
+  TM_BAD_HEAT = 5,        /* temperature above the largest that the run allows */
+  TM_BAD_VOLUME = 6,      /* density over or under the reference by more than the run allows */
+  TM_BAD_STRAIN = 7       /* more plastic strain in a step than TM_STRAIN_STEP */
 };
 #define TM_STRAIN_STEP 1.0
 
@@ -39,27 +39,27 @@ typedef struct {
   tm_state state;
   tm_records rec;
   const tm_real *gradient, *heat, *xsph_v, *hourglass_rate, *artificial;
-  const tm_real *share;          /* of the balanced artificial stress, see tm_predict.h */
+  const tm_real *share; /* of the balanced artificial stress, see tm_predict.h */
   tm_real ratio;
-  const double *force_internal;  /* force of the pair style alone, with the ledger */
-  tm_real *source;               /* heat given to the particle by contact and fluxes (power); emptied */
-  int group;                     /* x and v are integrated for these */
+  const double *force_internal; /* force of the pair style alone, with the ledger */
+  tm_real *source;              /* heat given to the particle by contact and fluxes (power); emptied */
+  int group;                    /* x and v are integrated for these */
   tm_real dt, visc_alpha;
-  tm_real hourglass;             /* xi of hourglass control, 0: none */
-  tm_real h;                     /* smoothing length of all, where particles have none of their own */
-  tm_real accel_unit;            /* force of the unit style / mass -> acceleration */
-  tm_real temperature;           /* of every particle where heat is off */
-  tm_real heat_rate, k_max;      /* see tm_heat_time_step */
-  tm_real hottest;               /* largest temperature that goes on */
-  tm_real densest;               /* largest ratio of density and reference density, either way, that goes on */
-  int watch_melt;                /* look for particles above their melting temperature */
+  tm_real hourglass;        /* xi of hourglass control, 0: none */
+  tm_real h;                /* smoothing length of all, where particles have none of their own */
+  tm_real accel_unit;       /* force of the unit style / mass -> acceleration */
+  tm_real temperature;      /* of every particle where heat is off */
+  tm_real heat_rate, k_max; /* see tm_heat_time_step */
+  tm_real hottest;          /* largest temperature that goes on */
+  tm_real densest;          /* largest ratio of density and reference density, either way, that goes on */
+  int watch_melt;           /* look for particles above their melting temperature */
 } tm_update_args;
 
 typedef struct {
-  int status;                    /* enum tm_status */
-  int particle;                  /* whose status it is */
-  int melted;                    /* the first particle above its melting temperature, or INT_MAX */
-  tm_real dt[3];                 /* limits by sound, force, conduction (without safety factor) */
+  int status;    /* enum tm_status */
+  int particle;  /* whose status it is */
+  int melted;    /* the first particle above its melting temperature, or INT_MAX */
+  tm_real dt[3]; /* limits by sound, force, conduction (without safety factor) */
   tm_real elastic, plastic, plastic_heat, artificial, kinetic_work, internal_work, heat;
 } tm_update_result;
 
@@ -99,9 +99,8 @@ typedef struct {
 } tm_point;
 
 /* Density, pressure and deviator at the end of a step with velocity gradient L. */
-TM_FN tm_point tm_constitutive(const tm_material *m, tm_real rho, tm_real rho_half, tm_sym3 s,
-                               tm_sym3 s_half, tm_mat3 L, tm_real e, tm_real eps_p, tm_real T,
-                               tm_real dt, int plastic)
+TM_FN tm_point tm_constitutive(const tm_material *m, tm_real rho, tm_real rho_half, tm_sym3 s, tm_sym3 s_half,
+                               tm_mat3 L, tm_real e, tm_real eps_p, tm_real T, tm_real dt, int plastic)
 {
   tm_point out;
   out.rho = rho - dt * rho_half * tm_mat_trace(L);
@@ -123,9 +122,8 @@ TM_FN tm_point tm_constitutive(const tm_material *m, tm_real rho, tm_real rho_ha
 }
 
 /* Plane stress: the thickness rate L.zz for which sigma_zz vanishes at the end of the step. */
-TM_FN tm_real tm_plane_stress_rate(const tm_material *m, tm_real rho, tm_real rho_half, tm_sym3 s,
-                                   tm_sym3 s_half, tm_mat3 L, tm_real e, tm_real eps_p, tm_real T,
-                                   tm_real dt, int plastic)
+TM_FN tm_real tm_plane_stress_rate(const tm_material *m, tm_real rho, tm_real rho_half, tm_sym3 s, tm_sym3 s_half,
+                                   tm_mat3 L, tm_real e, tm_real eps_p, tm_real T, tm_real dt, int plastic)
 {
   const tm_real stiff = dt * (m->bulk + 4.0 / 3.0 * m->shear);
   const tm_real tol = 1e-10 * m->young * 1e-3;
@@ -148,8 +146,7 @@ TM_FN tm_real tm_plane_stress_rate(const tm_material *m, tm_real rho, tm_real rh
 }
 
 /* x and v; returns the acceleration. */
-TM_FN tm_vec3 tm_update_motion(int i, const tm_update_args *a, unsigned effects,
-                               tm_update_result *out)
+TM_FN tm_vec3 tm_update_motion(int i, const tm_update_args *a, unsigned effects, tm_update_result *out)
 {
   const tm_state *s = &a->state;
   double *x = s->x + 3 * (ptrdiff_t) i, *v = s->v + 3 * (ptrdiff_t) i;
@@ -176,15 +173,14 @@ TM_FN tm_vec3 tm_update_motion(int i, const tm_update_args *a, unsigned effects,
     const tm_vec3 mean = tm_vec(0.5 * (v0.x + v[0]), 0.5 * (v0.y + v[1]), 0.5 * (v0.z + v[2]));
     const double *fi = a->force_internal + 3 * (ptrdiff_t) i;
     out->kinetic_work = mass * a->dt * tm_vec_dot(acc, mean);
-    out->internal_work =
-        a->dt * a->accel_unit * (fi[0] * mean.x + fi[1] * mean.y + fi[2] * mean.z);
+    out->internal_work = a->dt * a->accel_unit * (fi[0] * mean.x + fi[1] * mean.y + fi[2] * mean.z);
   }
   return acc;
 }
 
 /* Temperature at the end of the step; returns the heat taken up. */
-TM_FN tm_real tm_update_temperature(int i, const tm_update_args *a, const tm_material *m,
-                                    tm_real rho, tm_real plastic_power, unsigned effects)
+TM_FN tm_real tm_update_temperature(int i, const tm_update_args *a, const tm_material *m, tm_real rho,
+                                    tm_real plastic_power, unsigned effects)
 {
   tm_real *t = tm_field_row(&a->state, TM_F_TEMP, i);
   const tm_real mass = tm_particle_mass(&a->state, i);
@@ -288,25 +284,20 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     tm_real *pl = (effects & TM_FX_PLASTICITY) ? tm_field_row(s, TM_F_PSTRAIN, i) : NULL;
     tm_real *dmg = (effects & TM_FX_DAMAGE) ? tm_field_row(s, TM_F_DAMAGE, i) : NULL;
     tm_real *e = (effects & TM_FX_ENERGY) ? tm_field_row(s, TM_F_ENERGY, i) : NULL;
-    const tm_real T =
-        (effects & TM_FX_HEAT) ? tm_field_row(s, TM_F_TEMP, i)[0] : a->temperature;
+    const tm_real T = (effects & TM_FX_HEAT) ? tm_field_row(s, TM_F_TEMP, i)[0] : a->temperature;
     const tm_predict_weights w = tm_predict_weights_at(0.5 * a->dt);
     const tm_real rho_half = lz ? rec[tm_part(TM_REC_RHO)] / *lz : rec[tm_part(TM_REC_RHO)];
     const tm_sym3 s_half = tm_sym_axpy(tm_sym_axpy(s0, w.last, tm_sym_load(rate + TM_H_S)), w.older, older);
     const tm_real eps_p = pl ? pl[0] : 0.0, energy = e ? *e : 0.0;
     const int failed = dmg && dmg[tm_column(1)] > 0.5;
 
-    if (lz)
-      L.zz = tm_plane_stress_rate(m, *rho, rho_half, s0, s_half, L, energy, eps_p, T, a->dt,
-                                  pl != NULL);
-    tm_point q = tm_constitutive(m, *rho, rho_half, s0, s_half, L, energy, eps_p, T, a->dt,
-                                 pl != NULL && !failed);
+    if (lz) L.zz = tm_plane_stress_rate(m, *rho, rho_half, s0, s_half, L, energy, eps_p, T, a->dt, pl != NULL);
+    tm_point q = tm_constitutive(m, *rho, rho_half, s0, s_half, L, energy, eps_p, T, a->dt, pl != NULL && !failed);
     if (failed) q.s = tm_sym(0, 0, 0, 0, 0, 0);
 
     /* work of the stress that acted, per mass: sigma(n+1/2) : L */
     const tm_real p_half = tm_eos_pressure(m, rho_half, energy);
-    const tm_sym3 sigma =
-        tm_sym_add_iso(failed ? q.s : s_half, -tm_damage_pressure(p_half, failed));
+    const tm_sym3 sigma = tm_sym_add_iso(failed ? q.s : s_half, -tm_damage_pressure(p_half, failed));
     const tm_real work = a->dt / rho_half * tm_sym_ddot(sigma, tm_mat_symmetric(L));
     const tm_real plastic = q.yield * q.d_eps / q.rho;
 
@@ -332,8 +323,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     if (effects & TM_FX_HOURGLASS)
       tm_hourglass_step(tm_field_row(s, TM_F_HOURGLASS, i), a->hourglass_rate + 3 * (ptrdiff_t) i, L, a->dt,
                         failed || m->strength == TM_STRENGTH_NONE);
-    if (effects & TM_FX_HEAT)
-      out.heat = tm_update_temperature(i, a, m, q.rho, q.yield * q.d_eps * inv_dt, effects);
+    if (effects & TM_FX_HEAT) out.heat = tm_update_temperature(i, a, m, q.rho, q.yield * q.d_eps * inv_dt, effects);
     if (effects & TM_FX_LEDGER) {
       out.plastic = mass * plastic;
       out.plastic_heat = (effects & TM_FX_HEAT) ? m->taylor_quinney * mass * plastic : 0.0;

@@ -50,10 +50,7 @@ TM_FN tm_real tm_balsara(tm_real div, tm_real curl, tm_real c, tm_real h)
 }
 
 /* [hot] Weight of v_j - v_i in the XSPH velocity of i, F14: m_j/rho_mean W. */
-TM_FN tm_pair tm_xsph_pair(tm_pair mass_j, tm_pair rho_mean, tm_pair w)
-{
-  return mass_j * w / rho_mean;
-}
+TM_FN tm_pair tm_xsph_pair(tm_pair mass_j, tm_pair rho_mean, tm_pair w) { return mass_j * w / rho_mean; }
 
 /* [hot] f^n, n = 0..15. */
 TM_FN tm_pair tm_power_int(tm_pair f, int n)
@@ -72,9 +69,9 @@ TM_FN tm_sym3 tm_artificial_stress_principal(tm_sym3 sigma, tm_real eps, tm_real
 /* Artificial stress of one particle per component, F14 (18); scale = 1/rho^2. */
 TM_FN tm_sym3 tm_artificial_stress_component(tm_sym3 sigma, tm_real eps, tm_real scale, int dim3)
 {
-  const tm_sym3 t = tm_sym(tm_max(sigma.xx, 0.0), tm_max(sigma.yy, 0.0),
-                           dim3 ? tm_max(sigma.zz, 0.0) : 0.0, tm_max(sigma.xy, 0.0),
-                           dim3 ? tm_max(sigma.xz, 0.0) : 0.0, dim3 ? tm_max(sigma.yz, 0.0) : 0.0);
+  const tm_sym3 t =
+      tm_sym(tm_max(sigma.xx, 0.0), tm_max(sigma.yy, 0.0), dim3 ? tm_max(sigma.zz, 0.0) : 0.0, tm_max(sigma.xy, 0.0),
+             dim3 ? tm_max(sigma.xz, 0.0) : 0.0, dim3 ? tm_max(sigma.yz, 0.0) : 0.0);
   return tm_sym_scale(-eps * scale, t);
 }
 

@@ -31,8 +31,8 @@ TM_FN tm_real tm_asph_lattice_psi(int kernel, int dim, tm_real n_h)
     for (int y = 0; y <= reach; y++)
       for (int z = 0; z <= nz; z++) /* one octant, with its mirror images */
         if (x + y + z > 0)
-          sum += (x ? 2 : 1) * (y ? 2 : 1) * (z ? 2 : 1)
-               * tm_kernel_shape(kernel, sqrt((tm_real) (x * x + y * y + z * z)) / n_h);
+          sum += (x ? 2 : 1) * (y ? 2 : 1) * (z ? 2 : 1) *
+                 tm_kernel_shape(kernel, sqrt((tm_real) (x * x + y * y + z * z)) / n_h);
   return pow(sum * tm_kernel_norm(kernel, dim, 1.0), 1.0 / dim);
 }
 
@@ -72,8 +72,8 @@ TM_FN tm_real tm_asph_psi(int kernel, int dim, tm_real shape_sum)
 TM_FN tm_real tm_asph_next(tm_real h, tm_real target, tm_real n_h)
 {
   const tm_real s = tm_min(tm_max(target / n_h, 0.25), 4.0);
-  const tm_real a = s < 1.0 ? 0.4 * (1.0 + s * s) : 0.4 * (1.0 + 1.0 / (s * s * s));    /* S13 (2) */
-  return h * (1.0 - a + a * s);    /* S13 (3) */
+  const tm_real a = s < 1.0 ? 0.4 * (1.0 + s * s) : 0.4 * (1.0 + 1.0 / (s * s * s)); /* S13 (2) */
+  return h * (1.0 - a + a * s);                                                      /* S13 (3) */
 }
 
 /* h at density rho of what had h0 at rho0, S13 (4). */

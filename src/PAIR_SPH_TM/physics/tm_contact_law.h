@@ -22,10 +22,7 @@ TM_FN tm_real tm_contact_stiffness(tm_real pfac, tm_real Ei, tm_real Ej, tm_real
 }
 
 /* F15 (11), corrected. */
-TM_FN tm_real tm_contact_damping(tm_real dfac, tm_real k, tm_real mass)
-{
-  return dfac * 2.0 * sqrt(k * mass);
-}
+TM_FN tm_real tm_contact_damping(tm_real dfac, tm_real k, tm_real mass) { return dfac * 2.0 * sqrt(k * mass); }
 
 /* F15 (12), corrected; `closing` is ddelta/dt. */
 TM_FN tm_real tm_contact_normal(tm_real k, tm_real delta, tm_real c, tm_real closing, int approach)

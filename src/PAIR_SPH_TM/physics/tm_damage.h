@@ -18,8 +18,7 @@
 #define TM_FRACTURE_STRAIN_MIN 1e-12
 
 /* Plastic strain at fracture of Johnson and Cook. */
-TM_FN tm_real tm_fracture_strain(const tm_material *m, tm_real mean_stress, tm_real mises,
-                                 tm_real rate, tm_real T)
+TM_FN tm_real tm_fracture_strain(const tm_material *m, tm_real mean_stress, tm_real mises, tm_real rate, tm_real T)
 {
   const tm_real ratio = mises > 0.0 ? mean_stress / mises : 0.0;
   const tm_real t = tm_clamp(ratio, TM_TRIAXIALITY_MIN, TM_TRIAXIALITY_MAX);
@@ -29,12 +28,12 @@ TM_FN tm_real tm_fracture_strain(const tm_material *m, tm_real mean_stress, tm_r
 }
 
 /* Growth of D over a step. mean_stress = tr(sigma)/3, positive in tension. */
-TM_FN tm_real tm_damage_increment(const tm_material *m, tm_real mean_stress, tm_real mises,
-                                  tm_real d_eps, tm_real rate, tm_real T)
+TM_FN tm_real tm_damage_increment(const tm_material *m, tm_real mean_stress, tm_real mises, tm_real d_eps, tm_real rate,
+                                  tm_real T)
 {
   if (m->damage == TM_DAMAGE_NONE || !(d_eps > 0.0)) return 0.0;
-  const tm_real limit = m->damage == TM_DAMAGE_STRAIN
-      ? m->strain_max : tm_fracture_strain(m, mean_stress, mises, rate, T);
+  const tm_real limit = m->damage == TM_DAMAGE_STRAIN ? m->strain_max
+                                                      : tm_fracture_strain(m, mean_stress, mises, rate, T);
   return d_eps / tm_max(limit, TM_FRACTURE_STRAIN_MIN);
 }
 

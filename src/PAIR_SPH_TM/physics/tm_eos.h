@@ -23,7 +23,7 @@
 /* What one evaluation gives. */
 typedef struct {
   tm_real p;
-  tm_real dp_drho;  /* at constant entropy; linear and tait do not depend on energy */
+  tm_real dp_drho; /* at constant entropy; linear and tait do not depend on energy */
 } tm_eos_point;
 
 /* Hugoniot part pH (1 - Gamma0 eta/2) over rho0 c0^2, and its derivative by eta; eta >= 0. */
@@ -46,12 +46,12 @@ TM_FN tm_eos_point tm_eos_shock(const tm_material *m, tm_real rho, tm_real e)
   if (x > 1.0) {
     q = tm_eos_hugoniot(m->eos_s, m->eos_gamma, 1.0 - m->rho0 * inv);
     q.p = k * q.p + thermal * e;
-    q.dp_drho = k * q.dp_drho * m->rho0 * inv * inv;  /* d eta/d rho = rho0/rho^2 */
+    q.dp_drho = k * q.dp_drho * m->rho0 * inv * inv; /* d eta/d rho = rho0/rho^2 */
   } else {
     q.p = k * (x - 1.0) + thermal * e;
     q.dp_drho = k / m->rho0;
   }
-  q.dp_drho += thermal * tm_max(q.p, 0.0) * inv * inv;  /* (dp/de) de, de = p/rho^2 drho */
+  q.dp_drho += thermal * tm_max(q.p, 0.0) * inv * inv; /* (dp/de) de, de = p/rho^2 drho */
   return q;
 }
 
@@ -75,10 +75,7 @@ TM_FN tm_eos_point tm_eos_evaluate(const tm_material *m, tm_real rho, tm_real e)
 }
 
 /* Pressure; e = internal energy per mass, read by shock only. */
-TM_FN tm_real tm_eos_pressure(const tm_material *m, tm_real rho, tm_real e)
-{
-  return tm_eos_evaluate(m, rho, e).p;
-}
+TM_FN tm_real tm_eos_pressure(const tm_material *m, tm_real rho, tm_real e) { return tm_eos_evaluate(m, rho, e).p; }
 
 /* Speed of longitudinal waves, sqrt(dp/drho + 4G/(3 rho)); G counts as 0 without strength. The
    bulk part is held above a hundredth of its reference value, so that the time step stays

@@ -14,7 +14,7 @@
 #include "tm_kernel.h"
 #include "tm_material.h"
 
-#define TM_HEAT_TINY TM_PAIR(TM_SINGLE ? 1e-36 : 1e-300)  /* keeps 0/0 at 0 where neither side conducts */
+#define TM_HEAT_TINY TM_PAIR(TM_SINGLE ? 1e-36 : 1e-300) /* keeps 0/0 at 0 where neither side conducts */
 
 /* Value of a table at T: linear between its points, constant outside. */
 TM_FN tm_real tm_table_at(const tm_table *a, tm_real T)
@@ -22,16 +22,12 @@ TM_FN tm_real tm_table_at(const tm_table *a, tm_real T)
   if (a->n == 0) return a->value;
   if (!(T > a->t[0])) return a->y[0];
   for (int i = 1; i < a->n; i++)
-    if (T < a->t[i])
-      return a->y[i - 1] + (a->y[i] - a->y[i - 1]) * (T - a->t[i - 1]) / (a->t[i] - a->t[i - 1]);
+    if (T < a->t[i]) return a->y[i - 1] + (a->y[i] - a->y[i - 1]) * (T - a->t[i - 1]) / (a->t[i] - a->t[i - 1]);
   return a->y[a->n - 1];
 }
 
 /* k(T), power/(length temperature) */
-TM_FN tm_real tm_conductivity(const tm_material *m, tm_real T)
-{
-  return tm_table_at(&m->conductivity, T);
-}
+TM_FN tm_real tm_conductivity(const tm_material *m, tm_real T) { return tm_table_at(&m->conductivity, T); }
 
 /* c_p(T), energy/(mass temperature) */
 TM_FN tm_real tm_capacity(const tm_material *m, tm_real T) { return tm_table_at(&m->capacity, T); }
@@ -53,8 +49,7 @@ TM_FN tm_pair tm_conduction_slope(int kernel, tm_pair q, tm_pair g)
 }
 
 /* [hot] One pair of F15 (6): power per volume into particle i. vol_j = m_j/rho_j. */
-TM_FN tm_pair tm_conduction_pair(tm_pair ki, tm_pair kj, tm_pair Ti, tm_pair Tj, tm_pair vol_j,
-                                 tm_pair dwdr_over_r)
+TM_FN tm_pair tm_conduction_pair(tm_pair ki, tm_pair kj, tm_pair Ti, tm_pair Tj, tm_pair vol_j, tm_pair dwdr_over_r)
 {
   return 4 * ki * kj / (ki + kj + TM_HEAT_TINY) * (Ti - Tj) * (vol_j * dwdr_over_r);
 }
@@ -62,9 +57,8 @@ TM_FN tm_pair tm_conduction_pair(tm_pair ki, tm_pair kj, tm_pair Ti, tm_pair Tj,
 /* [hot] The same through an interface of conductance hc_pair between i and j, distance r:
    resistance r/(2 ki) + r/(2 kj) + 1/hc_pair. hc_pair = 0 insulates. For an interface whose
    conductance per area is hc, hc_pair = tm_interface_conductance(hc, dim). */
-TM_FN tm_real tm_conduction_pair_interface(tm_real ki, tm_real kj, tm_real Ti, tm_real Tj,
-                                           tm_real vol_j, tm_real dwdr_over_r, tm_real r,
-                                           tm_real hc_pair)
+TM_FN tm_real tm_conduction_pair_interface(tm_real ki, tm_real kj, tm_real Ti, tm_real Tj, tm_real vol_j,
+                                           tm_real dwdr_over_r, tm_real r, tm_real hc_pair)
 {
   const tm_real kk = 2.0 * ki * kj, b = hc_pair * r;
   const tm_real k = kk * b / ((ki + kj) * b + kk + TM_HEAT_TINY);

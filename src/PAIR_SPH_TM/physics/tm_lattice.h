@@ -42,9 +42,9 @@ TM_FN tm_real tm_lattice_wave(int kernel, int dim, tm_real h, int a, int b, int 
   tm_real sum = 0.0;
   for (int x = 0; x <= cells; x++)
     for (int y = 0; y <= cells; y++)
-      for (int z = 0; z <= nz; z++)   /* one octant, with its mirror images */
-        sum += (x ? 2 : 1) * (y ? 2 : 1) * (z ? 2 : 1) * tm_lattice_weight(kernel, dim, h, x, y, z)
-             * (1.0 - cos(u * a * x) * cos(u * b * y) * cos(u * c * z));
+      for (int z = 0; z <= nz; z++) /* one octant, with its mirror images */
+        sum += (x ? 2 : 1) * (y ? 2 : 1) * (z ? 2 : 1) * tm_lattice_weight(kernel, dim, h, x, y, z) *
+               (1.0 - cos(u * a * x) * cos(u * b * y) * cos(u * c * z));
   return sum;
 }
 
@@ -80,7 +80,7 @@ TM_FN tm_lattice tm_lattice_sums(int kernel, int dim, tm_real h)
   for (int x = 1; x <= tm_lattice_cells(kernel, h); x++) {
     tm_real by_x, by_r;
     tm_lattice_layer(kernel, dim, h, x, &by_x, &by_r);
-    across += x * by_r;   /* x pairs of layers cross the interface */
+    across += x * by_r; /* x pairs of layers cross the interface */
   }
   out.interface = 1.0 / across;
   for (int a = 0; a <= 8; a++)
@@ -107,7 +107,7 @@ TM_FN tm_real tm_lattice_face_normal(int kernel, int dim, tm_real h)
 TM_FN tm_real tm_lattice_face_sum(int kernel, int dim, tm_real h, tm_real least)
 {
   tm_real n = 0.0, sum = 0.0;
-  for (int x = tm_lattice_cells(kernel, h); x >= 1; x--) {   /* the layer without neighbors from x on */
+  for (int x = tm_lattice_cells(kernel, h); x >= 1; x--) { /* the layer without neighbors from x on */
     tm_real by_x, by_r;
     tm_lattice_layer(kernel, dim, h, x, &by_x, &by_r);
     n += by_x;

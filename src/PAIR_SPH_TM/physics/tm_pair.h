@@ -73,7 +73,7 @@ TM_FN tm_lanes_mat tm_pair_symmetric_sum(const tm_pair *own, tm_values *col, int
 /* own plus the columns of a tensor, both row major */
 TM_FN tm_lanes_mat tm_pair_tensor_sum(const tm_pair *own, tm_values *col, int l)
 {
-  const tm_lanes_mat P = {own[0] + tm_values_load(col[0], l),     own[1] + tm_values_load(col[1], l),
+  const tm_lanes_mat P = {own[0] + tm_values_load(col[0], l), own[1] + tm_values_load(col[1], l),
                           own[2] + tm_values_load(col[2], l), own[3] + tm_values_load(col[3], l),
                           own[4] + tm_values_load(col[4], l), own[5] + tm_values_load(col[5], l),
                           own[6] + tm_values_load(col[6], l), own[7] + tm_values_load(col[7], l),

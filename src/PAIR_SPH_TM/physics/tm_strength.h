@@ -16,7 +16,7 @@
 #include "tm_material.h"
 #include "tm_tensor.h"
 
-#define TM_STRENGTH_INFINITE 1e300  /* flow stress of elastic material, any unit */
+#define TM_STRENGTH_INFINITE 1e300 /* flow stress of elastic material, any unit */
 
 /* --- factors of Johnson and Cook, shared with damage -------------------------------------- */
 
@@ -125,13 +125,13 @@ TM_FN tm_sym3 tm_jaumann_rate(tm_sym3 s, tm_mat3 L, tm_real G)
 /* --- radial return ------------------------------------------------------------------------ */
 
 typedef struct {
-  tm_sym3 s;       /* deviator on or inside the yield surface */
-  tm_real d_eps;   /* increment of equivalent plastic strain, >= 0 */
-  tm_real yield;   /* flow stress at the end of the step; 0 for elastic material */
-  int iterations;  /* evaluations of the flow stress beyond the first */
+  tm_sym3 s;      /* deviator on or inside the yield surface */
+  tm_real d_eps;  /* increment of equivalent plastic strain, >= 0 */
+  tm_real yield;  /* flow stress at the end of the step; 0 for elastic material */
+  int iterations; /* evaluations of the flow stress beyond the first */
 } tm_return_result;
 
-#define TM_RETURN_TOLERANCE 1e-11  /* of the flow stress */
+#define TM_RETURN_TOLERANCE 1e-11 /* of the flow stress */
 #define TM_RETURN_ITERATIONS 100
 
 /* Johnson-Cook increment: root of f(d) = trial - 3G d - Y(eps + d, d/dt, T), which falls from
@@ -140,12 +140,12 @@ typedef struct {
    with Halley's method (Y'' is free once Y' is there). A step that leaves the bracket is replaced
    by bisection, by hi/100 while nothing is known from below: with eps = 0 and a small n the root
    can be any power of ten. One pow and one log per turn; 4 turns in a step of metal cutting. */
-TM_FN tm_real tm_return_johnson_cook(const tm_material *m, tm_real trial, tm_real eps, tm_real soft,
-                                     tm_real first, tm_real dt, int *iterations)
+TM_FN tm_real tm_return_johnson_cook(const tm_material *m, tm_real trial, tm_real eps, tm_real soft, tm_real first,
+                                     tm_real dt, int *iterations)
 {
   const tm_real g3 = 3.0 * m->shear, C = m->jc_c, n = m->jc_n;
   const int rated = C > 0.0 && dt > 0.0 && m->jc_rate0 > 0.0;
-  const tm_real d0 = rated ? dt * m->jc_rate0 : 0.0;  /* increment at the reference rate */
+  const tm_real d0 = rated ? dt * m->jc_rate0 : 0.0; /* increment at the reference rate */
   tm_real lo = 0.0, hi = trial / g3, d = tm_min((trial - first) / g3, hi);
   if (rated) d = tm_min(d, d0 * exp(tm_min((trial / first - 1.0) / C, 500.0)));
   for (int it = 1; it <= TM_RETURN_ITERATIONS; it++) {
@@ -163,7 +163,7 @@ TM_FN tm_real tm_return_johnson_cook(const tm_material *m, tm_real trial, tm_rea
     const tm_real f2 = -(hard2 * rate + 2.0 * hard1 * rate1 - hard * rate1 / d);
     const tm_real next = d - 2.0 * f * f1 / (2.0 * f1 * f1 - f * f2);
     d = next > lo && next < hi ? next : (lo > 0.0 ? 0.5 * (lo + hi) : 0.01 * hi);
-    if (!(d > lo && d < hi)) break;  /* the bracket is as narrow as the arithmetic allows */
+    if (!(d > lo && d < hi)) break; /* the bracket is as narrow as the arithmetic allows */
   }
   return d;
 }
@@ -179,8 +179,8 @@ typedef struct {
    bracket's middle in ln d, by hi/100 while nothing is known from below, and from turn 12 on every other one is.
    A law that hardens, or softens by less than 3G per plastic strain, has one root. With more the stress jumps; then
    the search starts below the first root, at (trial - first)/3G, and takes one that its steps bracket. */
-TM_CALLED_FN tm_return_root tm_return_search(const tm_material *m, tm_real trial, tm_real eps, tm_real T,
-                                             tm_real first, tm_real dt)
+TM_CALLED_FN tm_return_root tm_return_search(const tm_material *m, tm_real trial, tm_real eps, tm_real T, tm_real first,
+                                             tm_real dt)
 {
   tm_return_root out;
   const tm_real g3 = 3.0 * m->shear, inv_dt = dt > 0.0 ? 1.0 / dt : 0.0;
@@ -201,15 +201,14 @@ TM_CALLED_FN tm_return_root tm_return_search(const tm_material *m, tm_real trial
     old = d;
     f_old = f;
     d = next;
-    if (!(d > lo && d < hi)) break;  /* the bracket is as narrow as the arithmetic allows */
+    if (!(d > lo && d < hi)) break; /* the bracket is as narrow as the arithmetic allows */
   }
   out.d_eps = d;
   return out;
 }
 
 /* Deviator s_trial brought back to the yield surface of the end of the step of length dt. */
-TM_FN tm_return_result tm_radial_return(const tm_material *m, tm_sym3 s_trial, tm_real eps_p,
-                                        tm_real T, tm_real dt)
+TM_FN tm_return_result tm_radial_return(const tm_material *m, tm_sym3 s_trial, tm_real eps_p, tm_real T, tm_real dt)
 {
   tm_return_result out;
   out.s = s_trial;
@@ -221,22 +220,19 @@ TM_FN tm_return_result tm_radial_return(const tm_material *m, tm_sym3 s_trial, t
   const tm_real trial = tm_sym_mises(s_trial), g3 = 3.0 * m->shear, eps = tm_max(eps_p, 0.0);
   const int jc = m->strength == TM_STRENGTH_JOHNSON_COOK;
   const tm_real soft = jc ? tm_thermal_softening(m, T) : 1.0;
-  tm_real power, first = 0.0;  /* flow stress before the step, at no rate */
+  tm_real power, first = 0.0; /* flow stress before the step, at no rate */
   if (jc) first = tm_max(soft * tm_johnson_cook_hardening(m, eps, &power), 0.0);
   else first = tm_flow_stress(m, eps, 0.0, T);
   out.yield = first;
   if (!(trial > first)) return out;
 
-  if (jc && first > 0.0)
-    out.d_eps = tm_return_johnson_cook(m, trial, eps, soft, first, dt, &out.iterations);
-  else if (m->strength == TM_STRENGTH_PLASTIC)
-    out.d_eps = tm_min((trial - first) / (g3 + m->hardening), trial / g3);
+  if (jc && first > 0.0) out.d_eps = tm_return_johnson_cook(m, trial, eps, soft, first, dt, &out.iterations);
+  else if (m->strength == TM_STRENGTH_PLASTIC) out.d_eps = tm_min((trial - first) / (g3 + m->hardening), trial / g3);
   else if (!jc && g3 > 0.0 && tm_strength_flow(m->strength) == TM_FLOW_THERMAL) {
     const tm_return_root root = tm_return_search(m, trial, eps, T, first, dt);
     out.d_eps = root.d_eps;
     out.iterations = root.iterations;
-  } else
-    out.d_eps = g3 > 0.0 ? (trial - first) / g3 : 0.0;
+  } else out.d_eps = g3 > 0.0 ? (trial - first) / g3 : 0.0;
   out.yield = tm_max(trial - g3 * out.d_eps, 0.0);
   if (g3 <= 0.0) out.yield = first;
   out.s = tm_sym_scale(out.yield / trial, s_trial);

@@ -16,8 +16,8 @@
 #define TM_SURFACE_THRESHOLD 0.5
 
 typedef struct {
-  tm_real least;   /* |n| below which a particle is interior */
-  tm_real scale;   /* area = scale V |n| */
+  tm_real least; /* |n| below which a particle is interior */
+  tm_real scale; /* area = scale V |n| */
 } tm_surface;
 
 TM_FN tm_surface tm_surface_make(int kernel, int dim, tm_real spacing, tm_real h, tm_real threshold)

@@ -11,8 +11,13 @@
 #include "tm_heat.h"
 
 enum tm_dt_cause {
-  TM_DT_SOUND = 0, TM_DT_FORCE = 1, TM_DT_CONDUCTION = 2, TM_DT_CONTACT = 3, TM_DT_MOTION = 4,
-  TM_DT_MAXIMUM = 5, TM_DT_CAUSES = 6
+  TM_DT_SOUND = 0,
+  TM_DT_FORCE = 1,
+  TM_DT_CONDUCTION = 2,
+  TM_DT_CONTACT = 3,
+  TM_DT_MOTION = 4,
+  TM_DT_MAXIMUM = 5,
+  TM_DT_CAUSES = 6
 };
 #define TM_DT_NO_LIMIT 1e300
 
@@ -36,8 +41,7 @@ TM_FN tm_real tm_decay_time_step(tm_real rate) { return rate > 0.0 ? 0.5 / rate 
 /* The same of explicit conduction, whose fastest decay rate is rate k/(rho c_p h^2) (tm_lattice.h). A pair conducts
    with the harmonic mean of its sides, up to twice its own k where the other side has k_max, the largest in the
    scene; k > 0. */
-TM_FN tm_real tm_heat_time_step(tm_real rho, tm_real cp, tm_real h, tm_real k, tm_real k_max,
-                                tm_real rate)
+TM_FN tm_real tm_heat_time_step(tm_real rho, tm_real cp, tm_real h, tm_real k, tm_real k_max, tm_real rate)
 {
   return 0.5 * rho * cp * h * h / (rate * 2.0 * k * k_max / (k + k_max));
 }

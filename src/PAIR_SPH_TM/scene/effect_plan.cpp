@@ -11,14 +11,12 @@ struct Name {
   const char *name;
   unsigned bit;
 };
-const Name NAMES[] = {{"viscosity", TM_FX_VISCOSITY},   {"artstress", TM_FX_ARTSTRESS},
-                      {"heat", TM_FX_HEAT},             {"conduction", TM_FX_CONDUCTION},
-                      {"plasticity", TM_FX_PLASTICITY}, {"damage", TM_FX_DAMAGE},
-                      {"correction", TM_FX_CORRECTION}, {"balsara", TM_FX_BALSARA},
-                      {"xsph", TM_FX_XSPH},             {"surface", TM_FX_SURFACE},
-                      {"internal-energy", TM_FX_ENERGY}, {"bodies", TM_FX_BODIES},
-                      {"energy", TM_FX_LEDGER},         {"smoothing", TM_FX_SMOOTHING},
-                      {"hourglass", TM_FX_HOURGLASS}};
+const Name NAMES[] = {
+    {"viscosity", TM_FX_VISCOSITY},   {"artstress", TM_FX_ARTSTRESS},    {"heat", TM_FX_HEAT},
+    {"conduction", TM_FX_CONDUCTION}, {"plasticity", TM_FX_PLASTICITY},  {"damage", TM_FX_DAMAGE},
+    {"correction", TM_FX_CORRECTION}, {"balsara", TM_FX_BALSARA},        {"xsph", TM_FX_XSPH},
+    {"surface", TM_FX_SURFACE},       {"internal-energy", TM_FX_ENERGY}, {"bodies", TM_FX_BODIES},
+    {"energy", TM_FX_LEDGER},         {"smoothing", TM_FX_SMOOTHING},    {"hourglass", TM_FX_HOURGLASS}};
 }    // namespace
 
 unsigned effect_by_name(const std::string &name)
@@ -113,7 +111,7 @@ void Reasons::contacts()
       const PairLaw &l = model.law(i, j);
       if (l.meeting != CONTACT || !(l.contact.friction > 0.0 || l.conductance >= 0.0)) continue;
       on(TM_FX_HEAT, "contact of " + of_type(i) + " and " + of_type(j) +
-             (l.contact.friction > 0.0 ? " has friction" : " conducts heat"));
+                         (l.contact.friction > 0.0 ? " has friction" : " conducts heat"));
     }
 }
 
@@ -154,8 +152,7 @@ void EffectPlan::derive(const Model &model, int dimension)
 
   for (const auto &n : NAMES)
     if (forced_off & n.bit) r.why.erase(n.bit);
-  if (r.has(TM_FX_HEAT) && !r.conducts.empty() && !(forced_off & TM_FX_CONDUCTION))
-    r.on(TM_FX_CONDUCTION, r.conducts);
+  if (r.has(TM_FX_HEAT) && !r.conducts.empty() && !(forced_off & TM_FX_CONDUCTION)) r.on(TM_FX_CONDUCTION, r.conducts);
 
   // forced on, but what it acts on is off
   contradiction.clear();
@@ -163,8 +160,7 @@ void EffectPlan::derive(const Model &model, int dimension)
     contradiction = "conduction is forced on, but heat is off; add 'effects heat on' and heat constants";
   if ((forced_on & TM_FX_BALSARA) && !r.has(TM_FX_VISCOSITY))
     contradiction = "balsara is forced on, but there is no viscosity for it to switch";
-  if (r.has(TM_FX_CORRECTION) && set.form_f14)
-    contradiction = "correction needs pair_style form f15";
+  if (r.has(TM_FX_CORRECTION) && set.form_f14) contradiction = "correction needs pair_style form f15";
   if (!r.has(TM_FX_HEAT)) r.why.erase(TM_FX_CONDUCTION);
   if (!r.has(TM_FX_VISCOSITY)) r.why.erase(TM_FX_BALSARA);
   heat_reason = r.has(TM_FX_HEAT) ? r.why[TM_FX_HEAT] : "";
@@ -198,8 +194,8 @@ void EffectPlan::write_report(const std::map<unsigned, std::string> &why)
     std::string line = "sph/tm effect " + std::string(n.name);
     line.resize(30, ' ');
     line += it != why.end() ? "on   " + it->second
-                            : std::string("off  ") +
-            ((forced_off & n.bit) ? "forced off in fix sph/tm" : "nothing in the scene calls for it");
+                            : std::string("off  ") + ((forced_off & n.bit) ? "forced off in fix sph/tm"
+                                                                           : "nothing in the scene calls for it");
     report.push_back(line);
   }
 }

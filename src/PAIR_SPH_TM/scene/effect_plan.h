@@ -34,7 +34,7 @@ class EffectPlan {
   std::vector<std::string> report;    // one line per effect: on or off, and why
   std::string heat_reason;            // why heat is on
   std::vector<std::string> warnings;
-  std::string contradiction;          // what makes the set impossible, or empty
+  std::string contradiction;    // what makes the set impossible, or empty
 
  private:
   unsigned forced_on = 0, forced_off = 0, asked_for = 0;

@@ -66,13 +66,17 @@ void Model::complete_laws()
         if (i != j && l.meeting == BOND) welded += fmt::format("{}{} and {}", welded.empty() ? "" : ", ", i, j);
       }
       if ((heat_i || heat_j) && (l.meeting == BOND || l.meeting == CONTACT))
-        error->all(FLERR, "Pair sph/tm coeff {} {}: a conduction-only material (body heat) takes no part in mechanics; use "
-                          "'heat' or 'none'", i, j);
+        error->all(FLERR,
+                   "Pair sph/tm coeff {} {}: a conduction-only material (body heat) takes no part in mechanics; use "
+                   "'heat' or 'none'",
+                   i, j);
       set_law(i, j, l);
     }
   if (!welded.empty() && comm->me == 0)
-    utils::logmesg(lmp, "sph/tm: types {} are one body where they touch (bond, the default); 'pair_coeff i j contact' "
-                        "makes two bodies of them\n", welded);
+    utils::logmesg(lmp,
+                   "sph/tm: types {} are one body where they touch (bond, the default); 'pair_coeff i j contact' "
+                   "makes two bodies of them\n",
+                   welded);
 }
 
 /* ---------------------------------------------------------------------- before a run */
@@ -103,7 +107,8 @@ void Model::make_tables(double temperature)
   for (int t = 1; t < n; t++) {
     const tm_material &m = material[t];
     young[t] = m.young;
-    effusivity[t] = m.heat ? tm_effusivity(tm_conductivity(&m, temperature), tm_capacity(&m, temperature), m.rho0) : 0.0;
+    effusivity[t] = m.heat ? tm_effusivity(tm_conductivity(&m, temperature), tm_capacity(&m, temperature), m.rho0)
+                           : 0.0;
   }
   tables.material.assign(material.data(), n);
   tables.conductance.assign(conductance.data(), conducts ? n * n : 0);
@@ -131,10 +136,7 @@ void Model::cover_sizes(double h, double dp)
 
 /* ---------------------------------------------------------------------- what follows from it */
 
-double Model::particle_mass(int type) const
-{
-  return material[type].rho0 * pow(settings.spacing, domain->dimension);
-}
+double Model::particle_mass(int type) const { return material[type].rho0 * pow(settings.spacing, domain->dimension); }
 
 bool Model::has_contact_pairs() const
 {
@@ -146,10 +148,7 @@ static bool is_thermal(const PairLaw &l)
   return l.meeting == HEAT_ONLY || (l.meeting == CONTACT && l.conductance >= 0.0);
 }
 
-bool Model::has_thermal_pairs() const
-{
-  return std::any_of(laws.begin(), laws.end(), is_thermal);
-}
+bool Model::has_thermal_pairs() const { return std::any_of(laws.begin(), laws.end(), is_thermal); }
 
 double Model::largest_conductivity() const
 {
@@ -168,8 +167,8 @@ double Model::contact_time_step(int t) const
     const PairLaw &l = law(t, u);
     if (l.meeting != CONTACT) continue;
     const double e1 = material[t].young, e2 = material[u].young;
-    const double k = tm_contact_stiffness(l.contact.penalty, e1, e2, settings.spacing, least_spacing,
-                                          domain->dimension == 3);
+    const double k =
+        tm_contact_stiffness(l.contact.penalty, e1, e2, settings.spacing, least_spacing, domain->dimension == 3);
     const double mass = pow(least_spacing, domain->dimension) * std::min(material[t].rho0, material[u].rho0) * 0.5;
     least = std::min(least, tm_contact_time_step(k, mass, 0.0));
   }

@@ -26,7 +26,7 @@ struct PairLaw {
 // numerical settings of the pair_style line
 struct Settings {
   int kernel = TM_KERNEL_HYPERBOLIC;
-  double ratio = 1.2;     // h / spacing
+  double ratio = 1.2;    // h / spacing
   double spacing = 0.0;
   double h = 0.0;
   double visc_alpha = 1.0, visc_beta = 1.0;
@@ -74,9 +74,9 @@ class Model : protected LAMMPS_NS::Pointers {
   const std::string &restart_file() const { return file; }    // that was read, or empty
   double particle_mass(int type) const;    // from density and spacing; in 2D of a plate of unit thickness
   bool has_contact_pairs() const;
-  bool has_thermal_pairs() const;                      // that exchange heat and take no part in mechanics together
-  double largest_conductivity() const;                 // of all types at all temperatures
-  double contact_time_step(int type) const;            // the largest stable one of the stiffest pair in contact
+  bool has_thermal_pairs() const;              // that exchange heat and take no part in mechanics together
+  double largest_conductivity() const;         // of all types at all temperatures
+  double contact_time_step(int type) const;    // the largest stable one of the stiffest pair in contact
   std::vector<unsigned char> segments_of_types(bool conduction) const;    // per type pair: where in a row they meet
 
   // distance of particles that each have the volume (in 2d the area) of one on the lattice in use; 0: there is none
@@ -103,7 +103,7 @@ class Model : protected LAMMPS_NS::Pointers {
   int atom_types = 0;
   std::vector<tm_material> material;    // by type
   std::vector<std::string> names;
-  std::vector<PairLaw> laws;            // by type pair
+  std::vector<PairLaw> laws;    // by type pair
   std::string file;
   Tables tables;
 };

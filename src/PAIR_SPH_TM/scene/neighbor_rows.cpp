@@ -115,9 +115,7 @@ void NeighborRows::build(NeighList *list, bool conduction)
   // images of one particle in order of memory
   std::vector<int> by_tag(nall);
   std::iota(by_tag.begin(), by_tag.end(), 0);
-  std::sort(by_tag.begin(), by_tag.end(), [tag](int a, int b) {
-    return tag[a] != tag[b] ? tag[a] < tag[b] : a < b;
-  });
+  std::sort(by_tag.begin(), by_tag.end(), [tag](int a, int b) { return tag[a] != tag[b] ? tag[a] < tag[b] : a < b; });
   struct Particle {
     int rank, type;
   };

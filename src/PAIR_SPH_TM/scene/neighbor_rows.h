@@ -27,7 +27,7 @@ class NeighborRows : protected LAMMPS_NS::Pointers {
   void init(const ParticleState &, RowSource *source);
   RowSource *source() const { return row_source; }
   bool has_tl() const { return row_source && row_source->has_tl(); }    // total-Lagrangian pairs
-  bool cover(int n) const { return (int) row_first.size() >= n; }     // so many particles
+  bool cover(int n) const { return (int) row_first.size() >= n; }       // so many particles
   virtual void build(LAMMPS_NS::NeighList *, bool conduction);
   tm_rows loop_rows();
   tm_rows host_rows();

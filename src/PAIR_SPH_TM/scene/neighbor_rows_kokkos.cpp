@@ -116,8 +116,8 @@ void NeighborRowsKokkos::build(NeighList *list, bool conduction)
   kokkos_each("sph/tm count rows", n, CountRow{a});
   ptrdiff_t total = 0;
   Kokkos::parallel_scan("sph/tm place rows",
-                        Kokkos::RangePolicy<LMPDeviceType>(0, (n + TM_ROW_SLICE - 1) / TM_ROW_SLICE),
-                        PlaceRows{a, n}, total);
+                        Kokkos::RangePolicy<LMPDeviceType>(0, (n + TM_ROW_SLICE - 1) / TM_ROW_SLICE), PlaceRows{a, n},
+                        total);
   row_index.make_room(true, total);
   a.index = row_index.loop_write();
   const int longest = from->d_neighbors.extent(1);

@@ -87,9 +87,6 @@ int ParticleFields::unpack(int i, const double *buf)
   return m;
 }
 
-double ParticleFields::bytes() const
-{
-  return (double) rows * width * sizeof(double);
-}
+double ParticleFields::bytes() const { return (double) rows * width * sizeof(double); }
 
 }    // namespace SPHTM_NS

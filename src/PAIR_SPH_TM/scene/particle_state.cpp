@@ -39,7 +39,8 @@ void StartTemperatures::apply(int n, const int *mask, LoopArray<double> &field)
 
 ParticleState::ParticleState(LAMMPS *lmp, Backend &loops, std::unique_ptr<AtomArrays> arrays, StepOwner &owner,
                              const std::string &id, int group) :
-    Pointers(lmp), fix_id(id), igroup(group), backend(loops), step_owner(owner), scene(Scene::of(lmp)),
+    Pointers(lmp),
+    fix_id(id), igroup(group), backend(loops), step_owner(owner), scene(Scene::of(lmp)),
     lammps_arrays(std::move(arrays)), values(loops), heat(loops), step(lmp, *this)
 {
   values.enable(0, atom->nmax);
@@ -76,9 +77,11 @@ void ParticleState::derive_effects()
   if (plan.effects & TM_FX_HEAT)
     for (int t = 1; t <= m.types(); t++)
       if (!m.materials()[t].heat)
-        error->all(FLERR, "Fix sph/tm: heat is on ({}), but type {} ({}) has no heat constants; add "
-                          "'heat k cp chi' to its pair_coeff, with k 0 where it does not conduct, or "
-                          "force the effect off with 'effects heat off'", plan.heat_reason, t, m.material_name(t));
+        error->all(FLERR,
+                   "Fix sph/tm: heat is on ({}), but type {} ({}) has no heat constants; add "
+                   "'heat k cp chi' to its pair_coeff, with k 0 where it does not conduct, or "
+                   "force the effect off with 'effects heat off'",
+                   plan.heat_reason, t, m.material_name(t));
   // nothing is dropped before the set-up: a fix whose turn is still to come may ask for what a
   // restart file has brought
   const unsigned had = values.mask();

@@ -25,8 +25,8 @@ class Scene;
 // what fix sph/tm does for others in a step
 class StepOwner {
  public:
-  virtual void begin_forces() = 0;          // before the pair style's
-  virtual StepAudit *audit_now() = 0;       // in a step that is audited, else nullptr
+  virtual void begin_forces() = 0;       // before the pair style's
+  virtual StepAudit *audit_now() = 0;    // in a step that is audited, else nullptr
 
  protected:
   ~StepOwner() = default;
@@ -71,8 +71,8 @@ class ParticleState : protected LAMMPS_NS::Pointers {
   StepOwner &owner() { return step_owner; }
 
   // ---- model and effects
-  void init(Model &);                                 // before a run: derives the effects
-  Model &model() const { return *used_model; }        // of the last init
+  void init(Model &);                             // before a run: derives the effects
+  Model &model() const { return *used_model; }    // of the last init
   const Model *model_in_use() const { return used_model; }
   unsigned effects() const { return plan.effects; }
   bool has(unsigned effect) const { return (plan.effects & effect) != 0; }
@@ -81,16 +81,16 @@ class ParticleState : protected LAMMPS_NS::Pointers {
   EffectPlan &effect_plan() { return plan; }
 
   // ---- particles; pointers are valid until the next reneighboring
-  tm_state arrays();            // of the loops
+  tm_state arrays();    // of the loops
   tm_state host_arrays();
   const double *field(int id) { return values[id].host_read(); }    // rows on the host, or nullptr when it is off
   ParticleFields &fields() { return values; }
   AtomArrays &atoms() { return *lammps_arrays; }
   double temperature(int i);    // of owned particle i, K; on the host
   StartTemperatures &start_temperatures() { return temperatures; }
-  tm_size_range sizes();        // of all particles; collective. Where all are the same, those of the model
-  void initialize_new();        // particles that have no state yet
-  void begin_setup();           // reports effects, drops fields that none of them calls for
+  tm_size_range sizes();    // of all particles; collective. Where all are the same, those of the model
+  void initialize_new();    // particles that have no state yet
+  void begin_setup();       // reports effects, drops fields that none of them calls for
   HeatSource &source() { return heat; }
   double *heat_source() { return has(TM_FX_HEAT) ? heat.loop_write() : nullptr; }
   double *host_heat_source() { return has(TM_FX_HEAT) ? heat.host_write() : nullptr; }

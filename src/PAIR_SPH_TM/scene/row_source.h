@@ -23,7 +23,7 @@ class RowSource {
   virtual void tl_export(const tm_records &) {}
   virtual void tl_rates(const tm_rates_args &, unsigned /*effects*/) {}
   virtual bool has_tl() const { return false; }    // there may be total-Lagrangian pairs
-  virtual tm_rows others() = 0;         // neighbors that exchange heat, and those in contact
+  virtual tm_rows others() = 0;                    // neighbors that exchange heat, and those in contact
 };
 
 // how smoothing lengths are set, see tm_smoothing.h

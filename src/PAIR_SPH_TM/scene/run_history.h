@@ -6,9 +6,9 @@ namespace SPHTM_NS {
 
 class RunHistory {
  public:
-  bool begun() const { return started; }            // has taken a step, here or before a restart
+  bool begun() const { return started; }    // has taken a step, here or before a restart
   void begin() { started = true; }
-  bool restored() const { return from_file; }       // from a restart file
+  bool restored() const { return from_file; }    // from a restart file
   void restore(bool begun)
   {
     from_file = true;
@@ -16,7 +16,7 @@ class RunHistory {
   }
   bool moved_since_last_run() const { return moved; }    // particles came, went or were moved between the runs
   void set_moved(bool m) { moved = m; }
-  bool has_forces() const { return forces; }        // of a set-up or step
+  bool has_forces() const { return forces; }    // of a set-up or step
   void set_forces() { forces = true; }
 
  private:

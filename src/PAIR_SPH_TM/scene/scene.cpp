@@ -25,16 +25,17 @@ std::shared_ptr<Scene> Scene::of(LAMMPS *lmp)
 ParticleState &Scene::state(const std::string &style) const
 {
   if (states.empty())
-    lmp->error->all(FLERR, "{} needs a fix sph/tm, which owns the state of the particles; write 'fix body all sph/tm' "
-                           "before it", style);
+    lmp->error->all(FLERR,
+                    "{} needs a fix sph/tm, which owns the state of the particles; write 'fix body all sph/tm' "
+                    "before it",
+                    style);
   return *states.front();
 }
 
 bool Scene::is_current(ParticleState *known) const
 {
   return known && known == state() && known->history().has_forces() && pair.model &&
-      known->model_in_use() == pair.model && is_bound() &&
-      lmp->force->pair_match("^sph/tm", 0);
+         known->model_in_use() == pair.model && is_bound() && lmp->force->pair_match("^sph/tm", 0);
 }
 
 void Scene::check_current(ParticleState *known, const std::string &style) const

@@ -46,15 +46,15 @@ class Scene {
   bool is_bound() const { return bound && bound == state(); }
 
   // what fix adapt/neigh and tools offer; nullptr takes an offer back
-  struct TlHistory {                                // rows of history variables, and the columns of outputs
+  struct TlHistory {    // rows of history variables, and the columns of outputs
     const tm_real *values;
     int columns, was_ul, ul_steps;
   };
   struct Adaptation {
-    RowSource *rows = nullptr;                      // rows of neighbors in place of LAMMPS's list
-    const SmoothingRule *smoothing = nullptr;       // of the smoothing lengths
-    std::function<const double *()> levels;         // of refinement, of owned particles, on the host
-    std::function<TlHistory()> tl_history;          // of total-Lagrangian pairs, of owned particles, of the loops
+    RowSource *rows = nullptr;                   // rows of neighbors in place of LAMMPS's list
+    const SmoothingRule *smoothing = nullptr;    // of the smoothing lengths
+    std::function<const double *()> levels;      // of refinement, of owned particles, on the host
+    std::function<TlHistory()> tl_history;       // of total-Lagrangian pairs, of owned particles, of the loops
   };
   void set_adaptation(const Adaptation &a) { adapt = a; }
   const Adaptation &adaptation() const { return adapt; }

@@ -31,7 +31,7 @@ class StepResults : protected LAMMPS_NS::Pointers {
   const tm_rates_args &rate_args() const { return args; }
   tm_predict_args predict_args(ParticleState &, const tm_state &);
   const double *internal_force() { return force_internal.loop_read(); }    // of pairs alone, with the energy balance
-  const tm_real *loop_neighbors();    // number of neighbors of each owned particle
+  const tm_real *loop_neighbors();                                         // number of neighbors of each owned particle
 
   // ---- on the host
   tm_records host_records();
@@ -39,15 +39,15 @@ class StepResults : protected LAMMPS_NS::Pointers {
   bool has_surface(int n) const { return surface.size() > 3 * (size_t) n; }    // of n particles
 
   // ---- of the particles of this rank
-  double neighbors(bool of_each = false);    // how many are within the support radius
-  tm_nearest nearest();                      // the closest mechanical neighbors
+  double neighbors(bool of_each = false);                                // how many are within the support radius
+  tm_nearest nearest();                                                  // the closest mechanical neighbors
   std::map<unsigned, double> bytes_by_effect(unsigned effects) const;    // 0: what every scene has
 
   // ---- for pair style sph/tm: arrays for the effects in use, arguments of the loops
   void resize(const ParticleState &);
   tm_rates_args &fill_args(ParticleState &, const tm_state &);
   const tm_records &records() const { return rec; }
-  void take_up_ghosts();        // the host may have filled their records
+  void take_up_ghosts();    // the host may have filled their records
   LoopArray<double> &pair_force() { return force_internal; }
   tm_real *tally_rows(bool per_particle);
   const tm_real *host_tally() { return tally.host_read(); }
@@ -61,7 +61,7 @@ class StepResults : protected LAMMPS_NS::Pointers {
   void communicate_correction(LAMMPS_NS::Pair *);
   void communicate_hourglass(LAMMPS_NS::Pair *);
   void communicate(LAMMPS_NS::Pair *, LoopArray<tm_real> &, int columns);    // any values of particles
-  tm_ghost_args ghosts();                       // where the loops run
+  tm_ghost_args ghosts();                                                    // where the loops run
   tm_ghost_args host_ghosts(bool to_write);
   LoopArray<tm_real> &main_record() { return rec_main; }
 

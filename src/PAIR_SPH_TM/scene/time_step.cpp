@@ -89,8 +89,8 @@ double TimeStep::of_size(int i, double h)
   double value = courant * tm_sound_time_step(h, tm_eos_sound_speed(m, rho, e ? e[i] : 0.0), set.visc_alpha,
                                               set.hourglass, state.effects());
   if (state.has(TM_FX_CONDUCTION))
-    value = std::min(value, tm_conduction_time_step(m, rho, T, h, model.largest_conductivity(),
-                                                    model.fastest_heat_rate()));
+    value =
+        std::min(value, tm_conduction_time_step(m, rho, T, h, model.largest_conductivity(), model.fastest_heat_rate()));
   return value;
 }
 
@@ -126,8 +126,8 @@ void TimeStep::end_setup(bool first)
                      "sph/tm: {} particles begin without stress and strain, at {:.6g} K where no "
                      "other temperature is set\n",
                      atom->natoms, state.start_temperatures().of_all());
-      utils::logmesg(lmp, "sph/tm: time step {:.6g}, limited by {}; rate loops: {}\n",
-                     fixed > 0.0 ? fixed : dt_next, CAUSES[dt_cause], state.loops().name());
+      utils::logmesg(lmp, "sph/tm: time step {:.6g}, limited by {}; rate loops: {}\n", fixed > 0.0 ? fixed : dt_next,
+                     CAUSES[dt_cause], state.loops().name());
     }
   } else {    // a run that goes on keeps its step, unless a tool became stiffer or faster
     dt_next = std::min({dt_next, limits[TM_DT_CONTACT], limits[TM_DT_MOTION]});
@@ -192,8 +192,11 @@ void TimeStep::apply(double value, bigint done)
 // with the fix that set it
 std::string TimeStep::cause_in_words(int cause) const
 {
-  static const char *const words[TM_DT_CAUSES] = {"the sound speed", "an acceleration", "heat conduction",
-                                                  "the contact stiffness and damping", "the motion of a tool or drive",
+  static const char *const words[TM_DT_CAUSES] = {"the sound speed",
+                                                  "an acceleration",
+                                                  "heat conduction",
+                                                  "the contact stiffness and damping",
+                                                  "the motion of a tool or drive",
                                                   "dt/max"};
   const Fix *by = limited_by[cause];
   return by ? fmt::format("{} (fix {} {})", words[cause], by->id, by->style) : words[cause];
@@ -210,7 +213,8 @@ void TimeStep::check_fixed(const double *of_causes)
     const double allowed = stable[cause] * of_causes[cause];
     if (fixed <= allowed) continue;
     const std::string text = fmt::format("Fix sph/tm dt {:.6g} is not stable: {} allows {:.6g}; use 'dt auto' or a "
-                                         "smaller value", fixed, cause_in_words(cause), allowed);
+                                         "smaller value",
+                                         fixed, cause_in_words(cause), allowed);
     if (update->setupflag) error->all(FLERR, text);
     error->one(FLERR, "Fix sph/tm stops at step {}: {}", update->ntimestep, text);
   }
@@ -228,13 +232,13 @@ void TimeStep::check_stall(const double *all)
   const double largest = of_tool ? std::max(dt_largest, sound) : dt_largest;
   const bool small = dt_cause != TM_DT_MAXIMUM && dt_next < LEAST_SHARE * largest, still = now + dt_next == now;
   if (!small && !still) return;
-  const std::string text = fmt::format(
-      "Fix sph/tm stops at step {}: the time step has fallen to {:.6g}, {}; it is limited by {}",
-      update->ntimestep, dt_next,
-      still && !small ? fmt::format("too small to change the time {:.6g}", now)
-                      : fmt::format("{:.3g} of what it was or of what the sound speed allows",
-                                    dt_next / largest),
-      cause_in_words(dt_cause));
+  const std::string text =
+      fmt::format("Fix sph/tm stops at step {}: the time step has fallen to {:.6g}, {}; it is limited by {}",
+                  update->ntimestep, dt_next,
+                  still && !small
+                      ? fmt::format("too small to change the time {:.6g}", now)
+                      : fmt::format("{:.3g} of what it was or of what the sound speed allows", dt_next / largest),
+                  cause_in_words(dt_cause));
   // where, by the rank that has it
   const double mine[TM_DT_CAUSES] = {courant * limits[0], courant * limits[1], limits[2], limits[3], limits[4], 1e300};
   int rank = mine[dt_cause] <= all[dt_cause] ? comm->me : comm->nprocs, first;
@@ -263,8 +267,8 @@ std::string TimeStep::limiting_particle()
   }
   if (worst < 0) return "";
   const double *x = atom->x[worst];
-  return fmt::format(" at particle {} (type {}) at {:.6g} {:.6g} {:.6g}", atom->tag[worst],
-                     atom->type[worst], x[0], x[1], x[2]);
+  return fmt::format(" at particle {} (type {}) at {:.6g} {:.6g} {:.6g}", atom->tag[worst], atom->type[worst], x[0],
+                     x[1], x[2]);
 }
 
 }    // namespace SPHTM_NS

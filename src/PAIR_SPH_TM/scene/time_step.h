@@ -21,7 +21,7 @@ class TimeStep : protected LAMMPS_NS::Pointers {
   TimeStep(LAMMPS_NS::LAMMPS *, ParticleState &);
 
   // of the script
-  void set_courant(double c) { courant = c; }    // of h/c; without viscosity 0.6 is stable, 0.7 is not
+  void set_courant(double c) { courant = c; }        // of h/c; without viscosity 0.6 is stable, 0.7 is not
   void set_fixed(double value) { fixed = value; }    // the user's constant step; 0: automatic
   void set_most(double value) { most = value; }      // 0: no limit
   bool is_fixed() const { return fixed > 0.0; }
@@ -30,7 +30,7 @@ class TimeStep : protected LAMMPS_NS::Pointers {
   double now() const { return dt; }
   double ahead() const { return dt_ahead; }    // from the state to the force point
   double next() const { return dt_next; }
-  int cause() const { return dt_cause; }       // enum tm_dt_cause
+  int cause() const { return dt_cause; }    // enum tm_dt_cause
 
   // upper limit of the next step, already with its safety factor; by: whose it is, for messages
   void limit(double value, int cause, const LAMMPS_NS::Fix *by = nullptr);
@@ -51,10 +51,10 @@ class TimeStep : protected LAMMPS_NS::Pointers {
   ParticleState &state;
   double courant = 0.4, fixed = 0.0, most = 0.0;
   double dt = 0.0, dt_ahead = 0.0, dt_next = 0.0;
-  double dt_largest = 0.0;                                 // of this run
+  double dt_largest = 0.0;    // of this run
   int dt_cause = TM_DT_SOUND;
-  double limits[TM_DT_CAUSES];                             // of this rank, since the last reduction
-  const LAMMPS_NS::Fix *limited_by[TM_DT_CAUSES] = {};     // the fixes that set them, where fixes did
+  double limits[TM_DT_CAUSES];                            // of this rank, since the last reduction
+  const LAMMPS_NS::Fix *limited_by[TM_DT_CAUSES] = {};    // the fixes that set them, where fixes did
 
   void clear();
   double of_sound_speed();

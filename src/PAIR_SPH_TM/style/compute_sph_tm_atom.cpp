@@ -70,8 +70,7 @@ tm_output_args ComputeSPHTMAtom::output_args()
   }
   if (wants(TM_OUT_ADAPTNODE) || wants(TM_OUT_SEARCHES)) {
     const Scene::Adaptation &lists = scene->adaptation();
-    if (!lists.rows)
-      error->all(FLERR, "Compute sph/tm/atom adaptnode, searches: needs fix adapt/neigh with threshold");
+    if (!lists.rows) error->all(FLERR, "Compute sph/tm/atom adaptnode, searches: needs fix adapt/neigh with threshold");
     if (lists.tl_history) {
       const Scene::TlHistory h = lists.tl_history();
       a.lists = h.values;

@@ -25,7 +25,7 @@ class ComputeSPHTMAtom : public Compute {
  protected:
   std::shared_ptr<SPHTM_NS::Scene> scene;
   SPHTM_NS::ParticleState *state = nullptr;    // from init on
-  std::vector<int> wanted;    // enum tm_output_id
+  std::vector<int> wanted;                     // enum tm_output_id
 
   tm_output_args output_args();
   virtual void run_output(double *value);    // the rows of all particles

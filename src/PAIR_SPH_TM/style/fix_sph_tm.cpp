@@ -65,7 +65,7 @@ FixSPHTM::~FixSPHTM()
 int FixSPHTM::setmask()
 {
   return INITIAL_INTEGRATE | PRE_EXCHANGE | FINAL_INTEGRATE | POST_NEIGHBOR |
-      (state.effect_plan().is_forced_on(TM_FX_LEDGER) ? END_OF_STEP : 0);
+         (state.effect_plan().is_forced_on(TM_FX_LEDGER) ? END_OF_STEP : 0);
 }
 
 void FixSPHTM::init()
@@ -196,7 +196,8 @@ double FixSPHTM::compute_scalar()
 double FixSPHTM::compute_vector(int n)
 {
   scene->check_current(&state, fmt::format("Fix sph/tm {}", id));
-  if (n < 0 || n >= size_vector) error->all(FLERR, "Fix sph/tm output {} is not among its {} values", n + 1, size_vector);
+  if (n < 0 || n >= size_vector)
+    error->all(FLERR, "Fix sph/tm output {} is not among its {} values", n + 1, size_vector);
   if (n <= EnergyReport::SUM && n != EnergyReport::KINETIC && !state.has(TM_FX_LEDGER))
     error->all(FLERR, "Fix sph/tm output {} needs the keyword 'energy yes'", n + 1);
   if (n < EnergyReport::ENTRIES) return energies.value(n);
@@ -240,11 +241,10 @@ void FixSPHTM::write_data_header(FILE *, int)
 {
   if (!state.history().begun() || data_warned) return;
   data_warned = true;
-  error->warning(
-      FLERR,
-      "Fix sph/tm {}: write_data writes positions and velocities, not the state of the particles "
-      "(stress, "
-      "density, plastic strain, temperature): what reads the file starts from an unstressed body; "
-      "write_restart writes all",
-      id);
+  error->warning(FLERR,
+                 "Fix sph/tm {}: write_data writes positions and velocities, not the state of the particles "
+                 "(stress, "
+                 "density, plastic strain, temperature): what reads the file starts from an unstressed body; "
+                 "write_restart writes all",
+                 id);
 }

@@ -19,7 +19,7 @@
 namespace SPHTM_NS {
 class AccuracyMeter;
 class Keywords;
-}
+}    // namespace SPHTM_NS
 
 namespace LAMMPS_NS {
 
@@ -72,12 +72,12 @@ class FixSPHTM : public Fix, public SPHTM_NS::StepOwner {
   SPHTM_NS::RunTable table;
   SPHTM_NS::StateRestart file;
   std::unique_ptr<SPHTM_NS::AccuracyMeter> meter;    // with the keyword audit
-  bool begin_anew = false;         // though steps were taken
-  bool stop_on_lost = true;        // a particle beyond a fixed boundary stops the run
-  bool source_of_setup = false;    // the heat source holds what the set-up's forces left
-  bool looked = false;             // at the energies, since the last set-up
+  bool begin_anew = false;                           // though steps were taken
+  bool stop_on_lost = true;                          // a particle beyond a fixed boundary stops the run
+  bool source_of_setup = false;                      // the heat source holds what the set-up's forces left
+  bool looked = false;                               // at the energies, since the last set-up
   bool data_warned = false;
-  int *lost = nullptr;             // what the drift of so many particles found, once it is through
+  int *lost = nullptr;    // what the drift of so many particles found, once it is through
   int drifted = 0;
 
   void read_keywords(SPHTM_NS::Keywords &&);

@@ -66,8 +66,7 @@ void FixSPHTM::read_keywords(Keywords &&k)
     else if (k.is("state")) begin_anew = k.second("keep", "new");
     else if (k.is("energy")) {
       if (k.yes()) state.effect_plan().force(TM_FX_LEDGER, true);
-    }
-    else if (k.is("table")) {
+    } else if (k.is("table")) {
       const bool wait = k.take("wait");
       table.want(wait || k.yes(), wait);
     } else if (k.is("audit")) {
@@ -88,8 +87,7 @@ void FixSPHTM::read_keywords(Keywords &&k)
 int FixSPHTM::modify_param(int narg, char **arg)
 {
   if (strcmp(arg[0], "temperature") == 0) {
-    if (narg < 3)
-      error->all(FLERR, "Fix_modify temperature of fix sph/tm needs a group and a temperature");
+    if (narg < 3) error->all(FLERR, "Fix_modify temperature of fix sph/tm needs a group and a temperature");
     const int igroup2 = group->find(arg[1]);
     if (igroup2 < 0) error->all(FLERR, "Fix_modify temperature of fix sph/tm: no group {}", arg[1]);
     const double T = positive(lmp, "Fix_modify temperature of fix sph/tm", arg[2]);

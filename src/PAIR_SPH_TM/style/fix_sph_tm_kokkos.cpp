@@ -190,9 +190,8 @@ void FixSPHTMKokkos::post_neighbor()
 
 /* ---------------------------------------------------------------------- */
 
-int FixSPHTMKokkos::pack_exchange_kokkos(const int &nsend, DAT::tdual_xfloat_2d &k_buf,
-                                         DAT::tdual_int_1d k_sendlist, DAT::tdual_int_1d k_copylist,
-                                         ExecutionSpace space)
+int FixSPHTMKokkos::pack_exchange_kokkos(const int &nsend, DAT::tdual_xfloat_2d &k_buf, DAT::tdual_int_1d k_sendlist,
+                                         DAT::tdual_int_1d k_copylist, ExecutionSpace space)
 {
   k_sendlist.sync<LMPDeviceType>();
   k_copylist.sync<LMPDeviceType>();
@@ -207,8 +206,8 @@ int FixSPHTMKokkos::pack_exchange_kokkos(const int &nsend, DAT::tdual_xfloat_2d 
   return nsend * rows.width;
 }
 
-void FixSPHTMKokkos::unpack_exchange_kokkos(DAT::tdual_xfloat_2d &k_buf, DAT::tdual_int_1d &k_indices,
-                                            int nrecv, int, int, ExecutionSpace space)
+void FixSPHTMKokkos::unpack_exchange_kokkos(DAT::tdual_xfloat_2d &k_buf, DAT::tdual_int_1d &k_indices, int nrecv, int,
+                                            int, ExecutionSpace space)
 {
   if (space == Host) {
     k_buf.modify<LMPHostType>();

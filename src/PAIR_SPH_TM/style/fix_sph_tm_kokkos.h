@@ -22,8 +22,7 @@ class FixSPHTMKokkos : public FixSPHTM, public KokkosBase {
   void post_neighbor() override;
   int pack_exchange_kokkos(const int &, DAT::tdual_xfloat_2d &, DAT::tdual_int_1d, DAT::tdual_int_1d,
                            ExecutionSpace) override;
-  void unpack_exchange_kokkos(DAT::tdual_xfloat_2d &, DAT::tdual_int_1d &, int, int, int,
-                              ExecutionSpace) override;
+  void unpack_exchange_kokkos(DAT::tdual_xfloat_2d &, DAT::tdual_int_1d &, int, int, int, ExecutionSpace) override;
   void sort_kokkos(Kokkos::BinSort<KeyViewType, BinOp> &) override;
 
  private:

@@ -183,8 +183,7 @@ void PairSPHTM::compute(int eflag, int vflag)
     const auto timed = state->clock().timed(RunClock::ROWS);
     source->renew(renewed);
     args.rows = source->mechanical();
-  } else
-    args.rows = rows->loop_rows();
+  } else args.rows = rows->loop_rows();
   rates(s, args);
   tm_rates_args others = args;
   if (source) others.rows = source->others();

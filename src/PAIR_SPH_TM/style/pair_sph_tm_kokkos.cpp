@@ -75,8 +75,8 @@ struct TakePositions {
 
 }    // namespace
 
-int PairSPHTMKokkos::pack_forward_comm_kokkos(int n, DAT::tdual_int_1d k_sendlist,
-                                              DAT::tdual_xfloat_1d &buf, int, int *)
+int PairSPHTMKokkos::pack_forward_comm_kokkos(int n, DAT::tdual_int_1d k_sendlist, DAT::tdual_xfloat_1d &buf, int,
+                                              int *)
 {
   const tm_ghost_args ghosts = results.ghosts();
   kokkos_each("sph/tm send to ghosts", n,
@@ -93,6 +93,7 @@ void PairSPHTMKokkos::take_ghost_positions()
 {
   atomKK->sync(execution_space, X_MASK);
   kokkos_each("sph/tm ghost positions", atom->nghost,
-              TakePositions{results.main_record().loop_write(), atomKK->k_x.view<LMPDeviceType>().data(), atom->nlocal});
+              TakePositions{results.main_record().loop_write(), atomKK->k_x.view<LMPDeviceType>().data(),
+                            atom->nlocal});
 }
 #endif
