@@ -15,6 +15,7 @@ Environment: SPHTM_LMP, LAMMPS_PLUGIN_PATH, SPHTM_MPIRUN, SPHTM_SOURCE (see unit
 makes every run print all digits and end with a dump of its particles, and keeps both there (tools/same-bits.sh).
 """
 import atexit
+import hashlib
 import os
 import re
 import shlex
@@ -22,6 +23,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import threading
 
 import numpy as np
 
@@ -119,7 +121,7 @@ def run(script, variables=None, ranks=1, folder=None, files=None, expect_error=F
     done = subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                           timeout=timeout, stdin=subprocess.DEVNULL, env=environment)
     if RECORD:
-        keep_record(folder, done.stdout)
+        keep_record(folder, script, done.stdout)
     if done.returncode != 0 and not expect_error:
         print(done.stdout[-6000:])
         print("lmp ended with status", done.returncode, "of", shlex.join(command))
@@ -131,7 +133,8 @@ def run(script, variables=None, ranks=1, folder=None, files=None, expect_error=F
 
 RECORD = os.environ.get("SPHTM_RECORD")
 RECORD_DUMP = "record.dump"
-RECORD_TIMES = {"CPU", "S/CPU", "T/CPU", "CPULeft", "Elapsed"}    # columns of wall time
+# columns of wall time, with those of fix sph/tm: its array, and the share that audits take
+RECORD_TIMES = re.compile(r"S/CPU|T/CPU|CPU|CPULeft|Elapsed|f_\w+\[\d+\]\[\d+\]|f_body\[22\]")
 recorded = 0
 
 
@@ -145,14 +148,18 @@ def all_digits(script, at_end):
     return script
 
 
-def keep_record(folder, output):
-    """RECORD/<test>-<number of the run>: the thermo tables, then the particles."""
+def keep_record(folder, script, output):
+    """RECORD/<test>-<number of the run>: the thermo tables, then the particles. Runs of a pool of threads end in any
+    order: they go by their script."""
     global recorded
     recorded += 1
-    name = "%s-%03d" % (os.path.splitext(os.path.basename(sys.argv[0]))[0], recorded)
+    number = "%03d" % recorded
+    if threading.current_thread() is not threading.main_thread():
+        number = hashlib.sha256(script.encode()).hexdigest()[:12]
+    name = "%s-%s" % (os.path.splitext(os.path.basename(sys.argv[0]))[0], number)
     with open(os.path.join(RECORD, name), "w") as f:
         for table in read_thermo(output):
-            names = [n for n in table if n not in RECORD_TIMES]
+            names = [n for n in table if not RECORD_TIMES.fullmatch(n)]
             f.write(" ".join(names) + "\n")
             for row in zip(*(table[n] for n in names)):
                 f.write(" ".join(v.hex() for v in row) + "\n")
