@@ -40,7 +40,7 @@ class AdaptParts {
   Model &model() const { return run->model(); }
   NeighborRows &rows() const { return run->rows(); }
   StepResults &results() const { return run->results(); }
-  const ParticleState *known() const { return particles; }
+  ParticleState *known() const { return particles; }
   bool is_complete() const { return particles && particles == run->state() && run->has_pair(); }
   void offer() const;    // to the scene what the parts in use have for others
   int owned() const;     // particles of this rank
