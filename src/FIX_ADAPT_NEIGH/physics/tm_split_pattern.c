@@ -6,7 +6,7 @@ static const struct {
   const char *name;
   int dim, center, corners;
 } kinds[TM_SPLIT_KINDS] = {
-    {"square", 2, 0, 4}, {"hexagon", 2, 1, 6}, {"cube", 3, 0, 8}, {"cube/center", 3, 1, 8}, {"icosahedron", 3, 1, 12}};
+    {"square", 2, 0, 4}, {"hexagon", 2, 1, 6}, {"cube", 3, 0, 8}, {"cube/centre", 3, 1, 8}, {"icosahedron", 3, 1, 12}};
 
 const char *tm_split_name(int kind) { return kind >= 0 && kind < TM_SPLIT_KINDS ? kinds[kind].name : NULL; }
 int tm_split_dim(int kind) { return kind >= 0 && kind < TM_SPLIT_KINDS ? kinds[kind].dim : 0; }

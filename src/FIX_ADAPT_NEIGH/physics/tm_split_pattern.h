@@ -43,7 +43,7 @@ typedef struct {
 extern "C" {
 #endif
 
-/* Name as written in input: square, hexagon, cube, cube/center, icosahedron; NULL beyond. */
+/* Name as written in input: square, hexagon, cube, cube/centre, icosahedron; NULL beyond. */
 const char *tm_split_name(int kind);
 int tm_split_dim(int kind); /* 2 or 3; 0 for an unknown kind */
 
