@@ -34,10 +34,12 @@ enum tm_effect {
   TM_FX_MIXED = 1 << 18,        /* pair arithmetic in single */
   TM_FX_HOURGLASS = 1 << 19,    /* hourglass control (zero-energy modes) */
 
-  TM_FX_KERNEL_SHIFT = 20 /* three bits of enum tm_kernel */
+  TM_FX_KERNEL_SHIFT = 20, /* three bits of enum tm_kernel */
+  TM_FX_ONE_PASS = 1 << 23 /* correction and hourglass control within the rate pass, see tm_hourglass.h */
 };
 
-#define TM_FX_RATE_MASK ((unsigned) (TM_FX_3D | TM_FX_VISCOSITY | TM_FX_ARTSTRESS | TM_FX_CONDUCTION))
+#define TM_FX_RATE_MASK \
+  ((unsigned) (TM_FX_3D | TM_FX_VISCOSITY | TM_FX_ARTSTRESS | TM_FX_CONDUCTION | TM_FX_ONE_PASS))
 #define TM_FX_EXTENDED_MASK \
   ((unsigned) (TM_FX_FORM_F14 | TM_FX_CORRECTION | TM_FX_BALSARA | TM_FX_XSPH | TM_FX_SURFACE | TM_FX_SMOOTHING))
 #define TM_FX_KERNEL_MASK (7u << TM_FX_KERNEL_SHIFT)

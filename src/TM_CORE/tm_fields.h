@@ -15,6 +15,8 @@ enum { TM_S_H = 0, TM_S_DP = 1, TM_S_RATIO = 2, TM_S_TARGET = 3, TM_S_COLUMNS = 
 
 /* columns of the hourglass */
 enum { TM_G_W = 0, TM_G_RATE = 3, TM_G_COLUMNS = 6 };
+/* columns of the correction */
+enum { TM_K_MATRIX = 0, TM_K_SPIN = 6, TM_K_SINCE = 9, TM_K_COLUMNS = 10 };
 
 /*  stress       deviatoric Cauchy stress xx yy zz xy xz yz
     history      rates of the last two steps: v(3) rho(1) s(6), newer first
@@ -27,7 +29,9 @@ enum { TM_G_W = 0, TM_G_RATE = 3, TM_G_COLUMNS = 6 };
     thickness    plane stress: thickness over initial thickness
     size         smoothing length; edge (m/rho0)^(1/d) of the particle without stress; smoothing length
                  over spacing it was made with; target n_h of its neighborhood (0: not known yet)
-    hourglass    displacement against the neighborhood, see tm_hourglass.h, and its rate in the last step */
+    hourglass    displacement against the neighborhood, see tm_hourglass.h, and its rate in the last step
+    correction   of the gradients at the last force point, xx yy zz xy xz yz, xx = 0: not known yet; twice the spin there,
+                 L.zy - L.yz, L.xz - L.zx, L.yx - L.xy; and the time since then */
 #define TM_FIELD_TABLE(FIELD)                                \
   FIELD(TM_F_RHO, "density", 1, 0)                           \
   FIELD(TM_F_STRESS, "stress", 6, 0)                         \
@@ -40,7 +44,8 @@ enum { TM_G_W = 0, TM_G_RATE = 3, TM_G_COLUMNS = 6 };
   FIELD(TM_F_XSPH, "xsph", 3, TM_FX_XSPH)                    \
   FIELD(TM_F_THICKNESS, "thickness", 1, TM_FX_PLANE_STRESS)  \
   FIELD(TM_F_SIZE, "size", TM_S_COLUMNS, TM_FX_SMOOTHING)    \
-  FIELD(TM_F_HOURGLASS, "hourglass", TM_G_COLUMNS, TM_FX_HOURGLASS)
+  FIELD(TM_F_HOURGLASS, "hourglass", TM_G_COLUMNS, TM_FX_HOURGLASS)     \
+  FIELD(TM_F_CORRECTION, "correction", TM_K_COLUMNS, TM_FX_ONE_PASS)
 
 #define TM_FIELD(id, name, columns, effects) id,
 enum tm_field_id { TM_FIELD_TABLE(TM_FIELD) TM_F_COUNT };

@@ -176,13 +176,13 @@ TM_FN tm_sym3 tm_sym_from_record(const tm_real *record, int first)
   for (int k = 0; k < 6; k++) p[k] = record[tm_part(first + k)];
   return tm_sym_load(p);
 }
-TM_FN void tm_sym_to_record(tm_real *record, int first, tm_sym3 s)
+/* The components of m row major, from column `first` of a record on. */
+TM_FN void tm_mat_to_record(tm_real *record, int first, tm_mat3 m)
 {
-  tm_real p[6];
-  tm_sym_store(p, s);
-  for (int k = 0; k < 6; k++) record[tm_part(first + k)] = p[k];
+  tm_real c[9];
+  tm_mat_store(c, m);
+  for (int k = 0; k < 9; k++) record[tm_part(first + k)] = c[k];
 }
-
 TM_FN tm_mat3 tm_mat_transposed(tm_mat3 a)
 {
   tm_real t = a.xy; a.xy = a.yx; a.yx = t;
@@ -190,6 +190,31 @@ TM_FN tm_mat3 tm_mat_transposed(tm_mat3 a)
   t = a.yz; a.yz = a.zy; a.zy = t;
   return a;
 }
+/* R s R^T with the rotation R by the vector `angle` (radian), in the form of Cayley: orthogonal, and off by
+   |angle|^3/12. */
+TM_FN tm_sym3 tm_sym_turned(tm_sym3 s, tm_vec3 angle)
+{
+  const tm_vec3 a = tm_vec_scale(0.5, angle);
+  const tm_real f = 2.0 / (1.0 + tm_vec_dot(a, a)), n = 1.0 - f * tm_vec_dot(a, a);
+  tm_mat3 R; /* 1 + f ([a] + [a]^2), [a]^2 = a a^T - a.a */
+  R.xx = n + f * a.x * a.x;
+  R.yy = n + f * a.y * a.y;
+  R.zz = n + f * a.z * a.z;
+  R.xy = f * (a.x * a.y - a.z);
+  R.yx = f * (a.x * a.y + a.z);
+  R.xz = f * (a.x * a.z + a.y);
+  R.zx = f * (a.x * a.z - a.y);
+  R.yz = f * (a.y * a.z - a.x);
+  R.zy = f * (a.y * a.z + a.x);
+  return tm_mat_symmetric(tm_mat_mul(R, tm_mat_mul(tm_mat_from_sym(s), tm_mat_transposed(R))));
+}
+TM_FN void tm_sym_to_record(tm_real *record, int first, tm_sym3 s)
+{
+  tm_real p[6];
+  tm_sym_store(p, s);
+  for (int k = 0; k < 6; k++) record[tm_part(first + k)] = p[k];
+}
+
 
 TM_FN tm_mat3 tm_mat_add(tm_mat3 a, tm_mat3 b)
 {

@@ -39,6 +39,9 @@ EffectProbe::EffectProbe(ParticleState &s, StepResults &r, int particles) :
   plain(heat, fx & TM_FX_CONDUCTION, 1);
   plain(xsph_v, fx & TM_FX_XSPH, 3);
   plain(surface, fx & TM_FX_SURFACE, 3);
+  room(stab, fx & TM_FX_ONE_PASS, TM_REC_STAB, 2);
+  plain(moment, fx & TM_FX_ONE_PASS, 6);
+  plain(correction, fx & TM_FX_CORRECTION, 6);
   plain(artificial, results.rate_args().artificial != nullptr, 1);
 }
 
@@ -53,11 +56,13 @@ double EffectProbe::step(unsigned fx)
   r.xsph_v = xsph_v.loop_write();
   r.surface = surface.loop_write();
   r.artificial = artificial.loop_write();
+  r.moment = moment.loop_write();
 
   const tm_state now = particles_state.arrays();
   tm_predict_args p = results.predict_args(particles_state, now);
   p.rec = {main.loop_write(), stress.loop_write(), heat_record.loop_write(),
-           nullptr,           size.loop_write(),   hourglass.loop_write()};
+           nullptr,           size.loop_write(),   hourglass.loop_write(), stab.loop_write()};
+  p.correction = correction.loop_write();
 
   tm_update_args u = update_args(particles_state, results);
   for (int id = 0; id < TM_F_COUNT; id++) {
@@ -65,6 +70,7 @@ double EffectProbe::step(unsigned fx)
     u.state.field[id] = state[id].loop_write();
     loops.copy(u.state.field[id], now.field[id], state[id].bytes());
   }
+  u.moment = moment.loop_write();
   u.state.x = x.loop_write();
   u.state.v = v.loop_write();
   loops.copy(u.state.x, now.x, x.bytes());

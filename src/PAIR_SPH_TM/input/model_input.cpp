@@ -42,6 +42,7 @@ Settings read_settings(LAMMPS *lmp, int narg, char **arg)
                "and 4, got {}",
                arg[1]);
 
+  bool viscosity = false, artstress = false, hourglass = false, correction = false, tensile = false;    // given
   Keywords k(lmp, "Pair style sph/tm", narg - 2, arg + 2);
   while (k.next()) {
     if (k.is("spacing")) {
@@ -58,28 +59,48 @@ Settings read_settings(LAMMPS *lmp, int narg, char **arg)
                    k.what());
     } else if (k.is("viscosity")) {
       k.need(2);
+      viscosity = true;
       set.visc_alpha = k.not_negative("alpha");
       set.visc_beta = k.not_negative("beta");
     } else if (k.is("balsara")) set.balsara = k.yes();
     else if (k.is("artstress")) {
       k.need(2);
+      artstress = true;
       set.art_eps = k.share("epsilon");
       set.art_n = k.integer(1, 8, "exponent");
       if (k.take("component")) set.art_component = true;
       else if (k.take("principal")) set.art_component = false;
       if (k.take("balanced")) set.art_balanced = true;
     } else if (k.is("xsph")) set.xsph = k.share("epsilon");
-    else if (k.is("hourglass")) set.hourglass = k.share("xi");
+    else if (k.is("stabilize")) {
+      tensile = k.second("hourglass", "artstress");
+    } else if (k.is("hourglass")) {
+      hourglass = true;
+      if (k.take("auto")) set.hourglass = -1.0;
+      else {
+        set.hourglass = k.share("xi");
+        continue;
+      }
+    }
     else if (k.is("form")) set.form_f14 = k.second("f15", "f14");
-    else if (k.is("correction")) set.correction = k.yes();
+    else if (k.is("correction")) {
+      correction = true;
+      set.correction = k.yes();
+    }
     else if (k.is("plane")) set.plane_stress = k.second("strain", "stress");
     else if (k.is("precision")) set.mixed = k.second("double", "mixed");
     else
       error->all(FLERR,
                  "Unknown pair style sph/tm keyword {}: known are spacing, viscosity, "
-                 "balsara, artstress, hourglass, xsph, form, correction, plane, precision",
+                 "balsara, stabilize, artstress, hourglass, xsph, form, correction, plane, precision",
                  k.name());
   }
+  // artificial stress takes the place of hourglass control and corrected gradients, as in Fraser 2014
+  tensile = tensile || set.form_f14 || set.art_eps > 0.0;
+  if (tensile && !viscosity) set.visc_alpha = set.visc_beta = 1.0;
+  if (tensile && !artstress) set.art_eps = 0.3;
+  if (tensile && !hourglass) set.hourglass = 0.0;
+  if (tensile && !correction) set.correction = false;
   if (set.spacing <= 0.0) error->all(FLERR, "Pair style sph/tm needs the keyword spacing with the particle spacing");
   if (set.correction && set.form_f14) error->all(FLERR, "Pair style sph/tm correction yes needs form f15");
   set.h = set.ratio * set.spacing;

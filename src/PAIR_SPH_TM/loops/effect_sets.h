@@ -16,7 +16,8 @@ namespace SPHTM_NS {
 
 // kernel (5) x dimension (2) x {viscosity, artificial stress, conduction} (8) + extended (1)
 // + smoothing and viscosity x {artificial stress, conduction} (4)
-constexpr int RATE_SETS_PER_KERNEL = 2 * 13;
+// + one pass: viscosity x {conduction, smoothing} (4) + extended (1)
+constexpr int RATE_SETS_PER_KERNEL = 2 * 18;
 constexpr int RATE_SETS = TM_KERNEL_COUNT * RATE_SETS_PER_KERNEL;
 
 static constexpr unsigned rate_set(int index)
@@ -25,6 +26,13 @@ static constexpr unsigned rate_set(int index)
   const unsigned rest = index % RATE_SETS_PER_KERNEL;
   const unsigned set = rest / 2;
   unsigned effects = (kernel << TM_FX_KERNEL_SHIFT) | ((rest & 1u) ? unsigned(TM_FX_3D) : 0u);
+  if (set == 17) return effects | unsigned(TM_FX_ONE_PASS) | unsigned(TM_FX_EXTENDED);
+  if (set > 12) {
+    effects |= unsigned(TM_FX_ONE_PASS) | unsigned(TM_FX_VISCOSITY);
+    if ((set - 13) & 1u) effects |= unsigned(TM_FX_CONDUCTION);
+    if ((set - 13) & 2u) effects |= unsigned(TM_FX_SMOOTHING);
+    return effects;
+  }
   if (set == 8) return effects | unsigned(TM_FX_EXTENDED);
   if (set > 8) {
     effects |= unsigned(TM_FX_SMOOTHING) | unsigned(TM_FX_VISCOSITY);
@@ -44,7 +52,13 @@ static constexpr int is_3d(unsigned effects) { return (effects & TM_FX_3D) ? 1 :
 static constexpr int rate_set_index(unsigned effects)
 {
   int set = 0;
-  if ((effects & TM_FX_EXTENDED_MASK) == TM_FX_SMOOTHING && (effects & TM_FX_VISCOSITY))
+  constexpr unsigned rare =
+      (TM_FX_EXTENDED_MASK | unsigned(TM_FX_ARTSTRESS)) & ~(unsigned(TM_FX_SMOOTHING) | unsigned(TM_FX_CORRECTION));
+  if (effects & TM_FX_ONE_PASS)
+    set = (effects & rare) || !(effects & TM_FX_VISCOSITY)
+              ? 17
+              : 13 + ((effects & TM_FX_CONDUCTION) ? 1 : 0) + ((effects & TM_FX_SMOOTHING) ? 2 : 0);
+  else if ((effects & TM_FX_EXTENDED_MASK) == TM_FX_SMOOTHING && (effects & TM_FX_VISCOSITY))
     set = 9 + ((effects & TM_FX_ARTSTRESS) ? 1 : 0) + ((effects & TM_FX_CONDUCTION) ? 2 : 0);
   else if (effects & TM_FX_EXTENDED_MASK) set = 8;
   else
@@ -53,19 +67,21 @@ static constexpr int rate_set_index(unsigned effects)
   return kernel_of(effects) * RATE_SETS_PER_KERNEL + 2 * set + is_3d(effects);
 }
 
-constexpr int FEW_RATE_SETS = RATE_SETS_PER_KERNEL + 2 * (TM_KERNEL_COUNT - 1);
+constexpr int FEW_RATE_SETS = RATE_SETS_PER_KERNEL + 4 * (TM_KERNEL_COUNT - 1);
 
 static constexpr unsigned few_rate_set(int index)
 {
   if (index < RATE_SETS_PER_KERNEL) return rate_set(index);
   const unsigned k = index - RATE_SETS_PER_KERNEL;
-  return ((k / 2 + 1) << TM_FX_KERNEL_SHIFT) | unsigned(TM_FX_EXTENDED) | ((k & 1u) ? unsigned(TM_FX_3D) : 0u);
+  return ((k / 4 + 1) << TM_FX_KERNEL_SHIFT) | unsigned(TM_FX_EXTENDED) | ((k & 1u) ? unsigned(TM_FX_3D) : 0u) |
+         ((k & 2u) ? unsigned(TM_FX_ONE_PASS) : 0u);
 }
 
 static constexpr int few_rate_set_index(unsigned effects)
 {
   const int kernel = kernel_of(effects);
-  return kernel == 0 ? rate_set_index(effects) : RATE_SETS_PER_KERNEL + 2 * (kernel - 1) + is_3d(effects);
+  return kernel == 0 ? rate_set_index(effects)
+                     : RATE_SETS_PER_KERNEL + 4 * (kernel - 1) + ((effects & TM_FX_ONE_PASS) ? 2 : 0) + is_3d(effects);
 }
 
 // of the gradient correction and of hourglass control: kernel and dimension
@@ -78,7 +94,7 @@ static constexpr int kernel_set_index(unsigned effects) { return 2 * kernel_of(e
 
 // of the update; the prediction tells the forms of the momentum equation apart too
 constexpr unsigned RARE_IN_UPDATE =
-    TM_FX_DAMAGE | TM_FX_ENERGY | TM_FX_BALSARA | TM_FX_XSPH | TM_FX_PLANE_STRESS | TM_FX_SMOOTHING | TM_FX_HOURGLASS;
+    TM_FX_DAMAGE | TM_FX_ENERGY | TM_FX_BALSARA | TM_FX_XSPH | TM_FX_PLANE_STRESS | TM_FX_SMOOTHING;
 constexpr unsigned RARE_IN_PREDICTION = RARE_IN_UPDATE | TM_FX_FORM_F14;
 
 }    // namespace SPHTM_NS

@@ -4,6 +4,9 @@
 #include "pair_loops.h"
 
 #include <utility>
+#ifndef SPHTM_PROTO
+#define SPHTM_PROTO
+#endif
 
 namespace {
 
@@ -32,7 +35,7 @@ template <unsigned EFFECTS> void rates_of_set(int begin, int end, const tm_rates
 }
 template <int... INDEX> rate_range_t rates_of(int index, std::integer_sequence<int, INDEX...>)
 {
-  static const rate_range_t range[] = {rates_of_set<rate_set(INDEX)>...};
+  static const rate_range_t range[] = {rates_of_set<rate_set(INDEX SPHTM_PROTO)>...};
   return range[index];
 }
 void rates_in_double(int begin, int end, const tm_rates_args *args, unsigned effects)
@@ -68,8 +71,8 @@ void hourglass(int begin, int end, const tm_rates_args *args, unsigned effects)
   hourglass_of(kernel_set_index(effects), std::make_integer_sequence<int, KERNEL_SETS>())(begin, end, args);
 }
 
-// of the correction update needs one constant, of the others prediction and update need nothing
-constexpr unsigned TESTED = TM_FX_CORRECTION | TM_FX_ARTSTRESS;
+// few instructions of prediction and update depend on these: tested at run time
+constexpr unsigned TESTED = TM_FX_CORRECTION | TM_FX_ARTSTRESS | TM_FX_HOURGLASS | TM_FX_ONE_PASS;
 
 // in chunks, so that the records are still in the cache for the artificial stress
 template <unsigned SET, unsigned ASK> void predict_set(int begin, int end, const tm_predict_args *args, unsigned given)

@@ -60,6 +60,7 @@ typedef struct {
   tm_real *gradient;       /* 9, L row major, in rows of tm_layout.h */
   tm_real *heat;           /* conduction, power per volume, or NULL */
   tm_real *correction;     /* 6, K of tm_moment.h, with correction; read by the rate pass */
+  tm_real *moment;         /* 6, K of this force point, where the rate pass makes it */
   tm_real *xsph_v;         /* 3, with XSPH */
   tm_real *hourglass_rate; /* 3, with the hourglass control: tm_hourglass.h */
   tm_real *surface;        /* 3, with surface */
@@ -68,7 +69,7 @@ typedef struct {
 
 /* The records in the precision of pair arithmetic, and its units in those of the run (tm_single.h). */
 typedef struct {
-  const tm_pair *main, *stress, *heat, *correction, *size;
+  const tm_pair *main, *stress, *heat, *correction, *size, *stab;
   tm_real length, volume;
   tm_pair position;
 } tm_pair_records;
@@ -85,6 +86,7 @@ TM_FN tm_pair_records tm_pair_records_of(const tm_rates_args *a)
   r.heat = r.stress ? r.stress + tm_pair_part(TM_MORE_HEAT) : NULL;
   r.correction = a->single.correction;
   r.size = a->single.size;
+  r.stab = a->single.stab;
   r.length = a->single.length;
   r.volume = a->single.volume;
   r.position = (tm_pair) a->single.position;
@@ -94,6 +96,7 @@ TM_FN tm_pair_records tm_pair_records_of(const tm_rates_args *a)
   r.heat = a->rec.heat;
   r.correction = a->rec.correction;
   r.size = a->rec.size;
+  r.stab = a->rec.stab;
   r.length = r.volume = r.position = 1.0;
 #endif
   return r;

@@ -1,23 +1,31 @@
-/* SPH-TM: hourglass control: stiffness against zero-energy modes, a pass of its own.
+/* SPH-TM: hourglass control: stiffness against zero-energy modes.
 
-   Positions that alternate from particle to particle make no strain in sums over gradients, so no stress
-   acts against them; under tension the momentum sum makes them grow (tensile instability).
-   Each particle therefore has a displacement w against its neighborhood: what its velocity differs by
-   from the linear field that fits those of its neighbors best (weights m_j/rho_j W),
+   Positions that alternate from particle to particle make no strain in sums over gradients, so no stress acts against
+   them; under tension the momentum sum makes them grow (tensile instability). Each particle therefore has a displacement
+   w against its neighborhood, the integral of the velocity by which it is off the linear field of its neighbors,
 
-     dw_i/dt = v_i - a_i + Omega_i w_i - |D_i|/eps w_i,   min over a, B of sum_j m_j/rho_j W |v_j - a - B (x_j - x_i)|^2
+     dw_i/dt = r_i + Omega_i w_i - (d eps_p/dt)/e w_i
 
-   with the spin Omega and the rate of deformation D. A linear field, and so every homogeneous strain and
-   rotation, makes none, at free surfaces too. Hourglass control opposes the difference along the line between them:
+   with the spin Omega and the plastic strain eps_p; r is tm_residual_velocity(), or without corrected gradients in the
+   same pass what a fit of a linear field leaves (tm_hourglass_rate()). A linear field, and so every homogeneous strain and
+   rotation, makes none, at free surfaces too. A force along the line between two particles opposes the difference,
 
-     a_i = sum_j m_j k_ij/(rho_i rho_j) (w_i - w_j).x/r^2 gradW,   k_ij = 2 k_i k_j/(k_i + k_j),  k = xi rho c^2
+     a_i = sum_j m_j min(k_i, k_j)/rho_ij^2 (W_i - W_j).x/r^2 gradW,   k = rho c^2,   W = xi w + delta h/c r
 
-   central and equal and opposite: both momenta stay to round-off. xi is the stiffness over that of
-   longitudinal waves. Displacements are forgotten with the deformation, over a strain eps: so what has
-   flowed is not held back, while a pattern, which grows slowly, meets a stiff restoring force.
+   central and equal and opposite: both momenta stay to round-off.
 
-   Own construction; the idea of a penalty on what differs from the linear field is that of Ganzenmueller
-   2015 (doi 10.1016/j.cma.2014.12.005), there with positions of the reference state. */
+   xi is the stiffness over that of longitudinal waves. What it has to withstand is the tension itself, so it follows the
+   stress of the particle, xi = zeta (sigma_Mises + <-p>)/(rho c^2): nothing has to be chosen for rubber or for metal.
+   Displacements are forgotten with plastic strain, over e = TM_HOURGLASS_STRAIN in uniaxial tension and less where
+   pressure keeps particles together (tm_hourglass_memory()), so that flow that few particles resolve is hardly hindered.
+   delta damps what alternates in time as well; both vanish with the square of the spacing where fields are smooth.
+
+   Own construction; the idea of a penalty on what differs from the linear field is that of Ganzenmueller 2015
+   (doi 10.1016/j.cma.2014.12.005), there with positions of the reference state, and of Zhang et al. 2024
+   (arXiv 2409.11474), there of velocities of a pair.
+
+   With TM_FX_ONE_PASS the sums are taken in the rate pass (tm_rates.h), together with those of the gradient correction
+   of the next step; else in passes of their own, as total-Lagrangian pairs need it. */
 #ifndef TM_HOURGLASS_H
 #define TM_HOURGLASS_H
 
@@ -29,25 +37,54 @@
 #error "double only: displacements are small differences of velocities"
 #endif
 
-/* Strain over which displacements are forgotten. */
-#define TM_HOURGLASS_STRAIN 0.05
+/* Plastic strain over which displacements are forgotten in uniaxial tension, and the least share of it. */
+#define TM_HOURGLASS_STRAIN 0.0125
+#define TM_HOURGLASS_MEMORY 0.1
+/* zeta, the largest xi that follows from it, and delta. */
+#define TM_HOURGLASS_ZETA 12.0
+#define TM_HOURGLASS_MOST 2.0
+#define TM_HOURGLASS_DAMPING 0.1
 /* Least determinant of the second moment of the neighbors, over that of an even neighborhood: with less
    no linear field can be told. */
 #define TM_HOURGLASS_LEAST 0.02
 
-/* The particle's own w at the force point and k. A failed one, or one without strength, has none. */
-TM_FN void tm_hourglass_record(const tm_real *field, tm_real ahead, tm_real stiffness, tm_real *out)
+/* Stiffness over rho c^2 of a particle, >= 0: xi where it is given (>= 0), else from the deviator and the pressure. */
+TM_FN tm_real tm_hourglass_stiffness(tm_real xi, tm_sym3 s, tm_real p, tm_real rho_c2)
 {
-  for (int d = 0; d < 3; d++)
-    out[d] = stiffness > 0.0 ? field[tm_column(TM_G_W + d)] + ahead * field[tm_column(TM_G_RATE + d)] : 0.0;
-  out[TM_HOURGLASS_K] = stiffness;
+  if (xi >= 0.0) return xi;
+  return tm_min(TM_HOURGLASS_MOST, TM_HOURGLASS_ZETA * (tm_sym_mises(s) + tm_max(-p, 0.0)) / rho_c2);
 }
 
-/* w after a step with velocity gradient L and rate v - a. */
-TM_FN void tm_hourglass_step(tm_real *field, const tm_real *rate, tm_mat3 L, tm_real dt, int forget)
+/* Plastic strain over which displacements are forgotten, at flow stress and pressure: TM_HOURGLASS_STRAIN times an upper
+   bound of the largest principal stress over the flow stress, between TM_HOURGLASS_MEMORY and 1. */
+TM_FN tm_real tm_hourglass_memory(tm_real yield, tm_real p)
 {
-  const tm_sym3 D = tm_mat_symmetric(L);
-  const tm_real keep = forget ? 0.0 : 1.0 / (1.0 + dt * sqrt(tm_sym_ddot(D, D)) / TM_HOURGLASS_STRAIN);
+  const tm_real tension = yield > 0.0 ? (2.0 / 3.0) - p / yield : 1.0;
+  return TM_HOURGLASS_STRAIN * tm_max(tm_min(tension, 1.0), TM_HOURGLASS_MEMORY);
+}
+
+/* W at the force point, a length: stiffness xi, delay = delta h/c. */
+TM_FN tm_vec3 tm_hourglass_displacement(const tm_real *field, tm_real ahead, tm_real stiffness, tm_real delay)
+{
+  const tm_real *w = field + tm_column(TM_G_W), *rate = field + tm_column(TM_G_RATE);
+  const tm_real r = stiffness * ahead + delay;
+  return tm_vec(stiffness * w[0] + r * rate[0], stiffness * w[tm_column(1)] + r * rate[tm_column(1)],
+                stiffness * w[tm_column(2)] + r * rate[tm_column(2)]);
+}
+
+/* K of the last force point, turned to the one at the time `ahead` of the state; 1 where it is not known yet. */
+TM_FN tm_sym3 tm_turned_correction(const tm_real *field, tm_real ahead)
+{
+  if (field[0] == 0.0) return tm_sym(1, 1, 1, 0, 0, 0);
+  const tm_real *spin = field + tm_column(TM_K_SPIN), half = 0.5 * (ahead + field[tm_column(TM_K_SINCE)]);
+  return tm_sym_turned(tm_sym_from_row(field), tm_vec(half * spin[0], half * spin[tm_column(1)], half * spin[tm_column(2)]));
+}
+
+/* w after a step with velocity gradient L and rate r; forgotten: plastic strain of the step over tm_hourglass_memory(). */
+TM_FN void tm_hourglass_step(tm_real *field, const tm_real *rate, tm_mat3 L, tm_real dt, tm_real forgotten,
+                             int forget)
+{
+  const tm_real keep = forget ? 0.0 : 1.0 / (1.0 + forgotten);
   const tm_real x = field[tm_column(TM_G_W)], y = field[tm_column(TM_G_W + 1)], z = field[tm_column(TM_G_W + 2)];
   const tm_real sx = 0.5 * (L.zy - L.yz), sy = 0.5 * (L.xz - L.zx), sz = 0.5 * (L.yx - L.xy);
   const tm_real turn[3] = {sy * z - sz * y, sz * x - sx * z, sx * y - sy * x}, old[3] = {x, y, z};
@@ -84,16 +121,16 @@ TM_FN tm_vec3 tm_hourglass_rate(tm_real weights, tm_vec3 x, tm_vec3 v, tm_sym3 x
                 s * (vx.zx * b.x + vx.zy * b.y + vx.zz * b.z) - v.z * bx - v.z);
 }
 
-/* Columns of a chunk: x y z m v rho, w k, size, weight, factor of the force. */
+/* Columns of a chunk: x y z m v rho, W k, size, weight, factor of the force. */
 enum {
   TM_GCOL_W = TM_REC_P,
   TM_GCOL_SIZE = TM_GCOL_W + TM_REC_HOURGLASS,
   TM_GCOL_WEIGHT = TM_GCOL_SIZE + TM_REC_SIZE, /* m_j/rho_j W */
-  TM_GCOL_FORCE,                               /* m_j k_ij/(rho_i rho_j) W'/r^3 */
+  TM_GCOL_FORCE,                               /* m_j min(k_i, k_j)/(rho_i rho_j) W'/r^3 */
   TM_GCOLUMNS
 };
 
-/* Coefficients of the pair with neighbor l of a chunk; own: w and k of the particle. */
+/* Coefficients of the pair with neighbor l of a chunk; own: W and k of the particle. */
 TM_FN void tm_hourglass_coefficients(const tm_chunk *c, const tm_rates_args *a, int kernel, int dim3,
                                      const tm_real *own, tm_real rhoi, tm_values *col, int l)
 {
@@ -105,7 +142,7 @@ TM_FN void tm_hourglass_coefficients(const tm_chunk *c, const tm_rates_args *a, 
   const tm_real ki = own[TM_HOURGLASS_K], kj = col[TM_GCOL_W + TM_HOURGLASS_K][tm_at(l)];
   col[TM_GCOL_WEIGHT][tm_at(l)] = volume * p.norm * tm_kernel_shape(kernel, q);
   col[TM_GCOL_FORCE][tm_at(l)] =
-      volume * p.slope_norm * tm_kernel_slope(kernel, q) * 2.0 * ki * kj / ((ki + kj + 1e-300) * r2 * r * rhoi);
+      volume * p.slope_norm * tm_kernel_slope(kernel, q) * tm_min(ki, kj) / (r2 * r * rhoi);
 }
 
 /* Sums over the neighbors for tm_hourglass_rate() and the force. */
@@ -139,7 +176,7 @@ TM_FN void tm_hourglass_add(const tm_chunk *c, int dim3, const tm_real *own, con
   tm_pair_gradient(&s->xx, d, wx, dim3);
   tm_pair_gradient(&s->vx, v, wx, dim3);
 
-  const tm_lanes_vec across = tm_pair_difference(own, col + TM_GCOL_W, l, dim3); /* w_i - w_j */
+  const tm_lanes_vec across = tm_pair_difference(own, col + TM_GCOL_W, l, dim3); /* W_i - W_j */
   const tm_lanes along = tm_lanes_dot(across, d, dim3) * tm_values_load(col[TM_GCOL_FORCE], l);
   tm_pair_artificial(&s->acceleration, &s->artificial, tm_lanes_scale(along, d), v);
 }

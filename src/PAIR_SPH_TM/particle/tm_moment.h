@@ -18,12 +18,12 @@
 #include "tm_chunk.h"
 #include "tm_eigen.h"
 #include "tm_pair.h"
+#include "tm_residual.h"
 
 #if TM_SINGLE
 #error "double only: the correction of the gradients has the precision of the state"
 #endif
 
-#define TM_MOMENT_LOW 0.1
 
 /* M of row i of the arguments. */
 TM_FN tm_sym3 tm_moment_sum(int i, const tm_rates_args *a, unsigned effects)
@@ -73,7 +73,9 @@ TM_FN void tm_moment(int i, const tm_rates_args *a, unsigned effects)
   const tm_sym3 K = tm_sym_inverse_bounded(tm_moment_sum(i, a, effects), (effects & TM_FX_3D) != 0, TM_MOMENT_LOW);
   const tm_sym3 P = tm_sym_from_record(tm_main_record(&a->rec, i), TM_REC_P);
   tm_sym_store(a->correction + (ptrdiff_t) i * 6, K);
-  tm_mat_store(a->rec.correction + (ptrdiff_t) i * TM_REC_CORRECTION, tm_sym_mul(P, K));
+  const tm_mat3 PK = tm_sym_mul(P, K);
+  if (a->rec.stab) tm_mat_to_record(tm_stab_record(&a->rec, i), TM_STAB_PK, PK);
+  else tm_mat_store(a->rec.correction + (ptrdiff_t) i * TM_REC_CORRECTION, PK);
 }
 
 #endif

@@ -26,7 +26,9 @@ typedef struct {
   const tm_real *gradient; /* tm_gradient_table, with particles of their own size */
   int art_component;       /* nonzero: F14 (18) per component instead of principal axes */
   const tm_real *share;    /* tm_tensile_table where the artificial stress is balanced, else NULL */
-  tm_real hourglass;       /* xi, stiffness of hourglass control over rho c^2 */
+  tm_real hourglass;       /* xi of hourglass control, below 0: from the stress */
+  tm_real h;               /* smoothing length, of particles without a size of their own */
+  tm_real *correction;     /* 6, K at the force point, with one pass */
   tm_real ratio;           /* h over spacing, of particles without a size of their own */
 } tm_predict_args;
 
@@ -42,6 +44,34 @@ TM_FN tm_vec3 tm_predict_velocity(int i, const tm_predict_args *a)
     p[k] = v[k] + w.last * h1[c] + w.older * h2[c];
   }
   return tm_vec(p[0], p[1], p[2]);
+}
+
+/* What hourglass control exports; dev and p: stress of the material. Failed particles and those without strength have no
+   stiffness, only damping. */
+TM_FN void tm_predict_hourglass(int i, const tm_predict_args *a, tm_sym3 dev, tm_real p, unsigned effects)
+{
+  const tm_state *s = &a->state;
+  const tm_material *m = s->material + s->type[i];
+  const tm_real *r = tm_main_record(&a->rec, i), c = r[tm_part(TM_REC_C)];
+  const tm_real k = r[tm_part(TM_REC_RHO)] * c * c;
+  const int failed = (effects & TM_FX_DAMAGE) && tm_field_row(s, TM_F_DAMAGE, i)[tm_column(1)] > 0.5;
+  const tm_real xi = k > 0.0 && m->strength != TM_STRENGTH_NONE && !failed ? tm_hourglass_stiffness(a->hourglass, dev, p, k) : 0.0;
+  const tm_real delay = k > 0.0 ? TM_HOURGLASS_DAMPING * tm_particle_h(s, i, a->h, effects) / c : 0.0;
+  const tm_vec3 W = tm_hourglass_displacement(tm_field_row(s, TM_F_HOURGLASS, i), a->dt_ahead, xi, delay);
+  if (effects & TM_FX_ONE_PASS) {
+    tm_real *out = tm_stab_record(&a->rec, i);
+    out[tm_part(TM_STAB_W)] = W.x;
+    out[tm_part(TM_STAB_W + 1)] = W.y;
+    out[tm_part(TM_STAB_W + 2)] = W.z;
+    out[tm_part(TM_STAB_K)] = k;
+    out[tm_part(TM_STAB_C)] = c;
+  } else {
+    tm_real *out = a->rec.hourglass + (ptrdiff_t) i * TM_REC_HOURGLASS;
+    out[0] = W.x;
+    out[1] = W.y;
+    out[2] = W.z;
+    out[TM_HOURGLASS_K] = k;
+  }
 }
 
 /* The record of particle i, all but the artificial stress. */
@@ -95,11 +125,11 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
   if (effects & TM_FX_SMOOTHING)
     tm_size_record(tm_field_row(s, TM_F_SIZE, i), r[tm_part(TM_REC_M)] / rho_sum, a->gradient, tm_fx_kernel(effects),
                    (effects & TM_FX_3D) != 0, a->rec.size + (ptrdiff_t) i * TM_REC_SIZE);
-  if (effects & TM_FX_HOURGLASS) {
-    const int failed = (effects & TM_FX_DAMAGE) && tm_field_row(s, TM_F_DAMAGE, i)[tm_column(1)] > 0.5;
-    const int strong = m->body == TM_BODY_SOLID && m->strength != TM_STRENGTH_NONE && !failed;
-    tm_hourglass_record(tm_field_row(s, TM_F_HOURGLASS, i), a->dt_ahead, strong ? a->hourglass * rho_sum * c * c : 0.0,
-                        a->rec.hourglass + (ptrdiff_t) i * TM_REC_HOURGLASS);
+  if (effects & TM_FX_HOURGLASS) tm_predict_hourglass(i, a, dev, p, effects);
+  if (effects & TM_FX_ONE_PASS) {
+    const tm_sym3 K = tm_turned_correction(tm_field_row(s, TM_F_CORRECTION, i), a->dt_ahead);
+    tm_sym_store(a->correction + (ptrdiff_t) i * 6, K);
+    tm_mat_to_record(tm_stab_record(&a->rec, i), TM_STAB_PK, tm_sym_mul(P, K));
   }
   if (effects & TM_FX_HEAT) {
     const tm_real *t = tm_field_row(s, TM_F_TEMP, i);

@@ -28,6 +28,7 @@
 #include "tm_chunk.h"
 #include "tm_heat.h"
 #include "tm_pair.h"
+#include "tm_residual.h"
 #include "tm_tensor.h"
 
 /* Columns of a chunk: first the records, then what the pair functions make of them. */
@@ -36,7 +37,9 @@ enum {
   TM_COL_HEAT = TM_COL_STRESS + TM_REC_STRESS,
   TM_COL_CORRECTION = TM_COL_HEAT + TM_REC_HEAT,
   TM_COL_SIZE = TM_COL_CORRECTION + TM_REC_CORRECTION,
-  TM_COL_SLOPE = TM_COL_SIZE + TM_REC_SIZE, /* m_j W'/r */
+  TM_COL_STAB = TM_COL_SIZE + TM_REC_SIZE,
+  TM_COL_SLOPE = TM_COL_STAB + TM_REC_STAB, /* m_j W'/r */
+  TM_COL_HOURGLASS,                         /* m_j min(k_i, k_j)/rho_mean^2 W'/r^3 */
   TM_COL_TENSILE,                           /* f^n of the artificial stress */
   TM_COL_VISCOUS,                           /* Pi */
   TM_COL_CONDUCTED,                         /* power per volume into i */
@@ -47,7 +50,8 @@ enum {
 
 /* Terms of the rates: literals, but in the extended instantiation. */
 typedef struct {
-  int kernel, dim3, viscosity, artstress, conduction, form_f14, correction, balsara, xsph, surface, sizes;
+  int kernel, dim3, viscosity, artstress, conduction, form_f14, correction, balsara, xsph, surface, sizes,
+      one_pass;
 } tm_rates_terms;
 
 TM_FN tm_rates_terms tm_rates_terms_of(unsigned effects, unsigned run_time)
@@ -60,7 +64,8 @@ TM_FN tm_rates_terms tm_rates_terms_of(unsigned effects, unsigned run_time)
   t.artstress = (all & TM_FX_ARTSTRESS) != 0;
   t.conduction = (all & TM_FX_CONDUCTION) != 0;
   t.form_f14 = (all & TM_FX_FORM_F14) != 0;
-  t.correction = (all & TM_FX_CORRECTION) != 0;
+  t.one_pass = (effects & TM_FX_ONE_PASS) != 0;
+  t.correction = !t.one_pass && (all & TM_FX_CORRECTION) != 0;
   t.balsara = (all & TM_FX_BALSARA) != 0;
   t.xsph = (all & TM_FX_XSPH) != 0;
   t.surface = (all & TM_FX_SURFACE) != 0;
@@ -73,6 +78,7 @@ typedef struct {
   tm_pair r[TM_REC];       /* main record */
   tm_pair stress[TM_MORE]; /* artificial stress */
   tm_pair correction[TM_REC_CORRECTION];
+  tm_pair stab[TM_REC_STAB];
   tm_pair T, k; /* temperature, conductivity */
   tm_pair inv_rho;
   tm_pair mass, volume; /* in single, where weights are symmetric; else 1 */
@@ -99,6 +105,7 @@ TM_FN void tm_rates_load(int i, const tm_rates_args *a, const tm_rates_terms *t,
   if (t->correction)
     for (int c = 0; c < TM_REC_CORRECTION; c++)
       own->correction[c] = rec->correction[(ptrdiff_t) i * TM_REC_CORRECTION + c];
+  if (t->one_pass) tm_fetch(rec->stab + tm_pair_record(i, TM_REC_STAB), TM_STAB_FETCHED, own->stab);
   own->visc_alpha = (tm_pair) a->visc_alpha;
   own->visc_beta = (tm_pair) a->visc_beta;
   own->norm_of_one = (tm_pair) a->norm_of_one;
@@ -110,7 +117,10 @@ TM_FN void tm_rates_fetch(const tm_chunk *c, const int *jj, const tm_rates_terms
                           tm_values *col)
 {
   const int all = TM_COLUMN > 1 || TM_SINGLE || t->viscosity;
-  tm_chunk_fetch_main(c, jj, all ? TM_REC : TM_REC_C, t->dim3, col);
+  const int bare = t->one_pass && !t->balsara; /* P and c are in the other record */
+  tm_chunk_fetch_main(c, jj, bare ? TM_REC_P : all ? TM_REC : TM_REC_C, t->dim3, col);
+  if (t->one_pass)
+    tm_fetch_records(rec->stab, TM_REC_STAB, 0, TM_STAB_FETCHED, jj, c->lanes, col[TM_COL_STAB]);
   if (t->artstress) /* in single with heat behind it, whose columns begin within a group of four */
     tm_fetch_records(rec->stress, TM_STRESS_COLUMNS, 0, TM_STRESS_COLUMNS, jj, c->lanes, col[TM_COL_STRESS]);
   else if (TM_SINGLE && t->conduction)
@@ -130,18 +140,27 @@ TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, con
   const tm_pair_size p = tm_chunk_pair_size(c, col + TM_COL_SIZE, l, &own->norm_of_one, t->dim3);
   const tm_pair r2 = dx * dx + dy * dy + dz * dz, r = tm_pair_sqrt(r2), q = r * p.inv_h;
   const tm_pair mj = col[TM_REC_M][tm_at(l)], rhoj = col[TM_REC_RHO][tm_at(l)];
-  tm_pair inv_r;
+  const tm_pair *c_of = t->one_pass ? col[TM_COL_STAB + TM_STAB_C] : col[TM_REC_C];
+  tm_pair inv_r, inv_rho_sum;
   if (t->viscosity) {
     const tm_pair vx = own->r[4] - col[4][tm_at(l)], vy = own->r[5] - col[5][tm_at(l)];
     const tm_pair vz = t->dim3 ? own->r[6] - col[6][tm_at(l)] : 0;
     tm_pair pi = tm_viscosity_pair(own->visc_alpha, own->visc_beta, p.h, vx * dx + vy * dy + vz * dz, r2, r,
-                                   TM_PAIR(0.5) * (own->r[TM_REC_C] + col[TM_REC_C][tm_at(l)]),
-                                   own->r[TM_REC_RHO] + rhoj, &inv_r);
+                                   TM_PAIR(0.5) * (own->r[TM_REC_C] + c_of[tm_at(l)]), own->r[TM_REC_RHO] + rhoj,
+                                   &inv_r, &inv_rho_sum);
     if (t->balsara) pi *= TM_PAIR(0.5) * (own->r[TM_REC_BALSARA] + col[TM_REC_BALSARA][tm_at(l)]);
     col[TM_COL_VISCOUS][tm_at(l)] = pi;
-  } else inv_r = 1 / r;
+  } else {
+    inv_r = 1 / r;
+    inv_rho_sum = t->one_pass ? 1 / (own->r[TM_REC_RHO] + rhoj) : 0;
+  }
   const tm_pair g = p.slope_norm * tm_kernel_slope(t->kernel, q) * inv_r; /* W'/r */
   col[TM_COL_SLOPE][tm_at(l)] = mj * own->mass * g;
+  if (t->one_pass) {
+    const tm_pair stiffness = tm_pair_min(own->stab[TM_STAB_K], col[TM_COL_STAB + TM_STAB_K][tm_at(l)]);
+    const tm_pair per = 2 * inv_rho_sum * inv_r;
+    col[TM_COL_HOURGLASS][tm_at(l)] = mj * own->mass * g * stiffness * (per * per);
+  }
   if (t->artstress) col[TM_COL_TENSILE][tm_at(l)] = tm_power_int(tm_kernel_shape(t->kernel, q) * p.inv_w, own->art_n);
   if (t->conduction) /* F15 (6) */
     col[TM_COL_CONDUCTED][tm_at(l)] =
@@ -157,6 +176,9 @@ typedef struct {
   tm_sum_mat gradient;
   tm_sum_vec acceleration, xsph, surface;
   tm_sum artificial, heat;
+  tm_sum_sym moment;   /* with one pass: sums of -d (x) g, g, g d and g v, g = m_j W'/r */
+  tm_sum weights;
+  tm_sum_vec gd, gv;
 } tm_rates_sums;
 
 TM_FN tm_rates_sums tm_rates_sums_zero(void)
@@ -164,7 +186,9 @@ TM_FN tm_rates_sums tm_rates_sums_zero(void)
   tm_rates_sums s;
   s.gradient = tm_sum_mat_zero();
   s.acceleration = s.xsph = s.surface = tm_sum_vec_zero();
-  s.artificial = s.heat = tm_lanes_zero();
+  s.artificial = s.heat = s.weights = tm_lanes_zero();
+  s.moment = tm_sum_sym_zero();
+  s.gd = s.gv = tm_sum_vec_zero();
   return s;
 }
 
@@ -187,7 +211,9 @@ TM_FN void tm_rates_add(const tm_chunk *c, const tm_rates_terms *t, const tm_rat
   /* momentum F15 (4), F14 (6) and (15); corrected: P K for P */
   tm_sum_vec *a = &s->acceleration;
   const tm_lanes_vec g_momentum = t->form_f14 ? tm_lanes_scale(own->inv_rho + zero, g) : m_gradw;
-  if (t->correction)
+  if (t->one_pass)
+    tm_pair_momentum(a, tm_pair_tensor_sum(own->stab + TM_STAB_PK, col + TM_COL_STAB + TM_STAB_PK, l), m_gradw, dim3);
+  else if (t->correction)
     tm_pair_momentum(a, tm_pair_tensor_sum(own->correction, col + TM_COL_CORRECTION, l), g_momentum, dim3);
   else tm_pair_momentum(a, tm_pair_symmetric_sum(own->r + TM_REC_P, col + TM_REC_P, l), g_momentum, dim3);
 
@@ -197,11 +223,45 @@ TM_FN void tm_rates_add(const tm_chunk *c, const tm_rates_terms *t, const tm_rat
     artificial = tm_pair_artificial_stress(tm_pair_symmetric_sum(own->stress, col + TM_COL_STRESS, l),
                                            tm_values_load(col[TM_COL_TENSILE], l), m_gradw, dim3);
   if (t->viscosity) tm_pair_viscosity(&artificial, tm_values_load(col[TM_COL_VISCOUS], l), m_gradw);
-  if (t->artstress || t->viscosity) tm_pair_artificial(a, &s->artificial, artificial, v);
+  if (t->one_pass) {
+    const tm_lanes slope = tm_values_load(col[TM_COL_SLOPE], l);
+    const tm_lanes_vec across = tm_pair_difference(own->stab + TM_STAB_W, col + TM_COL_STAB + TM_STAB_W, l, dim3);
+    const tm_lanes along = tm_lanes_dot(across, d, dim3) * tm_values_load(col[TM_COL_HOURGLASS], l);
+    artificial.x += along * d.x;
+    artificial.y += along * d.y;
+    if (dim3) artificial.z += along * d.z;
+    tm_pair_moment(&s->moment, d, m_gradw, dim3);
+    s->weights += slope;
+    tm_sum_vec_add(&s->gd, m_gradw);
+    tm_sum_vec_add(&s->gv, tm_lanes_scale(slope, v));
+  }
+  if (t->artstress || t->viscosity || t->one_pass) tm_pair_artificial(a, &s->artificial, artificial, v);
 
   if (t->conduction) s->heat += tm_values_load(col[TM_COL_CONDUCTED], l); /* F15 (6) */
   if (t->xsph) tm_pair_xsph(&s->xsph, tm_values_load(col[TM_COL_SMOOTH], l), v);
   if (t->surface) tm_sum_vec_add(&s->surface, tm_lanes_scale(per_rho, m_gradw));
+}
+
+/* With one pass: the correction at this force point, and the rate of the displacement of hourglass control. */
+TM_FN void tm_rates_store_stabilized(int i, const tm_rates_args *a, const tm_rates_terms *t, const tm_pair_records *rec,
+                                     const tm_rates_own *own, const tm_rates_sums *s, tm_mat3 L)
+{
+  const tm_sum none = tm_lanes_zero();
+  const tm_sum all[16] = {s->moment.xx, s->moment.yy, s->moment.zz, s->moment.xy, s->moment.xz, s->moment.yz,
+                          s->weights,   s->gd.x,      s->gd.y,      s->gd.z,      s->gv.x,      s->gv.y,
+                          s->gv.z,      none,         none,         none};
+  tm_real sum[16];
+  tm_lanes_sums(all, 16, sum);
+  const tm_real length = TM_SINGLE ? rec->length : 1.0;
+  const tm_real per_rho = (TM_SINGLE ? 1.0 / own->r[TM_REC_M] : 1.0) / own->r[TM_REC_RHO];
+  const tm_sym3 M = tm_sym_scale(per_rho, tm_sym_load(sum));
+  tm_sym_store(a->moment + (ptrdiff_t) i * 6, tm_sym_inverse_bounded(M, t->dim3, TM_MOMENT_LOW));
+  const tm_vec3 rate = tm_residual_velocity(sum[6], tm_vec(length * sum[7], length * sum[8], length * sum[9]),
+                                            tm_vec(sum[10], sum[11], sum[12]), L);
+  tm_real *out = a->hourglass_rate + 3 * (ptrdiff_t) i;
+  out[0] = rate.x;
+  out[1] = rate.y;
+  out[2] = rate.z;
 }
 
 /* Sums of particle i, in the units of pair arithmetic, into the results. */
@@ -222,7 +282,7 @@ TM_FN void tm_rates_store(int i, const tm_rates_args *a, const tm_rates_terms *t
   const tm_real *acceleration = L + 9;
   tm_lanes_sums(all, 16, L);
   for (int k = 0; k < 9; k++) L[k] *= lscale;
-  if (t->correction) {
+  if (t->correction || t->one_pass) {
     const tm_sym3 K = tm_sym_load(a->correction + (ptrdiff_t) i * 6);
     for (int r = 0; r < 9; r += 3) {
       const tm_vec3 l = tm_sym_mul_vec(K, tm_vec(L[r], L[r + 1], L[r + 2]));
@@ -237,7 +297,8 @@ TM_FN void tm_rates_store(int i, const tm_rates_args *a, const tm_rates_terms *t
   double *f = a->force + 3 * (ptrdiff_t) i;
   const int begins = a->force_begins;
   for (int d = 0; d < 3; d++) f[d] = (begins ? 0.0 : f[d]) + mf * acceleration[d];
-  if ((t->artstress || t->viscosity) && a->artificial) a->artificial[i] = 0.5 * per_force * L[12];
+  if (t->one_pass) tm_rates_store_stabilized(i, a, t, rec, own, s, tm_mat_load(L));
+  if ((t->artstress || t->viscosity || t->one_pass) && a->artificial) a->artificial[i] = 0.5 * per_force * L[12];
   if (t->conduction) a->heat[i] = TM_SINGLE ? L[13] * per_length * per_length / own->volume : L[13];
   if (t->xsph) {
     tm_real *u = a->xsph_v + 3 * (ptrdiff_t) i;

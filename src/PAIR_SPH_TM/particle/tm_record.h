@@ -32,6 +32,11 @@ enum { TM_SIZE_INV_H = 0, TM_SIZE_FACTOR = 1, TM_SIZE_TENSILE = 2, TM_SIZE_DP = 
 /* displacement against the neighborhood x y z, stiffness against it (pressure); see tm_hourglass.h */
 enum { TM_HOURGLASS_K = 3, TM_REC_HOURGLASS = 4 };
 
+/* With both in the rate pass (TM_FX_ONE_PASS): P K row major, the displacement of hourglass control with the share of its
+   rate that damps, rho c^2, longitudinal sound speed; the rest is not used. */
+enum { TM_STAB_PK = 0, TM_STAB_W = 9, TM_STAB_K = 12, TM_STAB_C = 13, TM_STAB_USED = 14, TM_REC_STAB = 16 };
+enum { TM_STAB_FETCHED = TM_SINGLE ? (int) TM_REC_STAB : (int) TM_STAB_USED }; /* columns that come together */
+
 typedef struct {
   tm_real *main;       /* TM_REC per particle, owned and ghost */
   tm_real *stress;     /* TM_REC_STRESS, or NULL */
@@ -39,6 +44,7 @@ typedef struct {
   tm_real *correction; /* TM_REC_CORRECTION, or NULL */
   tm_real *size;       /* TM_REC_SIZE, or NULL: all particles have the size of the pair style */
   tm_real *hourglass;  /* TM_REC_HOURGLASS, or NULL */
+  tm_real *stab;       /* TM_REC_STAB, or NULL */
 } tm_records;
 
 /* The same for pair arithmetic in single, see tm_single.h. */
@@ -49,6 +55,7 @@ typedef struct {
   float *more;       /* TM_MORE, or NULL; 4 columns together */
   float *correction; /* TM_REC_CORRECTION, or NULL */
   float *size;       /* TM_REC_SIZE, or NULL */
+  float *stab;       /* TM_REC_STAB, or NULL; 4 columns together */
   tm_real length;    /* lengths are in units of this */
   tm_real volume;    /* masses in density times this, length^dim */
   tm_real position;  /* unit of positions, in units of length */
@@ -57,6 +64,7 @@ typedef struct {
 /* Record of particle i; column c is its entry tm_part(c). */
 TM_FN tm_real *tm_main_record(const tm_records *rec, int i) { return rec->main + tm_record(i, TM_REC); }
 TM_FN tm_real *tm_stress_record(const tm_records *rec, int i) { return rec->stress + tm_record(i, TM_REC_STRESS); }
+TM_FN tm_real *tm_stab_record(const tm_records *rec, int i) { return rec->stab + tm_record(i, TM_REC_STAB); }
 TM_FN tm_real *tm_heat_record(const tm_records *rec, int i) { return rec->heat + tm_record(i, TM_REC_HEAT); }
 
 #endif

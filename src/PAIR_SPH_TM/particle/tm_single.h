@@ -62,10 +62,18 @@ TM_FN void tm_single(int i, const tm_single_args *a, unsigned effects)
     for (int c = 0; c < TM_REC_HEAT; c++)
       more[tm_packed_part(TM_MORE_HEAT + c, 4)] = (effects & TM_FX_CONDUCTION) ? (float) t[tm_part(c)] : 0;
   }
-  if (effects & TM_FX_CORRECTION)
+  if (s->correction)
     for (int c = 0; c < TM_REC_CORRECTION; c++)
       s->correction[(ptrdiff_t) i * TM_REC_CORRECTION + c] =
           (float) a->rec.correction[(ptrdiff_t) i * TM_REC_CORRECTION + c];
+  if (s->stab) {
+    const tm_real *q = tm_stab_record(&a->rec, i);
+    float *out_stab = s->stab + tm_packed(i, TM_REC_STAB, 4);
+    for (int c = 0; c < TM_REC_STAB; c++)
+      out_stab[tm_packed_part(c, 4)] = c < TM_STAB_USED
+          ? (float) (c >= TM_STAB_W && c < TM_STAB_K ? q[tm_part(c)] / s->length : q[tm_part(c)])
+          : 0.0f;
+  }
   if (effects & TM_FX_SMOOTHING) {
     const tm_real *z = a->rec.size + (ptrdiff_t) i * TM_REC_SIZE;
     float *size = s->size + (ptrdiff_t) i * TM_REC_SIZE;

@@ -39,13 +39,14 @@ typedef struct {
   tm_state state;
   tm_records rec;
   const tm_real *gradient, *heat, *xsph_v, *hourglass_rate, *artificial;
+  const tm_real *moment; /* K of the force point, with one pass */
   const tm_real *share; /* of the balanced artificial stress, see tm_predict.h */
   tm_real ratio;
   const double *force_internal; /* force of the pair style alone, with the ledger */
   tm_real *source;              /* heat given to the particle by contact and fluxes (power); emptied */
   int group;                    /* x and v are integrated for these */
   tm_real dt, visc_alpha;
-  tm_real hourglass;        /* xi of hourglass control, 0: none */
+  tm_real hourglass;        /* xi of hourglass control, below 0: from the stress */
   tm_real h;                /* smoothing length of all, where particles have none of their own */
   tm_real accel_unit;       /* force of the unit style / mass -> acceleration */
   tm_real temperature;      /* of every particle where heat is off */
@@ -231,6 +232,16 @@ TM_FN void tm_update_balsara(int i, const tm_state *s, tm_mat3 L, tm_real sound,
   *tm_field_row(s, TM_F_BALSARA, i) = tm_balsara(tm_mat_trace(L), tm_vec_norm(curl), sound, h);
 }
 
+/* The correction of the gradients, for the next force point. */
+TM_FN void tm_update_correction(tm_real *row, const tm_real *K, tm_mat3 L, tm_real since)
+{
+  tm_sym_to_row(row, tm_sym_load(K));
+  row[tm_column(TM_K_SPIN)] = L.zy - L.yz;
+  row[tm_column(TM_K_SPIN + 1)] = L.xz - L.zx;
+  row[tm_column(TM_K_SPIN + 2)] = L.yx - L.xy;
+  row[tm_column(TM_K_SINCE)] = since;
+}
+
 /* What of a solid particle cannot go on, enum tm_status; v2: its speed squared, others: a sum of its other fields. */
 TM_FN int tm_update_status(const tm_update_args *a, const tm_material *m, const tm_point *q, tm_real v2, tm_real sound,
                            tm_real others, int failed)
@@ -321,8 +332,10 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     }
     if (effects & TM_FX_BALSARA) tm_update_balsara(i, s, L, rec[tm_part(TM_REC_C)], h);
     if (effects & TM_FX_HOURGLASS)
-      tm_hourglass_step(tm_field_row(s, TM_F_HOURGLASS, i), a->hourglass_rate + 3 * (ptrdiff_t) i, L, a->dt,
+      tm_hourglass_step(tm_field_row(s, TM_F_HOURGLASS, i), a->hourglass_rate + 3 * (ptrdiff_t) i, L, a->dt, q.d_eps / tm_hourglass_memory(q.yield, q.p),
                         failed || m->strength == TM_STRENGTH_NONE);
+    if (effects & TM_FX_ONE_PASS)
+      tm_update_correction(tm_field_row(s, TM_F_CORRECTION, i), a->moment + (ptrdiff_t) i * 6, L, 0.5 * a->dt);
     if (effects & TM_FX_HEAT) out.heat = tm_update_temperature(i, a, m, q.rho, q.yield * q.d_eps * inv_dt, effects);
     if (effects & TM_FX_LEDGER) {
       out.plastic = mass * plastic;
@@ -331,7 +344,10 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       out.artificial = artificial;
     }
 
-    out.dt[TM_DT_SOUND] = tm_sound_time_step(h, rec[tm_part(TM_REC_C)], a->visc_alpha, a->hourglass, effects);
+    const tm_real sound = rec[tm_part(TM_REC_C)];
+    const tm_real xi =
+        (effects & TM_FX_HOURGLASS) ? tm_hourglass_stiffness(a->hourglass, q.s, q.p, q.rho * sound * sound) : 0.0;
+    out.dt[TM_DT_SOUND] = tm_sound_time_step(h, sound, a->visc_alpha, xi, effects);
     out.dt[TM_DT_FORCE] = tm_force_time_step(h, sqrt(tm_vec_dot(acc, acc)));
     const double *v = s->v + 3 * (ptrdiff_t) i;
     const tm_real v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];

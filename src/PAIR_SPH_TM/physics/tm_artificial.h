@@ -20,13 +20,14 @@
 /* r^2 + 0.01 h^2, in the denominator of mu */
 TM_FN tm_pair tm_viscosity_soft2(tm_pair h, tm_pair r2) { return r2 + TM_PAIR(0.01) * h * h; }
 
-/* [hot] Pi_ij, and 1/r with the same division. vx = v_ij.x_ij, r2 = r^2, rho_sum = rho_i + rho_j, h > 0, r > 0. */
+/* [hot] Pi_ij, and 1/r and 1/rho_sum with the same division. vx = v_ij.x_ij, r2 = r^2, rho_sum = rho_i + rho_j, h > 0, r > 0. */
 TM_FN tm_pair tm_viscosity_pair(tm_pair alpha, tm_pair beta, tm_pair h, tm_pair vx, tm_pair r2, tm_pair r,
-                                tm_pair c_mean, tm_pair rho_sum, tm_pair *inv_r)
+                                tm_pair c_mean, tm_pair rho_sum, tm_pair *inv_r, tm_pair *inv_rho_sum)
 {
   const tm_pair soft2 = tm_viscosity_soft2(h, r2), inv = 1 / (r2 * (soft2 * rho_sum));
   const tm_pair mu = h * tm_pair_min(vx, 0) * (r2 * rho_sum * inv);
   *inv_r = r * (soft2 * rho_sum) * inv;
+  *inv_rho_sum = r2 * soft2 * inv;
   return (beta * mu - alpha * c_mean) * mu * (2 * (r2 * soft2) * inv);
 }
 

@@ -28,6 +28,9 @@ typedef struct {
 typedef struct {
   tm_sum xx, xy, xz, yx, yy, yz, zx, zy, zz;
 } tm_sum_mat;
+typedef struct {
+  tm_sum xx, yy, zz, xy, xz, yz;
+} tm_sum_sym;
 
 TM_FN tm_sum_vec tm_sum_vec_zero(void)
 {
@@ -39,6 +42,12 @@ TM_FN tm_sum_mat tm_sum_mat_zero(void)
 {
   const tm_sum o = tm_lanes_zero();
   const tm_sum_mat s = {o, o, o, o, o, o, o, o, o};
+  return s;
+}
+TM_FN tm_sum_sym tm_sum_sym_zero(void)
+{
+  const tm_sum o = tm_lanes_zero();
+  const tm_sum_sym s = {o, o, o, o, o, o};
   return s;
 }
 TM_FN void tm_sum_vec_add(tm_sum_vec *s, tm_lanes_vec a)
@@ -119,6 +128,19 @@ TM_FN void tm_pair_gradient(tm_sum_mat *L, tm_lanes_vec v, tm_lanes_vec g, int d
     L->zx -= v.z * g.x; L->zy -= v.z * g.y; L->zz -= v.z * g.z;
   }
   /* clang-format on */
+}
+
+/* M -= d (x) g, symmetric, g along d */
+TM_FN void tm_pair_moment(tm_sum_sym *M, tm_lanes_vec d, tm_lanes_vec g, int dim3)
+{
+  M->xx -= d.x * g.x;
+  M->yy -= d.y * g.y;
+  M->xy -= d.x * g.y;
+  if (dim3) {
+    M->zz -= d.z * g.z;
+    M->xz -= d.x * g.z;
+    M->yz -= d.y * g.z;
+  }
 }
 
 /* a += P g */

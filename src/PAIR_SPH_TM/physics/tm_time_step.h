@@ -28,7 +28,7 @@ enum tm_dt_cause {
 TM_FN tm_real tm_sound_time_step(tm_real h, tm_real c, tm_real visc_alpha, tm_real hourglass, unsigned effects)
 {
   tm_real turn = (effects & TM_FX_CORRECTION) ? 2.2 : 1.0;
-  if (effects & TM_FX_HOURGLASS) turn = sqrt(turn * turn + 3.0 * hourglass);
+  if (effects & TM_FX_HOURGLASS) turn = sqrt(turn * turn + 3.0 * tm_max(hourglass, 0.0));
   return h / (c * tm_max(turn, 2.0 * visc_alpha));
 }
 

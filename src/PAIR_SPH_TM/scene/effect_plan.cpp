@@ -68,7 +68,8 @@ namespace {
 // why effects are on; the first reason counts
 struct Reasons {
   const Model &model;
-  std::map<unsigned, std::string> why = {};
+  std::map<unsigned, std::string> why;
+  bool every_pair_stored;
   bool mechanics = false, solid = false, softens = false;
   std::string conducts = {};    // the first material that does
 
@@ -120,9 +121,10 @@ void Reasons::settings()
   const Settings &set = model.settings_in_use();
   if ((set.visc_alpha > 0.0 || set.visc_beta > 0.0) && mechanics) on(TM_FX_VISCOSITY, "pair_style viscosity is not 0");
   if (set.art_eps > 0.0 && solid) on(TM_FX_ARTSTRESS, "pair_style artstress is not 0");
-  if (set.correction) on(TM_FX_CORRECTION, "pair_style correction yes");
+  if (set.correction && mechanics) on(TM_FX_CORRECTION, "pair_style correction yes");
   if (set.balsara) on(TM_FX_BALSARA, "pair_style balsara yes");
-  if (set.hourglass > 0.0 && solid) on(TM_FX_HOURGLASS, "pair_style hourglass is not 0");
+  if (set.hourglass != 0.0 && mechanics && !(every_pair_stored && set.hourglass < 0.0))
+    on(TM_FX_HOURGLASS, "pair_style hourglass is not 0");
   if (set.xsph > 0.0) on(TM_FX_XSPH, "pair_style xsph is not 0");
   if (model.has_contact_pairs()) on(TM_FX_BODIES, "pair_coeff contact");
 }
@@ -141,7 +143,7 @@ bool EffectPlan::ask(unsigned effect, const std::string &reason)
 void EffectPlan::derive(const Model &model, int dimension)
 {
   const Settings &set = model.settings_in_use();
-  Reasons r{model};
+  Reasons r{model, {}, every_pair_stored};
   r.materials();
   r.contacts();
   for (const auto &a : asked) r.on(a.first, a.second);
@@ -170,6 +172,7 @@ void EffectPlan::derive(const Model &model, int dimension)
   if (set.plane_stress) effects |= TM_FX_PLANE_STRESS;
   if (set.mixed) effects |= TM_FX_MIXED;
   for (const auto &w : r.why) effects |= w.first;
+  if ((effects & TM_FX_CORRECTION) && (effects & TM_FX_HOURGLASS) && !separate_passes) effects |= TM_FX_ONE_PASS;
   write_report(r.why);
 }
 

@@ -28,6 +28,16 @@ class EffectPlan {
   bool ask(unsigned effect, const std::string &reason);    // false: it was asked for already
   bool wants(unsigned effect) const { return ((effects | forced_on | asked_for) & effect) != 0; }
 
+  // gradient correction and hourglass control have passes of their own, as total-Lagrangian pairs need it
+  // (all_stored: of all particles for good, which need no hourglass control unless it is asked for)
+  bool separate(bool all_stored)
+  {
+    const bool changed = !separate_passes || every_pair_stored != all_stored;
+    separate_passes = true;
+    every_pair_stored = all_stored;
+    return changed;
+  }
+
   void derive(const Model &, int dimension);
 
   unsigned effects = 0;
@@ -37,6 +47,7 @@ class EffectPlan {
   std::string contradiction;    // what makes the set impossible, or empty
 
  private:
+  bool separate_passes = false, every_pair_stored = false;
   unsigned forced_on = 0, forced_off = 0, asked_for = 0;
   std::vector<std::pair<unsigned, std::string>> asked;
   void warn(const std::map<unsigned, std::string> &why, bool softens);

@@ -29,13 +29,13 @@ struct Settings {
   double ratio = 1.2;    // h / spacing
   double spacing = 0.0;
   double h = 0.0;
-  double visc_alpha = 1.0, visc_beta = 1.0;
-  double art_eps = 0.3;
+  double visc_alpha = 0.0, visc_beta = 1.0;
+  double art_eps = 0.0;
   int art_n = 4;
   bool art_component = false, art_balanced = false;
   double xsph = 0.0;
-  double hourglass = 0.0;    // stiffness over that of longitudinal waves
-  bool form_f14 = false, correction = false, balsara = false, plane_stress = false;
+  double hourglass = -1.0;    // stiffness over that of longitudinal waves; below 0: from the stress
+  bool form_f14 = false, correction = true, balsara = false, plane_stress = false;
   bool mixed = false;    // pair arithmetic in single
 };
 

@@ -59,6 +59,12 @@ void ParticleState::need(unsigned effect, const std::string &reason)
   if (scene->has_pair() && used_model == &scene->model()) derive_effects();    // else at the next init
 }
 
+void ParticleState::need_separate_passes(bool all_stored)
+{
+  if (!plan.separate(all_stored) || !used_model) return;
+  if (scene->has_pair() && used_model == &scene->model()) derive_effects();
+}
+
 void ParticleState::init(Model &model)
 {
   used_model = &model;

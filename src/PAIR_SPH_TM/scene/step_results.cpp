@@ -20,12 +20,14 @@ StepResults::StepResults(LAMMPS *lmp, Backend &where, Model &m) :
 {
   rec_main.live_in(where, TM_REC, 2);
   rec_stress.live_in(where, TM_REC_STRESS, 2);
+  rec_stab.live_in(where, TM_REC_STAB, 2);
   gradient.live_in(where, 9);
   for (auto *a : {&rec_heat, &rec_correction, &rec_size, &rec_hourglass, &heat, &correction, &xsph_v, &hourglass_rate,
-                  &surface, &artificial, &near_count, &tally, &force_internal})
+                  &moment, &surface, &artificial, &near_count, &tally, &force_internal})
     a->live_in(where);
   single_main.live_in(where, TM_REC, 4);
   single_more.live_in(where, TM_MORE, 4);
+  single_stab.live_in(where, TM_REC_STAB, 4);
   for (auto *a : {&single_correction, &single_size}) a->live_in(where);
 }
 
@@ -35,9 +37,12 @@ void StepResults::resize(const ParticleState &state)
   rec_main.make_room(true, all * TM_REC);
   rec_stress.make_room(state.has(TM_FX_ARTSTRESS), all * TM_REC_STRESS);
   rec_heat.make_room(state.has(TM_FX_HEAT), all * TM_REC_HEAT);
-  rec_correction.make_room(state.has(TM_FX_CORRECTION), all * TM_REC_CORRECTION);
+  const bool one_pass = state.has(TM_FX_ONE_PASS), passes = !one_pass;
+  rec_stab.make_room(one_pass, all * TM_REC_STAB);
+  moment.make_room(one_pass, own * 6);
+  rec_correction.make_room(passes && state.has(TM_FX_CORRECTION), all * TM_REC_CORRECTION);
   rec_size.make_room(state.has(TM_FX_SMOOTHING), all * TM_REC_SIZE);
-  rec_hourglass.make_room(state.has(TM_FX_HOURGLASS), all * TM_REC_HOURGLASS);
+  rec_hourglass.make_room(passes && state.has(TM_FX_HOURGLASS), all * TM_REC_HOURGLASS);
   gradient.make_room(true, own * 9);
   heat.make_room(state.has(TM_FX_CONDUCTION), own);
   correction.make_room(state.has(TM_FX_CORRECTION), own * 6);
@@ -57,6 +62,7 @@ void StepResults::take_up_ghosts()
   rec.stress = rec_stress.loop_write();
   rec.heat = rec_heat.loop_write();
   rec.size = rec_size.loop_write();
+  rec.stab = rec_stab.loop_write();
 }
 
 tm_records StepResults::host_records()
@@ -68,6 +74,7 @@ tm_records StepResults::host_records()
   r.correction = const_cast<tm_real *>(rec_correction.host_read());
   r.size = const_cast<tm_real *>(rec_size.host_read());
   r.hourglass = const_cast<tm_real *>(rec_hourglass.host_read());
+  r.stab = const_cast<tm_real *>(rec_stab.host_read());
   return r;
 }
 
@@ -87,6 +94,8 @@ tm_predict_args StepResults::predict_args(ParticleState &state, const tm_state &
   a.share = model.loop_tables().share.loop_read();
   a.ratio = set.ratio;
   a.hourglass = set.hourglass;
+  a.h = set.h;
+  a.correction = correction.loop_write();
   a.gradient = model.loop_tables().gradient.loop_read();
   return a;
 }
@@ -118,6 +127,7 @@ tm_rates_args &StepResults::fill_args(ParticleState &state, const tm_state &s)
   args.correction = correction.loop_write();
   args.xsph_v = xsph_v.loop_write();
   args.hourglass_rate = hourglass_rate.loop_write();
+  args.moment = moment.loop_write();
   args.surface = surface.loop_write();
   args.artificial = artificial.loop_write();
   return args;
@@ -136,13 +146,15 @@ tm_records_single StepResults::single_records(const ParticleState &state)
   const double spacing = model.settings_in_use().spacing;
   single_main.make_room(mixed, all * TM_REC);
   single_more.make_room(mixed && more, all * TM_MORE);
-  single_correction.make_room(mixed && state.has(TM_FX_CORRECTION), all * TM_REC_CORRECTION);
+  single_stab.make_room(mixed && state.has(TM_FX_ONE_PASS), all * TM_REC_STAB);
+  single_correction.make_room(mixed && state.has(TM_FX_CORRECTION) && !state.has(TM_FX_ONE_PASS), all * TM_REC_CORRECTION);
   single_size.make_room(mixed && state.has(TM_FX_SMOOTHING), all * TM_REC_SIZE);
   tm_records_single s = {};
   s.main = single_main.loop_write();
   s.more = single_more.loop_write();
   s.correction = single_correction.loop_write();
   s.size = single_size.loop_write();
+  s.stab = single_stab.loop_write();
   s.length = spacing;
   s.volume = pow(spacing, domain->dimension);
   s.position = single_position_unit(model, neighbor->skin);
@@ -168,6 +180,7 @@ tm_ghost_args StepResults::host_ghosts(bool to_write)
   r.stress = on_host(rec_stress);
   r.heat = on_host(rec_heat);
   r.size = on_host(rec_size);
+  r.stab = on_host(rec_stab);
   return {r, nullptr, 0};
 }
 
@@ -239,7 +252,7 @@ std::map<unsigned, double> StepResults::bytes_by_effect(unsigned effects) const
   bytes[TM_FX_ARTSTRESS] = rec_stress.bytes();
   bytes[TM_FX_HEAT] = rec_heat.bytes();
   bytes[TM_FX_CONDUCTION] = heat.bytes();
-  bytes[TM_FX_CORRECTION] = rec_correction.bytes() + correction.bytes();
+  bytes[TM_FX_CORRECTION] = rec_correction.bytes() + correction.bytes() + moment.bytes() + rec_stab.bytes();
   bytes[TM_FX_SMOOTHING] = rec_size.bytes();
   bytes[TM_FX_XSPH] = xsph_v.bytes();
   bytes[TM_FX_HOURGLASS] = rec_hourglass.bytes() + hourglass_rate.bytes();

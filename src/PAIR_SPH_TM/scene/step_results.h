@@ -69,9 +69,9 @@ class StepResults : protected LAMMPS_NS::Pointers {
   Backend &backend;
   const PairLoops &loops;
   Model &model;
-  LoopArray<tm_real> rec_main, rec_stress, rec_heat, rec_correction, rec_size, rec_hourglass;
-  LoopArray<float> single_main, single_more, single_correction, single_size;    // mixed precision
-  LoopArray<tm_real> gradient, heat, correction, xsph_v, hourglass_rate, surface, artificial;
+  LoopArray<tm_real> rec_main, rec_stress, rec_heat, rec_correction, rec_size, rec_hourglass, rec_stab;
+  LoopArray<float> single_main, single_more, single_correction, single_size, single_stab;    // mixed precision
+  LoopArray<tm_real> gradient, heat, correction, xsph_v, hourglass_rate, moment, surface, artificial;
   LoopArray<tm_real> near_count, tally;
   LoopArray<double> force_internal;
   tm_records rec = {};

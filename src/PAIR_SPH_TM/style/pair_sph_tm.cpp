@@ -32,7 +32,7 @@ PairSPHTM::PairSPHTM(LAMMPS *lmp, Backend &where) :
   no_virial_fdotr_compute = 1;
   centroidstressflag = CENTROID_NOTAVAIL;
   // the most a record can hold: Comm::init() sizes its buffers by it, before the effects are known
-  comm_forward = TM_REC - 3 + TM_REC_STRESS + TM_REC_HEAT;
+  comm_forward = TM_REC - 3 + TM_REC_STRESS + TM_REC_HEAT + TM_REC_SIZE + TM_REC_STAB;
   scene->enter(&model, rows.get(), &results);
 }
 
@@ -157,6 +157,17 @@ void PairSPHTM::correct_gradients(int n, tm_rates_args &ul)
   ul.rec.correction = results.rate_args().rec.correction;
 }
 
+// at the set-up of a run there is no force point before it
+void PairSPHTM::correct_first(tm_rates_args &args)
+{
+  const auto timed = state->clock().timed(RunClock::MOMENTS);
+  loops.correction(backend, atom->nlocal, args, state->effects());
+  results.communicate_records(this);
+  take_ghost_positions();
+  results.take_up_ghosts();
+  args.rec = results.records();
+}
+
 void PairSPHTM::control_hourglass(const tm_rates_args &rates)
 {
   results.communicate_hourglass(this);
@@ -203,7 +214,9 @@ void PairSPHTM::rates(const tm_state &s, tm_rates_args &args)
   RowSource *source = rows->source();
   tm_rates_args ul = args;    // of updated-Lagrangian pairs
   const int n_ul = source ? source->ul_rows(ul) : nlocal;
-  if (effects & TM_FX_CORRECTION) correct_gradients(n_ul, ul);
+  if (effects & TM_FX_ONE_PASS) {
+    if (state->time_step().ahead() == 0.0) correct_first(args);
+  } else if (effects & TM_FX_CORRECTION) correct_gradients(n_ul, ul);
   if (source) source->tl_export(results.records());
   if (effects & TM_FX_MIXED) {
     const auto timed = state->clock().timed(RunClock::RATES);
@@ -230,7 +243,7 @@ void PairSPHTM::rates(const tm_state &s, tm_rates_args &args)
     loops.rates(backend, n_ul, ul, effects);
     if (source) source->tl_rates(args, effects);
   }
-  if (effects & TM_FX_HOURGLASS) control_hourglass(args);
+  if ((effects & TM_FX_HOURGLASS) && !(effects & TM_FX_ONE_PASS)) control_hourglass(args);
   if (audited) audit(*audited, apart);
   args.force = s.force;
   if (internal) loops.add(backend, 3 * nlocal, {s.force, internal}, effects);

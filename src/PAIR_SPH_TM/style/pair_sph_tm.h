@@ -53,6 +53,7 @@ class PairSPHTM : public Pair {
   void allocate();
   void predict(const tm_state &);
   void correct_gradients(int, tm_rates_args &);
+  void correct_first(tm_rates_args &);
   void control_hourglass(const tm_rates_args &);
   void rates(const tm_state &, tm_rates_args &);
   void body_contact(const tm_rates_args &);
