@@ -34,7 +34,9 @@ enum tm_effect {
   TM_FX_MIXED = 1 << 18,        /* pair arithmetic in single */
   TM_FX_HOURGLASS = 1 << 19,    /* hourglass control (zero-energy modes) */
 
-  TM_FX_KERNEL_SHIFT = 20 /* three bits of enum tm_kernel */
+  TM_FX_KERNEL_SHIFT = 20, /* three bits of enum tm_kernel */
+
+  TM_FX_FRACTURE = 1 << 28 /* count of particles that lose neighbors without damage */
 };
 
 #define TM_FX_RATE_MASK ((unsigned) (TM_FX_3D | TM_FX_VISCOSITY | TM_FX_ARTSTRESS | TM_FX_CONDUCTION))
