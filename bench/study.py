@@ -19,8 +19,9 @@ import time
 
 sys.dont_write_bytecode = True
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-sys.path.insert(0, os.path.join(ROOT, "unittest", "scenes"))
+sys.path[:0] = [os.path.join(ROOT, "bench"), os.path.join(ROOT, "unittest", "scenes")]
 import sphtm_scene                                                                     # noqa: E402
+from provenance import provenance                                                      # noqa: E402
 
 
 class Study:
@@ -40,14 +41,18 @@ class Study:
         self.started = time.time()
         os.makedirs(self.out, exist_ok=True)
 
+    def command(self):
+        return " ".join(["./sphtm scenes", self.name] + sys.argv[1:])
+
     def wants(self, row):
         return not self.options.rows or row in self.options.rows
 
     def path(self, name):
         return os.path.join(self.out, name)
 
-    def run(self, row, variables, repeats=1, may_stop=False, folder=None):
-        """Runs the example's script; times are medians over the repeats. may_stop: an error of lmp is a result too."""
+    def run(self, row, variables, repeats=1, may_stop=False, folder=None, prepare=None):
+        """Runs the example's script; times are medians over the repeats. may_stop: an error of lmp is a result too.
+        prepare(folder) makes files that the script reads."""
         folder, variables = self.path(folder or row), {k: v for k, v in variables.items() if v is not None}
         if not self.options.look:
             print("%s: %s" % (self.name, row), flush=True)
@@ -56,6 +61,8 @@ class Study:
             for name in os.listdir(self.example):
                 if name.endswith((".stl", ".data")):
                     shutil.copy(os.path.join(self.example, name), folder)
+            if prepare:
+                prepare(folder)
         script, times = os.path.join(self.example, "in." + self.name), []
         for _ in range(0 if self.options.look else repeats):
             result = sphtm_scene.run(script, variables, ranks=self.options.ranks, folder=folder, timeout=100000,
@@ -74,8 +81,9 @@ class Study:
         result.times = times
         return result
 
-    def end(self, summary):
-        summary = dict(summary, scene=self.name, size=self.options.size, variables=self.size, ranks=self.options.ranks,
+    def end(self, summary, results=None):
+        """results: what of it goes to the table of README.md, name of doc/results -> its numbers (bench/results.py)."""
+        summary = dict(summary, results=results or {}, **provenance(self.command()), scene=self.name, size=self.options.size, variables=self.size, ranks=self.options.ranks,
                        lmp=self.options.lmp, load_average=round(os.getloadavg()[0], 1),
                        minutes=round((time.time() - self.started) / 60, 2))
         with open(self.path("summary.json"), "w") as f:

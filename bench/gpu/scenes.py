@@ -62,7 +62,7 @@ def audited(text):
     text, count = re.subn(r"^(fix\s+body all sph/tm\b.*)$", r"\1 audit 50 200", text, flags=re.M)
     if not count:
         raise SystemExit("no fix body all sph/tm in the script")
-    return text + '\nprint "$(f_body[13]:%%.17g) $(f_body[14]:%%.17g)" file %s\n' % AUDITED
+    return text + '\nprint "$(f_body[16]:%%.17g) $(f_body[17]:%%.17g)" file %s\n' % AUDITED
 
 
 def audit(folder):

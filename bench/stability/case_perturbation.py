@@ -2,11 +2,12 @@
 run is done: one rank, two ranks, and with Kokkos (where SPHTM_LMP_KK and LAMMPS_PLUGIN_PATH_KK say where it is) threads
 and the loops of a GPU."""
 import os
+import re
 import time
 
 import numpy as np
 
-from frame import PLANE, answer, run
+from frame import PLANE, STOPS, answer, run
 
 MOVED = 1e-12
 LIMIT = 100
@@ -39,6 +40,8 @@ def grown(options, courant, **how):
     ends = []
     for moved in (0.0, MOVED * 1e-3):
         r = run(SCENE.format(options=options, courant=courant, moved=repr(moved)), expect_error=True, **how)
+        if r.status and not re.search(STOPS, r.errors()):
+            raise SystemExit("perturbation: " + (r.errors() or r.output[-500:]))
         if r.status:
             return float("inf")
         e = r.dump("end.dump")[-1]

@@ -58,7 +58,8 @@ def main():
                     row["speed_up_over_" + reference.replace(" ", "_")] = table[reference][clock] / row[clock]
                     off = row["residual"] / table[reference]["residual"] - 1
                     row["residual_off_" + reference.replace(" ", "_")] = off
-    study.end({"rows": table})
+    best = table.get("skin list", {})
+    study.end({"rows": table}, {"bullet_plate." + study.options.size: best} if "residual" in best else None)
     try:
         draw({row: all_of_it[-1] for row, all_of_it in results.items() if not all_of_it[-1].errors()}, study)
     except ImportError as e:

@@ -26,8 +26,9 @@ def measure(result):
     done, cutting, passive = forces(result)
     late = (done > 0.5 * done[-1]) & (done < done[-1] - 0.2)
     start = done < 0.5 * done[-1]
+    thirds = [part.mean() for part in np.array_split(cutting[late], 3)]
     c = result.columns("force.dat")
-    return {"cutting": cutting[late].mean(), "passive": passive[late].mean(),
+    return {"cutting": cutting[late].mean(), "passive": passive[late].mean(), "thirds": thirds,
             "swing": cutting[late].std() / cutting[late].mean(),
             "first_peak": cutting[start].max() / cutting[late].mean(), "over_kienzle": cutting[late].mean() / KIENZLE,
             "deepest": c[:, 5].max(), "particles_end": int(result.thermo[-1]["Atoms"][-1]),
@@ -48,7 +49,13 @@ def main():
                 continue
             table[row] = measure(results[row])
     draw(results, study)
-    study.end({"rows": table, "kienzle": KIENZLE})
+    results = {row: table[row] for row in ("refined", "fine") if "cutting" in table.get(row, {})}
+    if len(results) == 2:
+        fine, refined = results["fine"], results["refined"]
+        results["refined_over_fine"] = {"cutting": refined["cutting"] / fine["cutting"],
+                                        "passive": refined["passive"] / fine["passive"],
+                                        "time": refined["processor"] / fine["processor"]}
+    study.end({"rows": table, "kienzle": KIENZLE}, {"cutting_c45e": results} if len(results) == 3 else None)
 
 
 def draw(results, study):

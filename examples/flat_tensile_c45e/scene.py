@@ -81,7 +81,11 @@ def main():
             table[row]["of_path"] = {at: round(np.interp(at, *curves[row][:2]) / np.interp(at, *path[:2]), 4)
                                      for at in (0.1, 0.15, 0.198, 0.22, 0.25) if at <= curves[row][0][-1]}
     draw({row: c for row, c in curves.items() if row in TITLES}, curves, study)
-    study.end({"rows": table})
+    results = None
+    if "asph_resisted" in curves and curves["asph_resisted"][0][-1] > 0.15:
+        over = np.interp(0.15, *curves["asph_resisted"][:2]) / flow(0.15)
+        results = {"flat_tensile_c45e.%d" % study.size["rows"]: {"asph_resisted": float(over)}}
+    study.end({"rows": table}, results)
 
 
 def draw(curves, every, study):

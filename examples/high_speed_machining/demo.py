@@ -17,9 +17,10 @@ import time
 
 sys.dont_write_bytecode = True
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, HERE)
+sys.path[:0] = [HERE, os.path.join(HERE, "..", "..", "bench")]
 import measure as M                                                                    # noqa: E402
 import pictures                                                                        # noqa: E402
+from provenance import provenance                                                      # noqa: E402
 
 VARIANTS = ("heat", "no_heat")
 OUT = os.environ.get("SPHTM_OUT", os.path.join(os.path.dirname(os.path.dirname(HERE)), "out", "demo"))
@@ -113,6 +114,9 @@ def main():
     summary = M.summary(runs)
     if wall:
         summary["wall_seconds_both"] = round(wall, 1)
+        summary.update(provenance("./sphtm demo"))
+        summary["results"] = {"high_speed_machining": {k: summary[k] for k in (
+            "force_ratio_to_1.75_mm", "force_ratio_heat_over_no_heat", "max_interface_temperature_C", "energy_error_fraction")}}
     with open(os.path.join(OUT, "summary.json"), "w") as f:
         json.dump(summary, f, indent=2)
         f.write("\n")

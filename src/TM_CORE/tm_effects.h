@@ -35,7 +35,8 @@ enum tm_effect {
   TM_FX_HOURGLASS = 1 << 19,    /* hourglass control (zero-energy modes) */
 
   TM_FX_KERNEL_SHIFT = 20, /* three bits of enum tm_kernel */
-  TM_FX_ONE_PASS = 1 << 23 /* correction and hourglass control within the rate pass, see tm_hourglass.h */
+  TM_FX_ONE_PASS = 1 << 23, /* correction and hourglass control within the rate pass, see tm_hourglass.h */
+  TM_FX_FRACTURE = 1 << 28 /* count of particles that lose neighbors without damage */
 };
 
 #define TM_FX_RATE_MASK \

@@ -13,6 +13,8 @@ enum { TM_H_V = 0, TM_H_RHO = 3, TM_H_S = 4, TM_H_STEP = 10, TM_H_COLUMNS = 20 }
 /* columns of the size */
 enum { TM_S_H = 0, TM_S_DP = 1, TM_S_RATIO = 2, TM_S_TARGET = 3, TM_S_COLUMNS = 4 };
 
+/* columns of the reference */
+enum { TM_R_X = 0, TM_R_B = 3, TM_R_STATE = 6, TM_R_COLUMNS = 7 };
 /* columns of the hourglass */
 enum { TM_G_W = 0, TM_G_RATE = 3, TM_G_COLUMNS = 6 };
 /* columns of the correction */
@@ -29,22 +31,25 @@ enum { TM_K_MATRIX = 0, TM_K_SPIN = 6, TM_K_SINCE = 9, TM_K_COLUMNS = 10 };
     thickness    plane stress: thickness over initial thickness
     size         smoothing length; edge (m/rho0)^(1/d) of the particle without stress; smoothing length
                  over spacing it was made with; target n_h of its neighborhood (0: not known yet)
+    reference    place and sum of the bonds to its neighbors where they were taken as whole, and what has become of
+                 it, see tm_fracture.h
     hourglass    displacement against the neighborhood, see tm_hourglass.h, and its rate in the last step
     correction   of the gradients at the last force point, xx yy zz xy xz yz, xx = 0: not known yet; twice the spin there,
                  L.zy - L.yz, L.xz - L.zx, L.yx - L.xy; and the time since then */
-#define TM_FIELD_TABLE(FIELD)                                \
-  FIELD(TM_F_RHO, "density", 1, 0)                           \
-  FIELD(TM_F_STRESS, "stress", 6, 0)                         \
-  FIELD(TM_F_HISTORY, "history", TM_H_COLUMNS, 0)            \
-  FIELD(TM_F_PSTRAIN, "plastic strain", 3, TM_FX_PLASTICITY) \
-  FIELD(TM_F_TEMP, "temperature", 3, TM_FX_HEAT)             \
-  FIELD(TM_F_ENERGY, "energy", 1, TM_FX_ENERGY)              \
-  FIELD(TM_F_DAMAGE, "damage", 2, TM_FX_DAMAGE)              \
-  FIELD(TM_F_BALSARA, "balsara", 1, TM_FX_BALSARA)           \
-  FIELD(TM_F_XSPH, "xsph", 3, TM_FX_XSPH)                    \
-  FIELD(TM_F_THICKNESS, "thickness", 1, TM_FX_PLANE_STRESS)  \
-  FIELD(TM_F_SIZE, "size", TM_S_COLUMNS, TM_FX_SMOOTHING)    \
-  FIELD(TM_F_HOURGLASS, "hourglass", TM_G_COLUMNS, TM_FX_HOURGLASS)     \
+#define TM_FIELD_TABLE(FIELD)                                       \
+  FIELD(TM_F_RHO, "density", 1, 0)                                  \
+  FIELD(TM_F_STRESS, "stress", 6, 0)                                \
+  FIELD(TM_F_HISTORY, "history", TM_H_COLUMNS, 0)                   \
+  FIELD(TM_F_PSTRAIN, "plastic strain", 3, TM_FX_PLASTICITY)        \
+  FIELD(TM_F_TEMP, "temperature", 3, TM_FX_HEAT)                    \
+  FIELD(TM_F_ENERGY, "energy", 1, TM_FX_ENERGY)                     \
+  FIELD(TM_F_DAMAGE, "damage", 2, TM_FX_DAMAGE)                     \
+  FIELD(TM_F_BALSARA, "balsara", 1, TM_FX_BALSARA)                  \
+  FIELD(TM_F_XSPH, "xsph", 3, TM_FX_XSPH)                           \
+  FIELD(TM_F_THICKNESS, "thickness", 1, TM_FX_PLANE_STRESS)         \
+  FIELD(TM_F_SIZE, "size", TM_S_COLUMNS, TM_FX_SMOOTHING)           \
+  FIELD(TM_F_HOURGLASS, "hourglass", TM_G_COLUMNS, TM_FX_HOURGLASS) \
+  FIELD(TM_F_FRACTURE, "reference", TM_R_COLUMNS, TM_FX_FRACTURE)     \
   FIELD(TM_F_CORRECTION, "correction", TM_K_COLUMNS, TM_FX_ONE_PASS)
 
 #define TM_FIELD(id, name, columns, effects) id,

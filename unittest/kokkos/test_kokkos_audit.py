@@ -4,14 +4,15 @@ import numpy as np
 from kokkos_scene import Checks, run_way
 from scenes import BAR
 
-NAMES = "all rows precision smoothing viscosity artstress correction xsph conduction".split()
+NAMES = ("all rows precision smoothing viscosity artstress correction xsph conduction on_viscosity on_artstress on_hourglass "
+         "on_xsph").split()
 END = """
 {lists}
 thermo          10
 thermo_style    custom step %s
 thermo_modify   format float %%.15g
 run             60
-""" % " ".join("f_body[%d]" % (13 + k) for k in range(len(NAMES)))
+""" % " ".join("f_body[%d]" % (16 + k) for k in range(len(NAMES)))
 METAL = "strength plastic 100e6 1e9 heat 200 900 0.9"
 checks = Checks()
 for name, style, fix, lists in (
@@ -22,7 +23,7 @@ for name, style, fix, lists in (
     values = {}
     for way in "plain", "serial", "threads", "device":
         t = run_way(way, script).thermo[0]
-        values[way] = np.array([t["f_body[%d]" % (13 + k)] for k in range(len(NAMES))])
+        values[way] = np.array([t["f_body[%d]" % (16 + k)] for k in range(len(NAMES))])
     checks.above(name + ": something differs", values["plain"].max(), 1e-8)
     for way in "serial", "threads":
         checks.below("%s: %s as plain" % (name, way), abs(values[way] - values["plain"]).max(), 1e-12)

@@ -9,7 +9,10 @@ import numpy as np
 from contact_scene import block, particles
 from sphtm_scene import Checks, run
 
-NAMES = "all rows precision smoothing viscosity artstress correction xsph conduction".split()
+# those that are off, then what those that are on add
+OFF = "viscosity artstress correction xsph conduction".split()
+ON = ["on " + name for name in "viscosity artstress hourglass xsph".split()]
+NAMES = "all rows precision smoothing".split() + OFF + ON
 SCENE = """
 units           si
 dimension       {dim}
@@ -34,7 +37,7 @@ dump            d all custom 1 out.dump id x y z vx vy vz fx fy fz
 dump_modify     d sort id format float %.17g
 run             0 post no
 """
-OUT = " ".join("f_body[%d]" % k for k in range(13, 23))
+OUT = " ".join("f_body[%d]" % k for k in range(16, 17 + len(NAMES)))
 ALL_ON = "correction yes xsph 0.5"
 DX = 1e-3
 checks = Checks()
@@ -59,17 +62,17 @@ def scene(dim=2, options="", fix="", audit="audit 20 40", lists="", steps=100, e
 def meter(result):
     """Cause -> its values at the audits; 'time': their share of the run."""
     t = result.thermo[0]
-    return {name: t["f_body[%d]" % (13 + k)][1:] for k, name in enumerate(NAMES + ["time"])}
+    return {name: t["f_body[%d]" % (16 + k)][1:] for k, name in enumerate(NAMES + ["time"])}
 
 
 # nothing differs where everything is in use
 for name, arguments in (("2D", {}), ("3D", dict(dim=3, steps=40)),
                         ("2D, periodic, 2 ranks", dict(periodic=True, ranks=2))):
     m = meter(scene(options=ALL_ON, lists="threshold 0 asph density every 1", **arguments))
-    worst = [np.abs(m[cause]).max() for cause in NAMES]
+    worst = [np.abs(m[cause]).max() for cause in NAMES if cause not in ON]
     checks.below("zero, " + name, max(worst), 1e-15)    # sizes in records are made with other vector instructions
     checks.true("exactly zero but for sizes, " + name,
-                not any(worst[k] for k in range(1, 9) if NAMES[k] != "smoothing"))
+                not any(worst[k] for k in range(1, len(worst)) if NAMES[k] != "smoothing"))
     checks.above("audits take time, " + name, m["time"].min(), 1e-6)
 m = meter(scene())
 checks.true("lists of LAMMPS are not stale", not m["rows"].any(), str(m["rows"]))
@@ -106,6 +109,26 @@ lag = [meter(scene(lists="asph psi every %d" % n))["smoothing"].max() for n in (
 checks.true("lengths that follow the neighborhood late", 0 < lag[0] < lag[1], "%g %g" % tuple(lag))
 form = meter(scene(options="form f14"))
 checks.true("form f14 has no correction", not form["correction"].any())
+
+# artificial terms that are on: what they add, each alone; those that are off have no such number
+on = meter(scene(options="viscosity 0.7 0.7 artstress 0.3 4 hourglass 0.02 xsph 0.5"))
+for name in ON:
+    checks.above("added, " + name, on[name].max(), 1e-4)
+checks.true("rows are not stale with hourglass control", not on["rows"].any(), str(on["rows"]))
+m = meter(scene(options="viscosity 0 0 artstress 0 4"))
+for name in ON:
+    checks.true("nothing is added: " + name, not m[name].any(), str(m[name]))
+# the same difference, seen from the run without: what it would add. At the first audit both runs are at the same place,
+# so it is the run of one step
+one = dict(steps=1, audit="audit 1 1000")
+with_it, without = (meter(scene(options="viscosity 0 0 artstress %g 4" % eps, **one)) for eps in (0.3, 0))
+checks.note("artificial stress that is on, that is off", "%.4g %.4g" % (with_it["on artstress"][-1], without["artstress"][-1]))
+twice = [meter(scene(options="viscosity %g %g artstress 0 4" % (a, a), **one))["on viscosity"][-1] for a in (1e-3, 2e-3)]
+checks.near("viscosity: twice the coefficient adds twice as much", twice[1] / twice[0], 2, relative=0.02)
+balanced = scene(options="viscosity 0 0 artstress 0.3 4 balanced")
+checks.above("balanced artificial stress adds too", meter(balanced)["on artstress"].max(), 1e-5)
+checks.true("the table has a line for what is on", "artificial: artstress" in balanced.output and
+            "artificial: viscosity" not in balanced.output)
 
 # the table at the end
 text = full.output.split("audits: ")[-1]

@@ -72,7 +72,7 @@ wrong("no attribute", {"compute": "compute p all sph/tm/atom"}, "sph/tm/atom", "
 wrong("compute without fix", {"pair_style": "pair_style zero 3e-3", "pair_coeff": "pair_coeff * *", "fix": "",
                               "more": "mass 1 1"}, "sph/tm/atom", "fix sph/tm")
 wrong("vector of the fix without energy", {"thermo": "thermo 5\nthermo_style custom step f_body[2]"}, F, "energy yes")
-wrong("vector of the fix out of range", {"thermo": "thermo 5\nthermo_style custom step f_body[13]"}, "out-of-range")
+wrong("vector of the fix out of range", {"thermo": "thermo 5\nthermo_style custom step f_body[16]"}, "out-of-range")
 
 # --- warnings -----------------------------------------------------------------------------------------------
 

@@ -1,10 +1,12 @@
 """The pages in doc/ against the plugin: every keyword, kernel, effect, constant and attribute that a style knows, as
 its error message lists them, stands in the Syntax of its page, and the page has no others. README.md names every
 example. The tables of doc/theory.rst have all equations of the papers; functions and files that they name exist, and each
-C test calls a function of its row. Functions of doc/one_time_step.rst and files that pages name exist."""
+C test calls a function of its row. The table of results is what doc/results gives. Functions of doc/one_time_step.rst and files that pages name exist."""
 import glob
 import os
 import re
+import subprocess
+import sys
 
 from sphtm_scene import SOURCE, Checks, lattice_block, run
 
@@ -158,6 +160,8 @@ for page in glob.glob(os.path.join(SOURCE, "doc", "*.rst")) + [os.path.join(SOUR
               if not os.path.exists(os.path.join(SOURCE, path))]
 checks.true("pages: files that they name", not wrong, "not there: %s" % (" ".join(sorted(set(wrong))) or "none"))
 
+done = subprocess.run([sys.executable, os.path.join(SOURCE, "bench", "results.py"), "check"], stdout=subprocess.PIPE, text=True)
+checks.true("README: the table of results is that of doc/results", done.returncode == 0, done.stdout.strip())
 with open(os.path.join(SOURCE, "README.md")) as f:
     told = set(re.findall(r"\]\(examples/(\w+)\)", f.read()))
 pages = glob.glob(os.path.join(SOURCE, "examples", "*", "README.md"))

@@ -3,8 +3,8 @@
   linear hardening, 227 m/s: length about 21.4 mm, radius 7.22 mm with converged hexahedra
   OFHC, Johnson-Cook, measured: 210 m/s 14.80 and 8.40 mm (Wilkins and Guinan 1973), 225 m/s 22.25 and 8.02 mm
 
-What is missed is printed, not held to: the radius at 210 m/s, which comes with the spacing, and the shot at 225 m/s,
-apparently a harder copper. Reasons and finer bars: examples/taylor_bar/README.md."""
+What is missed is held to what was found, within 2 %, so that it cannot get worse unseen: the radius at 210 m/s, which comes
+with the spacing, and the shot at 225 m/s, apparently a harder copper. Reasons and finer bars: examples/taylor_bar/README.md."""
 import os
 import subprocess
 import sys
@@ -20,12 +20,12 @@ SCRIPT = os.path.join(SOURCE, "examples", "taylor_bar", "in.taylor_bar")
 RINGS = int(os.environ.get("SPHTM_TAYLOR", 4))
 OFHC = ("density 8960 elastic 124e9 0.34 strength johnson/cook 90e6 292e6 0.31 0.025 1.09 298 1356 1.0 "
         "heat 386 383 0.9")
-# name, radius, length (m), density, options, {quantity: (reference in mm, error allowed, or None: reported only)}
+# name, radius, length (m), density, options, {quantity: (reference in mm, error allowed, or what is found in its place, mm)}
 SHOTS = [("linear hardening", 3.2e-3, 32.4e-3, 8930, {}, {"length": (21.4, 0.03), "radius": (7.22, 0.04)}),
          ("OFHC 210 m/s", 3.81e-3, 23.47e-3, 8960, {"speed": 210, "end": 75e-6, "material": OFHC},
-          {"length": (14.80, 0.06), "radius": (8.40, None)}),
+          {"length": (14.80, 0.06), "radius": (8.40, "7.40")}),
          ("OFHC 225 m/s", 3.9e-3, 34.5e-3, 8960, {"speed": 225, "end": 100e-6, "material": OFHC},
-          {"length": (22.25, None), "radius": (8.02, None)})]
+          {"length": (22.25, "20.69"), "radius": (8.02, "8.72")})]
 
 
 def main():
@@ -42,11 +42,12 @@ def main():
         start, kinetic = abs(table["v_momentum"][0]), table["f_body[1]"][0]
         for what, found in (("length", length), ("radius", radius)):
             reference, allowed = references[what]
-            if allowed:
+            if not isinstance(allowed, str):
                 checks.near("%s: %s, mm" % (name, what), found, reference, relative=allowed)
             else:
-                checks.note("%s: %s, mm" % (name, what),
+                checks.note("%s: %s, mm, is missed" % (name, what),
                             "%.2f against %.2f: %+.1f %%" % (found, reference, 100 * (found / reference - 1)))
+                checks.near("%s: %s, mm, as it was" % (name, what), found, float(allowed), relative=0.02)
         checks.below("unevenness of the rim over the radius", (largest - least) / radius, 0.05)
         checks.note("artificial work over kinetic energy", "%.3f" % (table["f_body[7]"][-1] / kinetic))
         checks.below("energy sum, drift over kinetic energy", np.ptp(table["f_body[9]"]) / kinetic, 0.01)

@@ -13,10 +13,10 @@ namespace SPHTM_NS {
 double Remap::elastic_energy(const double *row, int type) const
 {
   const tm_material *m = parts.model().materials() + type;
-  const int stress = cloud.column(TM_F_STRESS), energy = cloud.column(TM_F_ENERGY);
-  const tm_sym3 s = tm_sym_load(row + stress);
-  const double p = tm_eos_pressure(m, row[cloud.column(TM_F_RHO)], energy < 0 ? 0.0 : row[energy]);
-  return row[TM_CLOUD_VOLUME] * (tm_sym_ddot(s, s) / (4.0 * m->shear) + p * p / (2.0 * m->bulk));
+  const int damage = cloud.column(TM_F_DAMAGE);
+  return row[TM_CLOUD_MASS] * tm_stored_energy(m, row[cloud.column(TM_F_RHO)],
+                                               tm_sym_load(row + cloud.column(TM_F_STRESS)),
+                                               damage >= 0 && row[damage + 1] > 0.5);
 }
 
 // angular momentum about a point near: the sums of the changes keep their digits, and a change of the momentum

@@ -22,16 +22,6 @@ namespace {
 constexpr double XSPH_DEFAULT = 0.5;    // Monaghan 1989
 constexpr int PSI_TURNS = 5;            // of the rule of asph psi, to the length it wants
 
-const struct {
-  AccuracyMeter::Cause cause;
-  unsigned effect;
-  const char *name;
-} EFFECTS[] = {{AccuracyMeter::VISCOSITY, TM_FX_VISCOSITY, "viscosity"},
-               {AccuracyMeter::ARTSTRESS, TM_FX_ARTSTRESS, "artstress"},
-               {AccuracyMeter::CORRECTION, TM_FX_CORRECTION, "correction"},
-               {AccuracyMeter::XSPH, TM_FX_XSPH, "xsph"},
-               {AccuracyMeter::CONDUCTION, TM_FX_CONDUCTION, "conduction"}};
-
 // the same number of a particle on every rank, another in another step
 uint64_t draw(uint64_t tag, uint64_t step)
 {
@@ -257,13 +247,30 @@ AccuracyMeter::Rates AccuracyMeter::rates(AuditPatch &p, const tm_records &rec, 
   a.xsph_v = r.xsph.data();
   a.surface = surface.data();
   a.artificial = nullptr;
+  const bool hourglass = (effects & TM_FX_HOURGLASS) != 0;    // a pass of its own
+  std::vector<double> hourglass_rate(hourglass ? 3 * room : 0);
+  a.hourglass_rate = hourglass_rate.data();
   r.seconds = 1e300;
   for (int turn = 0; turn < 2; turn++) {    // the second finds its data in the cache
     const double began = RunClock::processor_time();
     PairLoops::of(Backend::host()).rates(Backend::host(), n, a, effects);
+    if (hourglass) PairLoops::of(Backend::host()).hourglass(Backend::host(), n, a, effects);
     r.seconds = std::min(r.seconds, RunClock::processor_time() - began);
   }
   return r;
+}
+
+// records whose stress is without the share of a balanced artificial stress, see tm_balance.h
+void AccuracyMeter::undo_balance(const AuditPatch &p, const tm_records &rec, std::vector<double> &main) const
+{
+  Model &model = state.model();
+  const double share = tm_share_of(model.loop_tables().share.host_read(), nullptr, model.settings_in_use().ratio);
+  main = p.main;
+  for (size_t k = 0; k < p.member.size(); k++) {
+    double *r = main.data() + k * TM_REC;
+    const double scale = share * (state.has(TM_FX_FORM_F14) ? r[TM_REC_RHO] * r[TM_REC_RHO] : 1.0);
+    for (int c = 0; c < TM_REC_STRESS; c++) r[TM_REC_P + c] += scale * rec.stress[k * TM_REC_STRESS + c];
+  }
 }
 
 void AccuracyMeter::audit(const InUse &in_use)
@@ -305,7 +312,7 @@ void AccuracyMeter::audit(const InUse &in_use)
   const Rates *from[CAUSES] = {};
   bool shown[CAUSES] = {};
   const unsigned exact = used & ~unsigned(TM_FX_MIXED);
-  auto take = [&](Cause cause, const tm_records &records, unsigned effects) {
+  auto take = [&](int cause, const tm_records &records, unsigned effects) {
     of[cause] = rates(p, records, effects, K.data());
     from[cause] = &of[cause];
     shown[cause] = true;
@@ -314,8 +321,18 @@ void AccuracyMeter::audit(const InUse &in_use)
   take(ROWS, rec, used);
   if (used != exact) take(PRECISION, rec, exact);
   take(SMOOTHING, sized, exact | TM_FX_SMOOTHING);
-  for (const auto &e : EFFECTS)
-    if (absent & e.effect) take(e.cause, rec, exact | e.effect);
+  for (int k = FIRST_EFFECT; k < CAUSES; k++) {
+    const Compared &e = EFFECTS[k - FIRST_EFFECT];
+    if (!e.on && (absent & e.effect)) take(k, rec, exact | e.effect);
+    if (!e.on || !(used & e.effect)) continue;
+    tm_records without = rec;
+    std::vector<double> main;
+    if (e.effect == TM_FX_ARTSTRESS) {
+      undo_balance(p, rec, main);
+      without.main = main.data();
+    }
+    take(k, without, exact & ~e.effect);
+  }
   take(ALL, sized, full | TM_FX_SMOOTHING);
   if (search.rows) {
     times.rows += search.seconds_of_rows / search.rows;
@@ -400,7 +417,7 @@ std::string AccuracyMeter::report(double rates, double lists, bigint steps)
   const bool keeps = scene.rows().has_tl();
   std::string text = fmt::format(
       "\n  audits: {} of {} particles; root mean square of the difference to a fresh search in double with all "
-      "effects\n  {:<26} {:>10} {:>10} {:>10} {:>10} {:>10} {:>10}\n",
+      "effects,\n  and of what artificial terms add that are on\n  {:<26} {:>10} {:>10} {:>10} {:>10} {:>10} {:>10}\n",
       audits, sample, "cause", "accel.", "vel.grad.", "heat", "motion", "largest", "saves s");
   auto line = [&](int cause, const std::string &name, bool timed, double saved) {
     text += fmt::format("  {:<26}", name);
@@ -415,12 +432,13 @@ std::string AccuracyMeter::report(double rates, double lists, bigint steps)
   line(ROWS, "stale rows", keeps && host, (all.cause[ROWS] + all.rows + all.sorting) * per_rank - rates - lists);
   if (measured[PRECISION]) line(PRECISION, "single precision", true, (base / all.cause[ROWS] - 1.0) * rates);
   line(SMOOTHING, "smoothing length", !state.has(TM_FX_SMOOTHING), more(all.cause[SMOOTHING]));
-  for (const auto &e : EFFECTS) {
-    if (!measured[e.cause]) continue;
-    double time = all.cause[e.cause];
+  for (int k = FIRST_EFFECT; k < CAUSES; k++) {
+    if (!measured[k]) continue;
+    const Compared &e = EFFECTS[k - FIRST_EFFECT];
+    double time = all.cause[k];
     if (e.effect == TM_FX_CORRECTION) time += all.moments;
-    if (e.effect == TM_FX_ARTSTRESS) time += all.tensile;
-    line(e.cause, std::string("no ") + e.name, true, more(time));
+    if (!e.on && e.effect == TM_FX_ARTSTRESS) time += all.tensile;
+    line(k, std::string(e.on ? "artificial: " : "no ") + e.name, true, more(time));
   }
   line(ALL, "all of them", false, 0.0);
   return text;

@@ -1,5 +1,5 @@
 /* SPH-TM: how far the rates in use are from those of a fresh search in double with every effect on, on a sample
-   of the particles, and what the difference comes from. The loops are those of the run, on the host, over copies
+   of the particles, what the difference comes from, and what the artificial terms that are on add to them. The loops are those of the run, on the host, over copies
    of the records of the samples and their neighbors. See doc/fix_sph_tm.rst. */
 #ifndef SPHTM_ACCURACY_METER_H
 #define SPHTM_ACCURACY_METER_H
@@ -20,7 +20,24 @@ class Scene;
 
 class AccuracyMeter : public StepAudit, protected LAMMPS_NS::Pointers {
  public:
-  enum Cause { ALL, ROWS, PRECISION, SMOOTHING, VISCOSITY, ARTSTRESS, CORRECTION, XSPH, CONDUCTION, CAUSES };
+  // then one for each line of EFFECTS
+  enum Cause { ALL, ROWS, PRECISION, SMOOTHING, FIRST_EFFECT };
+  // an effect whose share of the rates is a cause: where it is off what it would add, where it is on what it adds
+  struct Compared {
+    bool on;
+    unsigned effect;
+    const char *name;
+  };
+  static constexpr Compared EFFECTS[] = {{false, TM_FX_VISCOSITY, "viscosity"},
+                                         {false, TM_FX_ARTSTRESS, "artstress"},
+                                         {false, TM_FX_CORRECTION, "correction"},
+                                         {false, TM_FX_XSPH, "xsph"},
+                                         {false, TM_FX_CONDUCTION, "conduction"},
+                                         {true, TM_FX_VISCOSITY, "viscosity"},
+                                         {true, TM_FX_ARTSTRESS, "artstress"},
+                                         {true, TM_FX_HOURGLASS, "hourglass"},
+                                         {true, TM_FX_XSPH, "xsph"}};
+  static constexpr int CAUSES = FIRST_EFFECT + (int) (sizeof(EFFECTS) / sizeof(Compared));
   enum Quantity { ACCELERATION, GRADIENT, HEAT, MOTION, QUANTITIES };
   static constexpr int EVERY = 1000, SAMPLE = 50;    // of 'audit yes'
 
@@ -59,6 +76,7 @@ class AccuracyMeter : public StepAudit, protected LAMMPS_NS::Pointers {
     double seconds;
   };
   unsigned missing() const;
+  void undo_balance(const AuditPatch &, const tm_records &, std::vector<double> &main) const;
   std::vector<int> choose() const;
   std::vector<Around> surroundings(AuditSearch &, const AuditPatch &, unsigned effects);
   std::vector<Around> of_centers(AuditPatch &, unsigned effects, const SmoothingRule &);

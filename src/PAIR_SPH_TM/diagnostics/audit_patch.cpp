@@ -23,6 +23,7 @@ tm_records AuditPatch::records()
   r.heat = part(heat);
   r.size = part(size);
   r.correction = part(correction);
+  r.hourglass = part(hourglass);
   return r;
 }
 
@@ -137,6 +138,7 @@ void AuditSearch::gather(AuditPatch &p) const
   take(p.stress, rec.stress, TM_REC_STRESS);
   take(p.heat, rec.heat, TM_REC_HEAT);
   take(p.size, rec.size, TM_REC_SIZE);
+  take(p.hourglass, rec.hourglass, TM_REC_HOURGLASS);
 }
 
 }    // namespace SPHTM_NS

@@ -29,10 +29,15 @@ void EnergyReport::sum()
   using E = EnergyBalance;
   const E &b = state.energy();
   double mine[ENTRIES] = {};
-  mine[KINETIC] =
-      PairLoops::of(state.loops()).kinetic_energy(state.loops(), atom->nlocal, state.arrays(), state.effects());
-  mine[ELASTIC] = b.of(E::ELASTIC);
-  mine[PLASTIC] = b.of(E::PLASTIC) - b.of(E::PLASTIC_HEAT);
+  const tm_state arrays = state.arrays();
+  const PairLoops &loops = PairLoops::of(state.loops());
+  mine[KINETIC] = loops.kinetic_energy(state.loops(), atom->nlocal, arrays, state.effects());
+  const double stored =
+      state.has(TM_FX_LEDGER) ? loops.stored_energy(state.loops(), atom->nlocal, arrays, state.effects()) : 0.0;
+  mine[ELASTIC] = stored + b.of(E::THERMAL_PRESSURE);
+  mine[PLASTIC] = b.of(E::PLASTIC) - b.of(E::PLASTIC_HEAT) + b.of(E::FAILURE);
+  mine[FAILURE] = b.of(E::FAILURE);
+  mine[UNEXPLAINED] = b.of(E::STRESS_WORK) - b.of(E::PLASTIC) - b.of(E::FAILURE) - mine[ELASTIC];
   mine[HEAT] = b.of(E::HEAT) - b.of(E::HEAT_EXCHANGED);
   mine[CONTACT] = b.spring() + b.of(E::CONTACT_DAMPING);
   mine[FRICTION] = b.of(E::FRICTION);
@@ -49,6 +54,9 @@ void EnergyReport::sum()
   now[SUM] = total;
   now[DT] = state.time_step().now();
   now[CAUSE] = state.time_step().cause();
+  now[FAILURE] /= unit;
+  unstored = now[UNEXPLAINED] / unit;
+  now[UNEXPLAINED] = energy_watch.unexplained(unstored);
   now[NEIGHBORS] /= std::max((double) atom->natoms, 1.0);
 }
 
@@ -72,7 +80,7 @@ void EnergyReport::look(Look when, bool may_stop)
   if (!state.has(TM_FX_LEDGER)) return;
   sum();
   forget();    // fixes whose turn is still to come may add to it
-  const EnergyWatch::Energies energies = {now[KINETIC], now[ARTIFICIAL], now[EXTERNAL], now[SUM]};
+  const EnergyWatch::Energies energies = {now[KINETIC], now[ARTIFICIAL], now[EXTERNAL], now[SUM], unstored};
   if (when == FIRST) {
     energy_watch.begin(energies, least_energy());
     return;

@@ -17,9 +17,11 @@ class EnergyReport : protected LAMMPS_NS::Pointers {
   // entries of the output vector
   // clang-format off
   enum Entry {
-    KINETIC, ELASTIC, PLASTIC, HEAT, CONTACT, FRICTION, ARTIFICIAL, EXTERNAL, SUM, DT, CAUSE, NEIGHBORS, ENTRIES
+    KINETIC, ELASTIC, PLASTIC, HEAT, CONTACT, FRICTION, ARTIFICIAL, EXTERNAL, SUM, DT, CAUSE, NEIGHBORS,
+    UNEXPLAINED, FAILURE, TORN, ENTRIES
   };
   // clang-format on
+  static bool is_of_balance(int entry) { return entry <= SUM || entry == UNEXPLAINED || entry == FAILURE; }
   EnergyReport(LAMMPS_NS::LAMMPS *, ParticleState &, const Scene &);
 
   double value(int entry);             // now; collective
@@ -36,6 +38,7 @@ class EnergyReport : protected LAMMPS_NS::Pointers {
   ParticleState &state;
   const Scene &scene;
   double now[ENTRIES] = {};
+  double unstored = 0.0;    // see EnergyWatch
   LAMMPS_NS::bigint summed_at = -1;
   EnergyWatch energy_watch;
   double drift_allowed = 0.1;

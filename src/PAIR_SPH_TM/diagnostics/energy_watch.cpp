@@ -11,6 +11,7 @@ void EnergyWatch::begin(const Energies &e, double least_)
 {
   least = least_;
   base += begun ? e.sum - last_sum : e.sum;
+  base_unstored += begun ? e.unstored - last_unstored : e.unstored;
   given += begun ? std::max(e.kinetic - last_kinetic, 0.0) : e.kinetic;
   begun = true;
   look(e);
@@ -24,6 +25,7 @@ void EnergyWatch::look(const Energies &e)
   made = e.artificial;
   last_kinetic = e.kinetic;
   last_sum = e.sum;
+  last_unstored = e.unstored;
 }
 
 void EnergyWatch::count(bool last)
@@ -41,8 +43,10 @@ bool EnergyWatch::stops(double drift_allowed)
 
 std::string EnergyWatch::in_words() const
 {
-  return fmt::format("{:.6g} went in; the sum drifted by {:+.3g} % of it, artificial terms took {:+.3g} %", into,
-                     100.0 * drift(), 100.0 * artificial());
+  return fmt::format(
+      "{:.6g} went in; the sum drifted by {:+.3g} % of it, artificial terms took {:+.3g} %; {:+.3g} % is "
+      "work of the stress that is neither stored nor dissipated",
+      into, 100.0 * drift(), 100.0 * artificial(), into > 0.0 ? 100.0 * unexplained(last_unstored) / into : 0.0);
 }
 
 std::string EnergyWatch::warning()
@@ -64,8 +68,8 @@ std::string EnergyWatch::warning()
 
 std::vector<double> EnergyWatch::state() const
 {
-  return {(double) begun,          base, given, most_work, last_kinetic, last_sum, (double) said_drift,
-          (double) said_artificial};
+  return {(double) begun,           base,          given,        most_work, last_kinetic, last_sum, (double) said_drift,
+          (double) said_artificial, base_unstored, last_unstored};
 }
 
 void EnergyWatch::restore(const double *v)
@@ -78,6 +82,8 @@ void EnergyWatch::restore(const double *v)
   last_sum = v[5];
   said_drift = v[6] != 0.0;
   said_artificial = v[7] != 0.0;
+  base_unstored = v[8];
+  last_unstored = v[9];
 }
 
 }    // namespace SPHTM_NS

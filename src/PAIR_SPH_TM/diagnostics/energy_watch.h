@@ -12,8 +12,10 @@ class EnergyWatch {
  public:
   struct Energies {
     double kinetic, artificial, external, sum;    // external: minus the work of all outside
+    // work of the stress less what became plastic work, was lost in failure or is stored; its start is subtracted here
+    double unstored;
   };
-  static constexpr double DRIFT_WARNED = 0.01, ARTIFICIAL_WARNED = 0.05;
+  static constexpr double DRIFT_WARNED = 0.01, ARTIFICIAL_WARNED = 0.02;
   static constexpr int LASTING = 10, STOPPING = 3;    // looks in a row: at a first touch little went in
 
   // at a set-up: what a script has given to or taken from particles since the last look is no drift. least: energy of
@@ -25,6 +27,8 @@ class EnergyWatch {
   bool says() const { return into > least; }
   double drift() const { return into > 0.0 ? drifted / into : 0.0; }    // over what went in
   double artificial() const { return into > 0.0 ? made / into : 0.0; }
+  // work of the stress that is neither stored nor dissipated, of what was said to be unstored
+  double unexplained(double unstored) const { return begun ? unstored - base_unstored : 0.0; }
   double went_in() const { return into; }
   // a warning that is due, each once, or ""
   std::string warning();
@@ -32,7 +36,7 @@ class EnergyWatch {
   std::string in_words() const;
 
   // of restart files
-  static constexpr int VALUES = 8;
+  static constexpr int VALUES = 10;
   std::vector<double> state() const;
   void restore(const double *);
 
@@ -42,6 +46,7 @@ class EnergyWatch {
   double base = 0.0, given = 0.0;    // sum without drift; kinetic energy given at starts
   double most_work = 0.0;            // largest work from outside so far
   double last_kinetic = 0.0, last_sum = 0.0;
+  double base_unstored = 0.0, last_unstored = 0.0;
   double drifted = 0.0, made = 0.0, into = 0.0;
   bool said_drift = false, said_artificial = false;
   int drifting = 0, making = 0, beyond = 0;    // looks in a row

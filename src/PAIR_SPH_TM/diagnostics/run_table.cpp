@@ -90,7 +90,7 @@ std::map<unsigned, double> RunTable::probe_effects(double seconds, bigint steps)
   return share;
 }
 
-void RunTable::print(const EnergyWatch &energy)
+void RunTable::print(const EnergyWatch &energy, const std::string &fracture)
 {
   const bigint steps = this->steps();
   if (!wanted || !timing || steps < TABLE_STEPS || atom->natoms == 0) return;
@@ -134,6 +134,7 @@ void RunTable::print(const EnergyWatch &energy)
     if (s != share.end()) seconds += s->second * loops;
     if (bit == TM_FX_CORRECTION) seconds += part[RunClock::MOMENTS];
     if (bit == TM_FX_HOURGLASS) seconds += part[RunClock::HOURGLASS];
+    if (bit == TM_FX_FRACTURE) seconds += part[RunClock::FRACTURE];
     if (bit == TM_FX_CONDUCTION) seconds += part[RunClock::THERMAL];
     if (bit == TM_FX_BODIES) seconds += part[RunClock::BODIES];
     line(effect_name(bit), seconds, bytes[bit]);
@@ -160,6 +161,7 @@ void RunTable::print(const EnergyWatch &energy)
                  !state.has(TM_FX_LEDGER) ? "not summed up, and not checked; 'energy yes' of fix sph/tm does"
                  : energy.says()          ? energy.in_words()
                                           : "nothing went in");
+  if (!fracture.empty()) utils::logmesg(lmp, "  numerical fracture: {}\n", fracture);
   if (asynchronous)
     utils::logmesg(lmp, "  The loops run beside the host: a part may wait for those before it. 'table wait' tells them "
                         "apart, and slows the run.\n");

@@ -7,6 +7,7 @@
 #include "loop_table.h"
 #include "tm_body_contact.h"
 #include "tm_drift.h"
+#include "tm_fracture.h"
 #include "tm_hourglass.h"
 #include "tm_initial.h"
 #include "tm_moment.h"
@@ -63,7 +64,15 @@ TM_FN tm_tally_result tm_tally_nothing(void)
   LOOP(SUM, initial_limits, InitialLimitsLoop, tm_update_result, tm_step,                                         \
        tm_initial_limits(i, &a.update, effects, a.seed))                                                          \
   LOOP(SUM, kinetic_energy, tm_state, double, tm_number, tm_kinetic_energy(i, &a))                                \
+  LOOP(SUM, stored_energy, tm_state, double, tm_number, tm_stored_in(i, &a))                                      \
   LOOP(SUM, tally, tm_tally_args, tm_tally_result, tm_tally, tm_tally(i, &a, effects))                            \
+  /* numerical fracture */                                                                                        \
+  LOOP(SUM, fracture_unknown, tm_fracture_args, double, tm_number, tm_fracture_is_unknown(i, &a))                 \
+  LOOP(SUM, fracture_torn, tm_fracture_args, double, tm_number, tm_fracture_is_torn(i, &a))                       \
+  LOOP(EACH, fracture_refer, tm_fracture_args, tm_fracture_refer(i, &a))                                          \
+  LOOP(EACH, fracture_tell, tm_fracture_args, tm_fracture_tell(i, &a))                                            \
+  LOOP(EACH, fracture_bonds, tm_fracture_args, tm_fracture_bonds(i, &a))                                          \
+  LOOP(SUM, fracture_look, tm_fracture_args, tm_fracture_result, tm_fracture, tm_fracture_look(i, &a))            \
   LOOP(SUM, size_range, tm_state, tm_size_range, tm_size, tm_size_of(i, &a))                                      \
   LOOP(SUM, near_count, tm_near_args, double, tm_number, tm_near_count(i, &a))                                    \
   LOOP(SUM, nearest, tm_near_args, tm_nearest, tm_nearest, tm_nearest_neighbor(i, &a))

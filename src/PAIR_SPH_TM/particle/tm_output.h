@@ -4,6 +4,7 @@
 
 #include "tm_damage.h"
 #include "tm_eos.h"
+#include "tm_fracture.h"
 #include "tm_state.h"
 #include "tm_surface.h"
 
@@ -33,7 +34,8 @@
   VALUE(TM_OUT_ADAPTNODE, "adaptnode")     \
   VALUE(TM_OUT_SEARCHES, "searches")       \
   VALUE(TM_OUT_AREA, "surface/area")       \
-  VALUE(TM_OUT_HOURGLASS, "hourglass")
+  VALUE(TM_OUT_HOURGLASS, "hourglass")     \
+  VALUE(TM_OUT_FRACTURE, "fracture")
 
 #define TM_OUTPUT_ID(id, name) id,
 enum tm_output_id { TM_OUTPUT_TABLE(TM_OUTPUT_ID) TM_OUT_COUNT };
@@ -113,6 +115,7 @@ TM_FN tm_real tm_output_value(int which, int i, const tm_output_args *a)
     case TM_OUT_ADAPTNODE: return a->lists ? a->lists[(ptrdiff_t) i * a->lists_columns + a->was_ul] : 1.0;
     case TM_OUT_SEARCHES: return a->lists ? a->lists[(ptrdiff_t) i * a->lists_columns + a->ul_steps] : 0.0;
     case TM_OUT_AREA: return tm_output_area(i, a);
+    case TM_OUT_FRACTURE: return tm_output_state(i, a, TM_F_FRACTURE, TM_R_STATE, 0.0) == TM_FRACTURE_TORN ? 1.0 : 0.0;
     case TM_OUT_HOURGLASS:
       return tm_vec_norm(tm_vec(tm_output_state(i, a, TM_F_HOURGLASS, TM_G_W, 0.0),
                                 tm_output_state(i, a, TM_F_HOURGLASS, TM_G_W + 1, 0.0),

@@ -18,6 +18,7 @@
 #include "tm_heat.h"
 #include "tm_hourglass.h"
 #include "tm_state.h"
+#include "tm_stored_energy.h"
 #include "tm_strength.h"
 #include "tm_time_step.h"
 
@@ -61,7 +62,9 @@ typedef struct {
   int particle;  /* whose status it is */
   int melted;    /* the first particle above its melting temperature, or INT_MAX */
   tm_real dt[3]; /* limits by sound, force, conduction (without safety factor) */
-  tm_real elastic, plastic, plastic_heat, artificial, kinetic_work, internal_work, heat;
+  /* energies of the step, with the ledger. stress_work: of the stress that acted, sigma(n+1/2) : L; failure: what was
+     stored in a particle that failed; thermal_pressure: work of the part of the pressure that the internal energy makes */
+  tm_real stress_work, plastic, plastic_heat, failure, thermal_pressure, artificial, kinetic_work, internal_work, heat;
 } tm_update_result;
 
 TM_FN tm_update_result tm_update_nothing(void)
@@ -70,7 +73,7 @@ TM_FN tm_update_result tm_update_nothing(void)
   r.status = TM_OK;
   r.particle = r.melted = INT_MAX;
   r.dt[0] = r.dt[1] = r.dt[2] = TM_DT_NO_LIMIT;
-  r.elastic = r.plastic = r.plastic_heat = r.artificial = 0.0;
+  r.stress_work = r.plastic = r.plastic_heat = r.failure = r.thermal_pressure = r.artificial = 0.0;
   r.kinetic_work = r.internal_work = r.heat = 0.0;
   return r;
 }
@@ -85,9 +88,11 @@ TM_FN void tm_update_sum(tm_update_result *sum, const tm_update_result *r, int l
   }
   if (r->melted < sum->melted) sum->melted = r->melted;
   if (!ledger) return;
-  sum->elastic += r->elastic;
+  sum->stress_work += r->stress_work;
   sum->plastic += r->plastic;
   sum->plastic_heat += r->plastic_heat;
+  sum->failure += r->failure;
+  sum->thermal_pressure += r->thermal_pressure;
   sum->artificial += r->artificial;
   sum->kinetic_work += r->kinetic_work;
   sum->internal_work += r->internal_work;
@@ -340,7 +345,13 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     if (effects & TM_FX_LEDGER) {
       out.plastic = mass * plastic;
       out.plastic_heat = (effects & TM_FX_HEAT) ? m->taylor_quinney * mass * plastic : 0.0;
-      out.elastic = mass * work - out.plastic;
+      out.stress_work = mass * work;
+      if (dmg && !failed && dmg[tm_column(1)] > 0.5)
+        out.failure = mass * (tm_stored_energy(m, q.rho, q.s, 0) - tm_stored_energy(m, q.rho, q.s, 1));
+      if (e)
+        out.thermal_pressure =
+            -mass * a->dt / rho_half * tm_mat_trace(L) *
+            (tm_damage_pressure(p_half, failed) - tm_damage_pressure(tm_eos_pressure(m, rho_half, 0.0), failed));
       out.artificial = artificial;
     }
 

@@ -16,7 +16,8 @@ const Name NAMES[] = {
     {"conduction", TM_FX_CONDUCTION}, {"plasticity", TM_FX_PLASTICITY},  {"damage", TM_FX_DAMAGE},
     {"correction", TM_FX_CORRECTION}, {"balsara", TM_FX_BALSARA},        {"xsph", TM_FX_XSPH},
     {"surface", TM_FX_SURFACE},       {"internal-energy", TM_FX_ENERGY}, {"bodies", TM_FX_BODIES},
-    {"energy", TM_FX_LEDGER},         {"smoothing", TM_FX_SMOOTHING},    {"hourglass", TM_FX_HOURGLASS}};
+    {"energy", TM_FX_LEDGER},         {"smoothing", TM_FX_SMOOTHING},    {"hourglass", TM_FX_HOURGLASS},
+    {"fracture", TM_FX_FRACTURE}};
 }    // namespace
 
 unsigned effect_by_name(const std::string &name)
@@ -56,7 +57,7 @@ const std::vector<unsigned> &effects_in_loops()
   static const std::vector<unsigned> bits = [] {
     std::vector<unsigned> some;
     for (const auto &n : NAMES)
-      if (n.bit != TM_FX_BODIES && n.bit != TM_FX_HOURGLASS) some.push_back(n.bit);
+      if (n.bit != TM_FX_BODIES && n.bit != TM_FX_HOURGLASS && n.bit != TM_FX_FRACTURE) some.push_back(n.bit);
     return some;
   }();
   return bits;
@@ -125,6 +126,7 @@ void Reasons::settings()
   if (set.balsara) on(TM_FX_BALSARA, "pair_style balsara yes");
   if (set.hourglass != 0.0 && mechanics && !(every_pair_stored && set.hourglass < 0.0))
     on(TM_FX_HOURGLASS, "pair_style hourglass is not 0");
+  if (solid) on(TM_FX_FRACTURE, "particles that lose neighbors without damage are counted");
   if (set.xsph > 0.0) on(TM_FX_XSPH, "pair_style xsph is not 0");
   if (model.has_contact_pairs()) on(TM_FX_BODIES, "pair_coeff contact");
 }

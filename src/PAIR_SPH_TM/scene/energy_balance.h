@@ -11,9 +11,11 @@ namespace SPHTM_NS {
 class EnergyBalance {
  public:
   enum Term {
-    ELASTIC,
+    STRESS_WORK,    // of the stress; what is stored of it is a function of the state, tm_stored_in
     PLASTIC,
     PLASTIC_HEAT,
+    FAILURE,             // stored in particles when they failed
+    THERMAL_PRESSURE,    // work of the pressure that the internal energy makes (shock equation of state)
     ARTIFICIAL,
     HEAT,
     KINETIC_WORK,
@@ -31,9 +33,11 @@ class EnergyBalance {
   void add(Term t, double energy) { sum[t] += energy; }
   void add_step(const tm_update_result &r)
   {
-    add(ELASTIC, r.elastic);
+    add(STRESS_WORK, r.stress_work);
     add(PLASTIC, r.plastic);
     add(PLASTIC_HEAT, r.plastic_heat);
+    add(FAILURE, r.failure);
+    add(THERMAL_PRESSURE, r.thermal_pressure);
     add(ARTIFICIAL, r.artificial);
     add(KINETIC_WORK, r.kinetic_work);
     add(INTERNAL_WORK, r.internal_work);
@@ -50,10 +54,13 @@ class EnergyBalance {
   // The sum of the balance stays: what motion and stress lose in a split or merge is artificial, or heat
   void add_remap(double kinetic, double elastic, double heat)
   {
-    add(ELASTIC, elastic);
+    remaps++;
+    add(STRESS_WORK, elastic);    // stored without work
     add(HEAT, heat);
     add(ARTIFICIAL, -(kinetic + elastic + heat));
   }
+
+  long remapped() const { return remaps; }    // splits and merges of this rank
 
   // energy stored in contact springs in this step
   double spring() const { return contact_spring; }
@@ -70,6 +77,7 @@ class EnergyBalance {
  private:
   double sum[TERMS] = {};
   double contact_spring = 0.0;
+  long remaps = 0;
 };
 
 }    // namespace SPHTM_NS

@@ -13,7 +13,20 @@ namespace SPHTM_NS {
 
 class RunClock {
  public:
-  enum Part { ROWS, PREDICT, COMMUNICATION, MOMENTS, RATES, HOURGLASS, THERMAL, BODIES, DRIFT, UPDATE, PARTS };
+  enum Part {
+    ROWS,
+    PREDICT,
+    COMMUNICATION,
+    MOMENTS,
+    RATES,
+    HOURGLASS,
+    THERMAL,
+    BODIES,
+    DRIFT,
+    UPDATE,
+    FRACTURE,
+    PARTS
+  };
 
   // adds the time until it goes out of scope
   class Span {

@@ -27,7 +27,7 @@ FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg) :
 FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg, Backend &loops, std::unique_ptr<AtomArrays> arrays) :
     Fix(lmp, narg, arg), scene(Scene::of(lmp)), state(lmp, loops, std::move(arrays), *this, id, igroup),
     start(lmp, *this, state, *scene), stops(lmp, state, *scene), energies(lmp, state, *scene),
-    table(lmp, *this, state, *scene), file(lmp, state, *scene)
+    fracture(lmp, state, *scene), table(lmp, *this, state, *scene), file(lmp, state, *scene)
 {
   time_integrate = 1;
   create_attribute = 1;
@@ -42,7 +42,7 @@ FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg, Backend &loops, std::uniqu
   size_array_cols = 2;
   extarray = 0;
   global_freq = 1;
-  nevery = 100;    // looks at the energies
+  nevery = 100;    // looks at the energies and for fracture
   extscalar = 0;
   extvector = 0;
   dynamic_group_allow = 0;
@@ -62,11 +62,7 @@ FixSPHTM::~FixSPHTM()
   atom->delete_callback(id, Atom::RESTART);
 }
 
-int FixSPHTM::setmask()
-{
-  return INITIAL_INTEGRATE | PRE_EXCHANGE | FINAL_INTEGRATE | POST_NEIGHBOR |
-         (state.effect_plan().is_forced_on(TM_FX_LEDGER) ? END_OF_STEP : 0);
-}
+int FixSPHTM::setmask() { return INITIAL_INTEGRATE | PRE_EXCHANGE | FINAL_INTEGRATE | POST_NEIGHBOR | END_OF_STEP; }
 
 void FixSPHTM::init()
 {
@@ -121,6 +117,7 @@ void FixSPHTM::setup(int)
   if (first) start.check_start();
   else start.check_changes();
   state.time_step().end_setup(first);
+  fracture.begin(force->pair_match("^sph/tm", 0));
   table.stop_clock();
   looked = false;
 }
@@ -176,13 +173,17 @@ void FixSPHTM::final_integrate()
   state.time_step().end_step();
 }
 
-void FixSPHTM::end_of_step() { energies.look(EnergyReport::REGULAR, stop_on_lost); }
+void FixSPHTM::end_of_step()
+{
+  energies.look(EnergyReport::REGULAR, stop_on_lost);
+  fracture.look(force->pair_match("^sph/tm", 0));
+}
 
 void FixSPHTM::post_run()
 {
   start.remember_particles();
   if (looked) energies.look(table.steps() >= nevery ? EnergyReport::LAST : EnergyReport::GLANCE, stop_on_lost);
-  table.print(energies.watch());
+  table.print(energies.watch(), fracture.in_words());
 }
 
 /* ---------------------------------------------------------------------- output */
@@ -198,8 +199,11 @@ double FixSPHTM::compute_vector(int n)
   scene->check_current(&state, fmt::format("Fix sph/tm {}", id));
   if (n < 0 || n >= size_vector)
     error->all(FLERR, "Fix sph/tm output {} is not among its {} values", n + 1, size_vector);
-  if (n <= EnergyReport::SUM && n != EnergyReport::KINETIC && !state.has(TM_FX_LEDGER))
+  if (EnergyReport::is_of_balance(n) && n != EnergyReport::KINETIC && !state.has(TM_FX_LEDGER))
     error->all(FLERR, "Fix sph/tm output {} needs the keyword 'energy yes'", n + 1);
+  if (n == EnergyReport::TORN && !state.has(TM_FX_FRACTURE))
+    error->all(FLERR, "Fix sph/tm output {} needs the effect fracture", n + 1);
+  if (n == EnergyReport::TORN) return fracture.torn();
   if (n < EnergyReport::ENTRIES) return energies.value(n);
   // the differences of the last audit by cause, then the share of the time of this run that audits took
   n -= EnergyReport::ENTRIES;

@@ -8,6 +8,7 @@
 #include "fix.h"
 
 #include "energy_report.h"
+#include "fracture_watch.h"
 #include "run_table.h"
 #include "scene.h"
 #include "start_checks.h"
@@ -69,6 +70,7 @@ class FixSPHTM : public Fix, public SPHTM_NS::StepOwner {
   SPHTM_NS::StartChecks start;
   SPHTM_NS::StopReport stops;
   SPHTM_NS::EnergyReport energies;
+  SPHTM_NS::FractureWatch fracture;
   SPHTM_NS::RunTable table;
   SPHTM_NS::StateRestart file;
   std::unique_ptr<SPHTM_NS::AccuracyMeter> meter;    // with the keyword audit

@@ -277,8 +277,7 @@ void PairSPHTM::tally_virial_energy()
   const bool per_atom = vflag_atom || eflag_atom;
   tm_tally_args a;
   a.rec = results.records();
-  a.type = results.rate_args().type;
-  a.material = model.loop_tables().material.loop_read();
+  a.state = state->arrays();
   a.to_energy = 1.0 / model.units().energy;
   a.per_particle = results.tally_rows(per_atom);
   const tm_tally_result sum = loops.tally(backend, atom->nlocal, a, state->effects());

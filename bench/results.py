@@ -1,0 +1,197 @@
+#!/usr/bin/python3
+"""The table of results in README.md, from the summaries in doc/results.
+
+  ./sphtm results                      writes the table anew
+  ./sphtm results check                says whether it is what the summaries give
+  ./sphtm results collect [FILE ...]   takes summary.json files, or all in out/, into doc/results, then writes the table
+  ./sphtm results record NAME COMMAND key=value ...
+                                       a summary of numbers read by hand; its commit and date are those of now
+
+A summary of doc/results is a JSON file with "command", "commit" and "date" beside its numbers. Scenes and the demo write into
+their summary.json which numbers go to which ("results"). Rows are in ROWS below: what, summary, text with
+{path/in/summary:format} or {other.summary|path:format}, reference, where the reference is from, and 'met', 'missed' or ''
+(nothing to hold it to). 'published' stands only where a source prints the number; 'derived' is computed for this project,
+by the closed form or solver that is named."""
+import glob
+import json
+import os
+import re
+import sys
+
+sys.dont_write_bytecode = True
+from provenance import ROOT, provenance                                                # noqa: E402
+
+FOLDER = os.path.join(ROOT, "doc", "results")
+README = os.path.join(ROOT, "README.md")
+BEGIN, END = "<!-- results: ./sphtm results -->", "<!-- end of results -->"
+
+ROWS = [
+    ("high speed machining: force with heat over without, to 1.75 mm; 1 to 4 mm", "high_speed_machining",
+     "{force_ratio_to_1.75_mm:.3f}; {force_ratio_heat_over_no_heat:.3f}", "0.854", "published, Fraser et al. 2015, length "
+     "of averaging not given", "missed"),
+    ("mean of the maximum interface temperature", "high_speed_machining", "{max_interface_temperature_C:.0f} C", "376 C",
+     "published, the same", "missed"),
+    ("drift of the energy sum, over the work of the tool", "high_speed_machining", "{energy_error_fraction:.0e}", "0",
+     "", "met"),
+    ("Taylor bar, 227 m/s, 4, 5, 6 rings: length", "taylor_bar",
+     "{linear_4/length:.2f}, {linear_5/length:.2f}, {linear_6/length:.2f} mm", "21.4 mm", "published, finite elements",
+     "met"),
+    ("its radius", "taylor_bar", "{linear_4/radius:.2f}, {linear_5/radius:.2f}, {linear_6/radius:.2f} mm, rim split at 6",
+     "7.22 mm", "published, finite elements; others 7.11, 7.12", "missed"),
+    ("the same, 6 rings, hourglass 0.01: length, radius", "taylor_bar.hourglass",
+     "{linear_6/length:.2f}, {linear_6/radius:.2f} mm", "21.4, 7.22 mm", "published, finite elements",
+     "met"),
+    ("Taylor bar, OFHC 190 m/s, 4, 5, 7 rings: length", "taylor_bar",
+     "{ofhc190_4/length:.2f}, {ofhc190_5/length:.2f}, {ofhc190_7/length:.2f} mm", "17.40 mm",
+     "published, finite elements", "met"),
+    ("its radius", "taylor_bar", "{ofhc190_4/radius:.2f}, {ofhc190_5/radius:.2f}, {ofhc190_7/radius:.2f} mm", "7.28 mm",
+     "published, finite elements", "missed"),
+    ("Taylor bar, OFHC 210 m/s, 4, 5, 7 rings: length", "taylor_bar",
+     "{ofhc210_4/length:.2f}, {ofhc210_5/length:.2f}, {ofhc210_7/length:.2f} mm", "14.80 mm",
+     "measured, Wilkins and Guinan 1973", "met"),
+    ("its radius", "taylor_bar", "{ofhc210_4/radius:.2f}, {ofhc210_5/radius:.2f}, {ofhc210_7/radius:.2f} mm", "8.40 mm",
+     "measured, the same", "missed"),
+    ("Taylor bar, OFHC 225 m/s, 4, 5 rings: length", "taylor_bar",
+     "{ofhc225_4/length:.2f}, {ofhc225_5/length:.2f} mm", "22.25 mm", "measured, collected by Zelepugin et al. 2023",
+     "missed"),
+    ("its radius", "taylor_bar", "{ofhc225_4/radius:.2f}, {ofhc225_5/radius:.2f} mm", "8.02 mm", "measured, the same",
+     "missed"),
+    ("bullet through a plate of 12 mm: residual velocity, 15 404 and 118 908 particles", "bullet_plate.default",
+     "{residual:.1f}, {bullet_plate.large|residual:.1f} m/s: depends on the size, near the ballistic limit", "141.0 m/s",
+     "published, Fraser 2014, its thickness not given", "missed"),
+    ("tensile cylinder, 6 and 16 particles over the radius: force at the end", "tensile_cylinder.6",
+     "{end_force:.3f}, {tensile_cylinder.16|end_force:.3f} MN", "2.785 MN", "derived, finite elements, finest of three meshes", "missed"),
+    ("its largest force", "tensile_cylinder.6", "{largest_force:.3f}, {tensile_cylinder.16|largest_force:.3f} MN", "3.172 MN",
+     "derived, the same", "met"),
+    ("its least radius", "tensile_cylinder.6", "{radius:.2f}, {tensile_cylinder.16|radius:.2f} mm", "45.91 mm", "derived, the same", "met"),
+    ("flat specimen, 10, 25, 50 particles over the width, hourglass control and ASPH: stress at strain 0.15 over that of the "
+     "material", "flat_tensile_c45e.10",
+     "{asph_resisted:.3f}, {flat_tensile_c45e.25|asph_resisted:.3f}, {flat_tensile_c45e.50|asph_resisted:.3f}", "1", "derived, the flow curve", "met"),
+    ("oscillating plate, 10 and 20 particles over the thickness, the second with hourglass control: period",
+     "oscillating_plate", "{10:.4f}, {20:.4f} s", "0.2621 s", "derived, finite elements; published SPH: 0.2745 s", "missed"),
+    ("C45E: cutting force, uniformly fine, 0.15 mm", "cutting_c45e", "{fine/cutting:.0f} N/mm", "2085 to 2220 N/mm",
+     "derived, Kienzle's law with printed constants, at a sixth of the speed", "missed"),
+    ("C45E, refined at the edge of the tool: cutting and passive force over uniformly fine; time", "cutting_c45e",
+     "{refined_over_fine/cutting:.3f}, {refined_over_fine/passive:.3f}; {refined_over_fine/time:.2f}", "1, 1", "", "missed"),
+    ("the same: cutting force in the thirds of the second half of the cut: it does not get steady", "cutting_c45e",
+     "{refined/thirds/0:.0f}, {refined/thirds/1:.0f}, {refined/thirds/2:.0f} N/mm", "one level", "published, Spreng et al. "
+     "2013: it swings about a level", "missed"),
+    ("bent beam of C45E, without and with hourglass control: largest difference from the linear stress profile",
+     "bending_beam", "{elastic:.1f}, {elastic_resisted:.1f} %", "0", "derived, beam theory", "met"),
+    ("conduction, k ratio 1, 10, 100, 200 particles: error over the jump", "two_layer_heat", "{1:.1e}, {10:.1e}, {100:.1e}",
+     "0", "derived, closed form", "met"),
+    ("friction heat of steel on aluminum, spacing 20 um, after 1 ms: fraction into the aluminum", "tool_heat",
+     "{fraction:.3f}", "0.5507", "derived, closed form", "met"),
+    ("block on a slope, mu = 0.98 tan(angle): acceleration", "block_on_slope", "{acceleration:.6f} m/s^2", "0.068404 m/s^2",
+     "derived, closed form", "met"),
+]
+
+
+def summary(name):
+    path = os.path.join(FOLDER, name + ".json")
+    if not os.path.exists(path):
+        return None
+    with open(path) as f:
+        return json.load(f)
+
+
+def value(of, path):
+    for key in path.split("/"):
+        of = of[int(key)] if isinstance(of, list) else of[key]
+    return of
+
+
+def filled(text, name):
+    """The text, and the summaries that it took numbers from, each once; None for the text where one is not there."""
+    used = []
+
+    def put_in(m):
+        other, _, path = m.group(1).rpartition("|")
+        of = summary(other or name)
+        if of is None:
+            return "?"
+        if not any(of[k] == u[k] for u in used for k in ("command",)):
+            used.append(of)
+        try:
+            return format(value(of, path), m.group(2))
+        except (KeyError, IndexError, TypeError, ValueError) as e:
+            sys.exit("results: doc/results/%s.json: %r, for '%s'" % (other or name, e, text))
+
+    return re.sub(r"\{([^:{}]+):([^{}]*)\}", put_in, text), used
+
+
+def table():
+    lines = ["| | here | reference | from | | commit, date | command |", "|---|---|---|---|---|---|---|"]
+    for what, name, text, reference, source, verdict in ROWS:
+        here, used = filled(text, name)
+        when = "; ".join(sorted({"%s, %s" % (u["commit"], u["date"]) for u in used}))
+        how = "; ".join("`%s`" % u["command"] for u in used)
+        lines.append("| %s | %s | %s | %s | %s | %s | %s |" % (what, here, reference, source, verdict, when, how))
+    return "\n".join(lines)
+
+
+def written(text):
+    if text.count(BEGIN) != 1 or text.count(END) != 1:
+        sys.exit("results: README.md must have one line '%s' and one '%s'" % (BEGIN, END))
+    head, rest = text.split(BEGIN)
+    return head + BEGIN + "\n\n" + table() + "\n\n" + END + rest.split(END)[1]
+
+
+def put(name, of):
+    with open(os.path.join(FOLDER, name + ".json"), "w") as f:
+        json.dump(of, f, indent=1, sort_keys=True)
+        f.write("\n")
+    print("doc/results/%s.json" % name)
+
+
+def collect(files):
+    files = files or glob.glob(os.path.join(ROOT, "out", "**", "summary.json"), recursive=True)
+    for path in sorted(files):
+        with open(path) as f:
+            of = json.load(f)
+        if not all(of.get(k) for k in ("command", "commit", "date", "results")):
+            print("left out: %s (no results, commit, command and date in it)" % path)
+            continue
+        for name, values in of["results"].items():
+            put(name, dict(values, **{k: of[k] for k in ("command", "commit", "date")}))
+
+
+def number(text):
+    try:
+        return float(text)
+    except ValueError:
+        sys.exit("results: '%s' is no number" % text)
+
+
+def record(name, command, *pairs):
+    of = summary(name) or {}
+    for pair in pairs:
+        path, _, text = pair.partition("=")
+        at, keys = of, path.split("/")
+        for key in keys[:-1]:
+            at = at.setdefault(key, {})
+        at[keys[-1]] = number(text)
+    put(name, dict(of, **provenance(command)))
+
+
+def main(arguments):
+    what = arguments[0] if arguments else "write"
+    with open(README) as f:
+        text = f.read()
+    if what == "check":
+        good = written(text) == text
+        print("README.md has the table of doc/results" if good else "README.md is not what doc/results gives: ./sphtm results")
+        return 0 if good else 1
+    if what == "collect":
+        collect(arguments[1:])
+    elif what == "record" and len(arguments) > 3:
+        record(*arguments[1:])
+    elif what != "write":
+        sys.exit(__doc__)
+    with open(README, "w") as f:
+        f.write(written(text))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

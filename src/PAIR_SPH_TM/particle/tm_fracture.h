@@ -1,0 +1,239 @@
+/* SPH-TM: whether a particle has lost its neighbors on one side though nothing has failed: numerical fracture.
+
+   Each particle keeps where it was, X, and the sum of the bonds to its nearest neighbors there,
+     B = sum of X_j - X_i over |X_j - X_i| < 1.5 spacings.
+   Of the bonds whose neighbors are within the support radius still, F maps reference to present positions best,
+     F = (sum (x_j - x_i)(X_j - X_i)) (sum (X_j - X_i)(X_j - X_i))^-1,
+   and B less their sum is the side on which neighbors were lost, direction u. The particle has come loose where
+     |B - sum| is that of half a face of the lattice: flow loses neighbors on both sides, and then the sum is small;
+     there is no particle where by F one of those lost should be, F u times the spacing: past a slip plane there is one;
+     the spacing there, |F u|, is neither so large that neighbors no longer meet nor pressed together: a surface that
+     grows takes particles in from below, and there the body is compressed across the surface.
+   One whose kept bonds do not tell F is loose where there is none at all within the length of a bond.
+   Particles that have failed, and those that ever had a failed neighbor, are left out: there fracture is physical. So are
+   those without bonds in the reference. */
+#ifndef TM_FRACTURE_H
+#define TM_FRACTURE_H
+
+#include "tm_chunk.h"
+#include "tm_eigen.h"
+#include "tm_state.h"
+
+#include <limits.h>
+
+/* Length of bonds over the spacing: 8 neighbors of a square lattice, 18 of a cubic one. */
+#define TM_FRACTURE_BOND 1.5
+/* Least loss of bonds over the spacing; a face of the square lattice has 3, of the cubic one 5. */
+#define TM_FRACTURE_LOSS_2D 1.5
+#define TM_FRACTURE_LOSS_3D 2.5
+/* In the reference, over the spacing: how far from u no particle may be. */
+#define TM_FRACTURE_EMPTY 0.75
+/* |F u|: pressed together below the first; above the second, over the support radius, neighbors hardly meet. */
+#define TM_FRACTURE_PRESSED 0.8
+#define TM_FRACTURE_STRETCHED 0.8
+/* Least determinant of the kept bonds over that of even ones, to know F. */
+#define TM_FRACTURE_LEAST 0.02
+
+/* what is known of a particle, last column of the field */
+enum { TM_FRACTURE_UNKNOWN = 0, TM_FRACTURE_WHOLE = 1, TM_FRACTURE_LEFT_OUT = 2, TM_FRACTURE_TORN = 3 };
+/* what neighbors know of a particle: X, and whether it has failed */
+enum { TM_FRACTURE_KNOWN = 4 };
+
+typedef struct {
+  tm_state state;
+  tm_rows rows;
+  tm_records rec; /* positions of owned and ghost particles */
+  const int *tag;
+  tm_real *known;              /* TM_FRACTURE_KNOWN per particle, owned and ghost */
+  tm_real period[3];           /* lengths of the box where the references were taken, 0: not periodic */
+  tm_real spacing, h, support; /* of all, where particles have no size of their own; radius over h */
+  int dim3;
+} tm_fracture_args;
+
+/* Of a look at all particles: how many are torn; of those that were not yet, the least tag. */
+typedef struct {
+  tm_real torn;
+  int first;
+} tm_fracture_result;
+
+TM_FN tm_fracture_result tm_fracture_nothing(void)
+{
+  tm_fracture_result r;
+  r.torn = 0.0;
+  r.first = INT_MAX;
+  return r;
+}
+TM_FN void tm_fracture_sum(tm_fracture_result *sum, const tm_fracture_result *r)
+{
+  sum->torn += r->torn;
+  if (r->first < sum->first) sum->first = r->first;
+}
+
+TM_FN int tm_fracture_state(const tm_state *s, int i)
+{
+  return (int) tm_field_row(s, TM_F_FRACTURE, i)[tm_column(TM_R_STATE)];
+}
+TM_FN tm_real tm_fracture_is_unknown(int i, const tm_fracture_args *a)
+{
+  return tm_fracture_state(&a->state, i) == TM_FRACTURE_UNKNOWN ? 1.0 : 0.0;
+}
+TM_FN tm_real tm_fracture_is_torn(int i, const tm_fracture_args *a)
+{
+  return tm_fracture_state(&a->state, i) == TM_FRACTURE_TORN ? 1.0 : 0.0;
+}
+
+/* The present place as reference. */
+TM_FN void tm_fracture_refer(int i, const tm_fracture_args *a)
+{
+  const tm_real *r = tm_main_record(&a->rec, i);
+  tm_real *f = tm_field_row(&a->state, TM_F_FRACTURE, i);
+  for (int k = 0; k < 3; k++) f[tm_column(TM_R_X + k)] = r[tm_part(TM_REC_X + k)];
+  if (f[tm_column(TM_R_STATE)] == TM_FRACTURE_UNKNOWN) f[tm_column(TM_R_STATE)] = TM_FRACTURE_WHOLE;
+}
+
+/* What neighbors are told. */
+TM_FN void tm_fracture_tell(int i, const tm_fracture_args *a)
+{
+  const tm_real *f = tm_field_row(&a->state, TM_F_FRACTURE, i);
+  tm_real *k = a->known + (ptrdiff_t) i * TM_FRACTURE_KNOWN;
+  for (int d = 0; d < 3; d++) k[d] = f[tm_column(TM_R_X + d)];
+  k[3] = a->state.field[TM_F_DAMAGE] ? tm_field_row(&a->state, TM_F_DAMAGE, i)[tm_column(1)] : 0.0;
+}
+
+/* Spacing and support radius of particle i. */
+TM_FN tm_real tm_fracture_spacing(int i, const tm_fracture_args *a)
+{
+  return a->state.field[TM_F_SIZE] ? tm_field_row(&a->state, TM_F_SIZE, i)[tm_column(TM_S_DP)] : a->spacing;
+}
+TM_FN tm_real tm_fracture_reach(int i, const tm_fracture_args *a)
+{
+  return a->support * (a->state.field[TM_F_SIZE] ? tm_field_row(&a->state, TM_F_SIZE, i)[tm_column(TM_S_H)] : a->h);
+}
+
+/* X_j - X_i, to the nearest image. */
+TM_FN tm_vec3 tm_fracture_bond(int i, int j, const tm_fracture_args *a)
+{
+  const tm_real *p = a->known + (ptrdiff_t) i * TM_FRACTURE_KNOWN, *q = a->known + (ptrdiff_t) j * TM_FRACTURE_KNOWN;
+  tm_real d[3];
+  for (int k = 0; k < 3; k++) {
+    d[k] = q[k] - p[k];
+    if (a->period[k] > 0.0) d[k] -= a->period[k] * floor(d[k] / a->period[k] + 0.5);
+  }
+  return tm_vec(d[0], d[1], a->dim3 ? d[2] : 0.0);
+}
+
+TM_FN tm_vec3 tm_fracture_apart(int i, int j, const tm_fracture_args *a)
+{
+  const tm_real *p = tm_main_record(&a->rec, i), *q = tm_main_record(&a->rec, j);
+  return tm_vec(q[tm_part(0)] - p[tm_part(0)], q[tm_part(1)] - p[tm_part(1)],
+                a->dim3 ? q[tm_part(2)] - p[tm_part(2)] : 0.0);
+}
+
+/* The sum B of a reference that was just taken. */
+TM_FN void tm_fracture_bonds(int i, const tm_fracture_args *a)
+{
+  const tm_real most = TM_FRACTURE_BOND * tm_fracture_spacing(i, a);
+  tm_vec3 sum = tm_vec(0, 0, 0);
+  int bonds = 0;
+  for (int k = 0; k < a->rows.mechanical[i]; k++) {
+    const tm_vec3 X = tm_fracture_bond(i, a->rows.index[a->rows.first[i] + k * a->rows.stride], a);
+    if (!(tm_vec_dot(X, X) < most * most)) continue;
+    sum = tm_vec_add(sum, X);
+    bonds++;
+  }
+  tm_real *f = tm_field_row(&a->state, TM_F_FRACTURE, i);
+  f[tm_column(TM_R_B)] = sum.x;
+  f[tm_column(TM_R_B + 1)] = sum.y;
+  f[tm_column(TM_R_B + 2)] = sum.z;
+  if (!bonds && f[tm_column(TM_R_STATE)] == TM_FRACTURE_WHOLE) f[tm_column(TM_R_STATE)] = TM_FRACTURE_LEFT_OUT;
+}
+
+/* No neighbor of i within the reference distance of u; back: present to reference, where it is known. */
+TM_FN int tm_fracture_is_empty(int i, const tm_fracture_args *a, const tm_mat3 *back, tm_vec3 u, tm_real dp)
+{
+  const tm_real most = (back ? TM_FRACTURE_EMPTY : TM_FRACTURE_BOND) * dp;
+  for (int k = 0; k < a->rows.mechanical[i]; k++) {
+    tm_vec3 d = tm_fracture_apart(i, a->rows.index[a->rows.first[i] + k * a->rows.stride], a);
+    if (back) {
+      d = tm_vec(back->xx * d.x + back->xy * d.y + back->xz * d.z, back->yx * d.x + back->yy * d.y + back->yz * d.z,
+                 back->zx * d.x + back->zy * d.y + back->zz * d.z);
+      d = tm_vec_axpy(d, -dp, u);
+    }
+    if (tm_vec_dot(d, d) < most * most) return 0;
+  }
+  return 1;
+}
+
+/* The kept bonds of particle i. */
+typedef struct {
+  tm_vec3 sum;
+  tm_sym3 XX;
+  tm_mat3 xX;
+  int near_failed;
+} tm_fracture_kept;
+
+TM_FN tm_fracture_kept tm_fracture_gather(int i, const tm_fracture_args *a, tm_real dp, tm_real reach)
+{
+  tm_fracture_kept s;
+  s.sum = tm_vec(0, 0, 0);
+  s.XX = tm_sym(0, 0, 0, 0, 0, 0);
+  s.xX = tm_mat_scale(0.0, tm_mat_identity());
+  s.near_failed = a->known[(ptrdiff_t) i * TM_FRACTURE_KNOWN + 3] > 0.5;
+  for (int k = 0; k < a->rows.mechanical[i]; k++) {
+    const int j = a->rows.index[a->rows.first[i] + k * a->rows.stride];
+    const tm_vec3 x = tm_fracture_apart(i, j, a), X = tm_fracture_bond(i, j, a);
+    if (!(tm_vec_dot(x, x) < reach * reach)) continue;
+    if (a->known[(ptrdiff_t) j * TM_FRACTURE_KNOWN + 3] > 0.5) s.near_failed = 1;
+    if (!(tm_vec_dot(X, X) < TM_FRACTURE_BOND * TM_FRACTURE_BOND * dp * dp)) continue;
+    const tm_real c[9] = {x.x * X.x, x.x * X.y, x.x * X.z, x.y * X.x, x.y * X.y,
+                          x.y * X.z, x.z * X.x, x.z * X.y, x.z * X.z};
+    s.sum = tm_vec_add(s.sum, X);
+    s.XX = tm_sym_add_dyad(s.XX, 1.0, X);
+    s.xX = tm_mat_add(s.xX, tm_mat_load(c));
+  }
+  return s;
+}
+
+/* Whether particle i has come loose by now. */
+TM_FN int tm_fracture_is_loose(int i, const tm_fracture_args *a, const tm_fracture_kept *kept, tm_real dp,
+                               tm_real reach)
+{
+  const tm_real *f = tm_field_row(&a->state, TM_F_FRACTURE, i);
+  const tm_vec3 B = tm_vec(f[tm_column(TM_R_B)], f[tm_column(TM_R_B + 1)], f[tm_column(TM_R_B + 2)]);
+  const tm_vec3 lost = tm_vec_axpy(B, -1.0, kept->sum);
+  const tm_real size = tm_vec_norm(lost);
+  tm_sym3 M = tm_sym_scale(1.0 / (dp * dp), kept->XX);
+  if (!a->dim3) M.zz = 1.0;
+  if (!(tm_sym_det(M) > TM_FRACTURE_LEAST)) return tm_fracture_is_empty(i, a, NULL, lost, dp);
+  if (size < (a->dim3 ? TM_FRACTURE_LOSS_3D : TM_FRACTURE_LOSS_2D) * dp) return 0;
+  const tm_vec3 u = tm_vec_scale(1.0 / size, lost);
+  const tm_sym3 inverse = tm_sym_scale(1.0 / (dp * dp), tm_sym_inverse_bounded(M, a->dim3, 0.0));
+  tm_mat3 F = tm_mat_mul(kept->xX, tm_mat_from_sym(inverse));
+  if (!a->dim3) F.zz = 1.0;
+  const tm_vec3 to = tm_vec(F.xx * u.x + F.xy * u.y + F.xz * u.z, F.yx * u.x + F.yy * u.y + F.yz * u.z,
+                            F.zx * u.x + F.zy * u.y + F.zz * u.z);
+  const tm_real stretch = tm_vec_norm(to);
+  if (stretch < TM_FRACTURE_PRESSED || stretch * dp > TM_FRACTURE_STRETCHED * reach) return 0;
+  int good = 0;
+  const tm_mat3 back = tm_mat_inverse(F, a->dim3, &good);
+  return good && tm_fracture_is_empty(i, a, &back, u, dp);
+}
+
+TM_FN tm_fracture_result tm_fracture_look(int i, const tm_fracture_args *a)
+{
+  tm_fracture_result out = tm_fracture_nothing();
+  tm_real *state = tm_field_row(&a->state, TM_F_FRACTURE, i) + tm_column(TM_R_STATE);
+  if (*state == TM_FRACTURE_WHOLE) {
+    const tm_real dp = tm_fracture_spacing(i, a), reach = tm_fracture_reach(i, a);
+    const tm_fracture_kept kept = tm_fracture_gather(i, a, dp, reach);
+    if (kept.near_failed) *state = TM_FRACTURE_LEFT_OUT;
+    else if (tm_fracture_is_loose(i, a, &kept, dp, reach)) {
+      *state = TM_FRACTURE_TORN;
+      out.first = a->tag[i];
+    }
+  }
+  out.torn = *state == TM_FRACTURE_TORN ? 1.0 : 0.0;
+  return out;
+}
+
+#endif
