@@ -49,7 +49,7 @@ enum { TM_K_MATRIX = 0, TM_K_SPIN = 6, TM_K_SINCE = 9, TM_K_COLUMNS = 10 };
   FIELD(TM_F_THICKNESS, "thickness", 1, TM_FX_PLANE_STRESS)         \
   FIELD(TM_F_SIZE, "size", TM_S_COLUMNS, TM_FX_SMOOTHING)           \
   FIELD(TM_F_HOURGLASS, "hourglass", TM_G_COLUMNS, TM_FX_HOURGLASS) \
-  FIELD(TM_F_FRACTURE, "reference", TM_R_COLUMNS, TM_FX_FRACTURE)     \
+  FIELD(TM_F_FRACTURE, "reference", TM_R_COLUMNS, TM_FX_FRACTURE)   \
   FIELD(TM_F_CORRECTION, "correction", TM_K_COLUMNS, TM_FX_ONE_PASS)
 
 #define TM_FIELD(id, name, columns, effects) id,

@@ -60,8 +60,8 @@ double EffectProbe::step(unsigned fx)
 
   const tm_state now = particles_state.arrays();
   tm_predict_args p = results.predict_args(particles_state, now);
-  p.rec = {main.loop_write(), stress.loop_write(), heat_record.loop_write(),
-           nullptr,           size.loop_write(),   hourglass.loop_write(), stab.loop_write()};
+  p.rec = {main.loop_write(), stress.loop_write(),    heat_record.loop_write(), nullptr,
+           size.loop_write(), hourglass.loop_write(), stab.loop_write()};
   p.correction = correction.loop_write();
 
   tm_update_args u = update_args(particles_state, results);

@@ -25,8 +25,9 @@ class EffectProbe {
   StepResults &results;
   Backend &loops;
   int n;
-  LoopArray<double> state[TM_F_COUNT], x, v;                               // copies the update changes
-  LoopArray<double> main, stress, heat_record, size, hourglass, stab, correction, moment;    // written by the prediction
+  LoopArray<double> state[TM_F_COUNT], x, v;    // copies the update changes
+  LoopArray<double> main, stress, heat_record, size, hourglass, stab, correction,
+      moment;                                                              // written by the prediction
   LoopArray<double> force, gradient, heat, xsph_v, surface, artificial;    // and by the rate pass
 
   double step(unsigned effects);

@@ -77,12 +77,12 @@ TM_FN tm_sym3 tm_turned_correction(const tm_real *field, tm_real ahead)
 {
   if (field[0] == 0.0) return tm_sym(1, 1, 1, 0, 0, 0);
   const tm_real *spin = field + tm_column(TM_K_SPIN), half = 0.5 * (ahead + field[tm_column(TM_K_SINCE)]);
-  return tm_sym_turned(tm_sym_from_row(field), tm_vec(half * spin[0], half * spin[tm_column(1)], half * spin[tm_column(2)]));
+  return tm_sym_turned(tm_sym_from_row(field),
+                       tm_vec(half * spin[0], half * spin[tm_column(1)], half * spin[tm_column(2)]));
 }
 
 /* w after a step with velocity gradient L and rate r; forgotten: plastic strain of the step over tm_hourglass_memory(). */
-TM_FN void tm_hourglass_step(tm_real *field, const tm_real *rate, tm_mat3 L, tm_real dt, tm_real forgotten,
-                             int forget)
+TM_FN void tm_hourglass_step(tm_real *field, const tm_real *rate, tm_mat3 L, tm_real dt, tm_real forgotten, int forget)
 {
   const tm_real keep = forget ? 0.0 : 1.0 / (1.0 + forgotten);
   const tm_real x = field[tm_column(TM_G_W)], y = field[tm_column(TM_G_W + 1)], z = field[tm_column(TM_G_W + 2)];
@@ -141,8 +141,7 @@ TM_FN void tm_hourglass_coefficients(const tm_chunk *c, const tm_rates_args *a, 
   const tm_real q = r * p.inv_h, volume = col[TM_REC_M][tm_at(l)] / col[TM_REC_RHO][tm_at(l)];
   const tm_real ki = own[TM_HOURGLASS_K], kj = col[TM_GCOL_W + TM_HOURGLASS_K][tm_at(l)];
   col[TM_GCOL_WEIGHT][tm_at(l)] = volume * p.norm * tm_kernel_shape(kernel, q);
-  col[TM_GCOL_FORCE][tm_at(l)] =
-      volume * p.slope_norm * tm_kernel_slope(kernel, q) * tm_min(ki, kj) / (r2 * r * rhoi);
+  col[TM_GCOL_FORCE][tm_at(l)] = volume * p.slope_norm * tm_kernel_slope(kernel, q) * tm_min(ki, kj) / (r2 * r * rhoi);
 }
 
 /* Sums over the neighbors for tm_hourglass_rate() and the force. */

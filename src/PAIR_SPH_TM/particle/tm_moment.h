@@ -24,7 +24,6 @@
 #error "double only: the correction of the gradients has the precision of the state"
 #endif
 
-
 /* M of row i of the arguments. */
 TM_FN tm_sym3 tm_moment_sum(int i, const tm_rates_args *a, unsigned effects)
 {

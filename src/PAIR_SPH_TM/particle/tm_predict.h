@@ -55,7 +55,8 @@ TM_FN void tm_predict_hourglass(int i, const tm_predict_args *a, tm_sym3 dev, tm
   const tm_real *r = tm_main_record(&a->rec, i), c = r[tm_part(TM_REC_C)];
   const tm_real k = r[tm_part(TM_REC_RHO)] * c * c;
   const int failed = (effects & TM_FX_DAMAGE) && tm_field_row(s, TM_F_DAMAGE, i)[tm_column(1)] > 0.5;
-  const tm_real xi = k > 0.0 && m->strength != TM_STRENGTH_NONE && !failed ? tm_hourglass_stiffness(a->hourglass, dev, p, k) : 0.0;
+  const tm_real xi =
+      k > 0.0 && m->strength != TM_STRENGTH_NONE && !failed ? tm_hourglass_stiffness(a->hourglass, dev, p, k) : 0.0;
   const tm_real delay = k > 0.0 ? TM_HOURGLASS_DAMPING * tm_particle_h(s, i, a->h, effects) / c : 0.0;
   const tm_vec3 W = tm_hourglass_displacement(tm_field_row(s, TM_F_HOURGLASS, i), a->dt_ahead, xi, delay);
   if (effects & TM_FX_ONE_PASS) {

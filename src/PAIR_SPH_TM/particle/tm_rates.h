@@ -50,8 +50,7 @@ enum {
 
 /* Terms of the rates: literals, but in the extended instantiation. */
 typedef struct {
-  int kernel, dim3, viscosity, artstress, conduction, form_f14, correction, balsara, xsph, surface, sizes,
-      one_pass;
+  int kernel, dim3, viscosity, artstress, conduction, form_f14, correction, balsara, xsph, surface, sizes, one_pass;
 } tm_rates_terms;
 
 TM_FN tm_rates_terms tm_rates_terms_of(unsigned effects, unsigned run_time)
@@ -119,8 +118,7 @@ TM_FN void tm_rates_fetch(const tm_chunk *c, const int *jj, const tm_rates_terms
   const int all = TM_COLUMN > 1 || TM_SINGLE || t->viscosity;
   const int bare = t->one_pass && !t->balsara; /* P and c are in the other record */
   tm_chunk_fetch_main(c, jj, bare ? TM_REC_P : all ? TM_REC : TM_REC_C, t->dim3, col);
-  if (t->one_pass)
-    tm_fetch_records(rec->stab, TM_REC_STAB, 0, TM_STAB_FETCHED, jj, c->lanes, col[TM_COL_STAB]);
+  if (t->one_pass) tm_fetch_records(rec->stab, TM_REC_STAB, 0, TM_STAB_FETCHED, jj, c->lanes, col[TM_COL_STAB]);
   if (t->artstress) /* in single with heat behind it, whose columns begin within a group of four */
     tm_fetch_records(rec->stress, TM_STRESS_COLUMNS, 0, TM_STRESS_COLUMNS, jj, c->lanes, col[TM_COL_STRESS]);
   else if (TM_SINGLE && t->conduction)
@@ -176,7 +174,7 @@ typedef struct {
   tm_sum_mat gradient;
   tm_sum_vec acceleration, xsph, surface;
   tm_sum artificial, heat;
-  tm_sum_sym moment;   /* with one pass: sums of -d (x) g, g, g d and g v, g = m_j W'/r */
+  tm_sum_sym moment; /* with one pass: sums of -d (x) g, g, g d and g v, g = m_j W'/r */
   tm_sum weights;
   tm_sum_vec gd, gv;
 } tm_rates_sums;

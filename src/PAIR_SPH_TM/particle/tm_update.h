@@ -41,7 +41,7 @@ typedef struct {
   tm_records rec;
   const tm_real *gradient, *heat, *xsph_v, *hourglass_rate, *artificial;
   const tm_real *moment; /* K of the force point, with one pass */
-  const tm_real *share; /* of the balanced artificial stress, see tm_predict.h */
+  const tm_real *share;  /* of the balanced artificial stress, see tm_predict.h */
   tm_real ratio;
   const double *force_internal; /* force of the pair style alone, with the ledger */
   tm_real *source;              /* heat given to the particle by contact and fluxes (power); emptied */
@@ -337,8 +337,8 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     }
     if (effects & TM_FX_BALSARA) tm_update_balsara(i, s, L, rec[tm_part(TM_REC_C)], h);
     if (effects & TM_FX_HOURGLASS)
-      tm_hourglass_step(tm_field_row(s, TM_F_HOURGLASS, i), a->hourglass_rate + 3 * (ptrdiff_t) i, L, a->dt, q.d_eps / tm_hourglass_memory(q.yield, q.p),
-                        failed || m->strength == TM_STRENGTH_NONE);
+      tm_hourglass_step(tm_field_row(s, TM_F_HOURGLASS, i), a->hourglass_rate + 3 * (ptrdiff_t) i, L, a->dt,
+                        q.d_eps / tm_hourglass_memory(q.yield, q.p), failed || m->strength == TM_STRENGTH_NONE);
     if (effects & TM_FX_ONE_PASS)
       tm_update_correction(tm_field_row(s, TM_F_CORRECTION, i), a->moment + (ptrdiff_t) i * 6, L, 0.5 * a->dt);
     if (effects & TM_FX_HEAT) out.heat = tm_update_temperature(i, a, m, q.rho, q.yield * q.d_eps * inv_dt, effects);
