@@ -150,7 +150,7 @@ static void test_against_sums(int sizes)
       if (q >= tm_kernel_support(kernel)) continue;
       const double factor = sizes ? 0.5 * (size[i * TM_REC_SIZE + TM_SIZE_FACTOR] + size[j * TM_REC_SIZE + TM_SIZE_FACTOR]) : 1.0;
       const double slope = factor * tm_kernel_norm(kernel, dim, h) / h * tm_kernel_slope(kernel, q);
-      const double k = 2 * g(i)[3] * g(j)[3] / (g(i)[3] + g(j)[3]);
+      const double k = tm_min(g(i)[3], g(j)[3]);
       for (int d = 0; d < 3; d++) {
         const double f = rj[3] * k / (ri[7] * rj[7]) * wx / r2 * slope * x[d] / r;
         a[d] += f;
@@ -232,23 +232,57 @@ static void test_few(void)
   }
 }
 
-static void test_record(void)
+/* W: stiffness times the displacement at the force point, and the damping. */
+static void test_displacement(void)
 {
-  double field[TM_G_COLUMNS] = {1, 2, 3, 10, 20, 30}, out[4];
-  tm_hourglass_record(field, 0.1, 7.0, out);
-  for (int d = 0; d < 3; d++) UT_NEAR(out[d], 2.0 * (d + 1), 1e-15);
-  UT_TRUE(out[3] == 7.0);
-  tm_hourglass_record(field, 0.1, 0.0, out);
-  for (int d = 0; d < 4; d++) UT_TRUE(out[d] == 0.0);
+  const double field[TM_G_COLUMNS] = {1, 2, 3, 10, 20, 30};
+  const tm_vec3 W = tm_hourglass_displacement(field, 0.1, 7.0, 0.5);
+  UT_NEAR(W.x, 7.0 * 2.0 + 5.0, 1e-15);
+  UT_NEAR(W.y, 7.0 * 4.0 + 10.0, 1e-15);
+  UT_NEAR(W.z, 7.0 * 6.0 + 15.0, 1e-15);
 }
 
-/* A spin turns the displacement; a strain forgets it, exp(-strain/eps); nothing else does. */
+/* The stiffness follows the stress up to its limit; what is forgotten follows the tension. */
+static void test_stiffness(void)
+{
+  const double Y = 3.0, k = 1e4;
+  const tm_sym3 pull = tm_sym(2.0 / 3.0 * Y, -Y / 3.0, -Y / 3.0, 0, 0, 0); /* deviator of uniaxial stress Y */
+  UT_NEAR(tm_hourglass_stiffness(-1.0, pull, -Y / 3.0, k), TM_HOURGLASS_ZETA * 4.0 / 3.0 * Y / k, 1e-14);
+  UT_NEAR(tm_hourglass_stiffness(-1.0, tm_sym_scale(-1.0, pull), Y / 3.0, k), TM_HOURGLASS_ZETA * Y / k, 1e-14);
+  UT_TRUE(tm_hourglass_stiffness(-1.0, pull, -Y / 3.0, 1.0) == TM_HOURGLASS_MOST);
+  UT_TRUE(tm_hourglass_stiffness(-1.0, tm_sym(0, 0, 0, 0, 0, 0), 5.0, k) == 0.0);
+  UT_TRUE(tm_hourglass_stiffness(0.02, pull, -Y / 3.0, k) == 0.02);
+  UT_NEAR(tm_hourglass_memory(Y, -Y / 3.0), TM_HOURGLASS_STRAIN, 1e-14);
+  UT_NEAR(tm_hourglass_memory(Y, 0.0), 2.0 / 3.0 * TM_HOURGLASS_STRAIN, 1e-14);
+  UT_NEAR(tm_hourglass_memory(Y, Y), TM_HOURGLASS_MEMORY * TM_HOURGLASS_STRAIN, 1e-14);
+  UT_TRUE(tm_hourglass_memory(0.0, 1.0) == TM_HOURGLASS_STRAIN);
+}
+
+/* K turns with the particle; unknown it is 1. */
+static void test_correction_turned(void)
+{
+  const double angle = 1e-3, since = 0.25, ahead = 0.15;
+  tm_real field[TM_K_COLUMNS] = {2, 1, 3, 0.5, 0.25, -0.125, 0, 0, 2 * angle / (since + ahead), since};
+  const tm_mat3 R = {cos(angle), -sin(angle), 0, sin(angle), cos(angle), 0, 0, 0, 1};
+  const tm_sym3 K = tm_sym_load(field), got = tm_turned_correction(field, ahead);
+  const tm_mat3 want = tm_mat_mul(R, tm_mat_mul(tm_mat_from_sym(K), tm_mat_transposed(R)));
+  UT_WITHIN(got.xx, want.xx, 1e-9);
+  UT_WITHIN(got.yy, want.yy, 1e-9);
+  UT_WITHIN(got.xy, want.xy, 1e-9);
+  UT_WITHIN(got.xz, want.xz, 1e-9);
+  UT_WITHIN(got.yz, want.yz, 1e-9);
+  UT_NEAR(tm_sym_det(got), tm_sym_det(K), 1e-14); /* a rotation to round-off */
+  field[0] = 0.0;
+  UT_TRUE(tm_turned_correction(field, ahead).xx == 1.0 && tm_turned_correction(field, ahead).xy == 0.0);
+}
+
+/* A spin turns the displacement; plastic strain forgets it, exp(-strain/memory); nothing else does. */
 static void test_step(void)
 {
   const double none[3] = {0, 0, 0}, along[3] = {2, 0, -1};
   const tm_mat3 rest = tm_mat_scale(0.0, tm_mat_identity());
   double field[TM_G_COLUMNS] = {1, 0, 0.5, 0, 0, 0};
-  tm_hourglass_step(field, along, rest, 0.25, 0);
+  tm_hourglass_step(field, along, rest, 0.25, 0.0, 0);
   UT_NEAR(field[0], 1.5, 1e-15);
   UT_NEAR(field[2], 0.25, 1e-15);
   for (int d = 0; d < 3; d++) UT_TRUE(field[TM_G_RATE + d] == along[d]);
@@ -256,15 +290,15 @@ static void test_step(void)
   spin.xy = -1.0;
   spin.yx = 1.0;
   const int steps = 100000;
-  for (int k = 0; k < steps; k++) tm_hourglass_step(field, none, spin, 0.5 * TM_PI / steps, 0);
+  for (int k = 0; k < steps; k++) tm_hourglass_step(field, none, spin, 0.5 * TM_PI / steps, 0.0, 0);
   UT_WITHIN(field[0], 0, 1e-4);
   UT_NEAR(field[1], 1.5, 1e-4);
   UT_NEAR(field[2], 0.25, 1e-12);
   tm_mat3 shear = rest;
   shear.xy = shear.yx = 1.0 / sqrt(2.0);
-  for (int k = 0; k < steps; k++) tm_hourglass_step(field, none, shear, TM_HOURGLASS_STRAIN / steps, 0);
+  for (int k = 0; k < steps; k++) tm_hourglass_step(field, none, shear, 1.0 / steps, 1.0 / steps, 0);
   UT_NEAR(field[1], 1.5 * exp(-1), 1e-4);
-  tm_hourglass_step(field, along, shear, 1.0, 1);
+  tm_hourglass_step(field, along, shear, 1.0, 0.0, 1);
   for (int c = 0; c < TM_G_COLUMNS; c++) UT_TRUE(field[c] == 0.0);
 }
 
@@ -293,7 +327,9 @@ int main(void)
       }
   test_chessboard();
   test_few();
-  test_record();
+  test_displacement();
+  test_stiffness();
+  test_correction_turned();
   test_step();
   test_time_step();
   return ut_summary();

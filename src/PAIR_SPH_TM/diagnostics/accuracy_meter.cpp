@@ -19,8 +19,9 @@ using namespace LAMMPS_NS;
 namespace SPHTM_NS {
 
 namespace {
-constexpr double XSPH_DEFAULT = 0.5;    // Monaghan 1989
-constexpr int PSI_TURNS = 5;            // of the rule of asph psi, to the length it wants
+constexpr double XSPH_DEFAULT = 0.5;                              // Monaghan 1989
+constexpr double VISCOSITY_DEFAULT = 1.0, ARTSTRESS_EPS = 0.3;    // Fraser 2014
+constexpr int PSI_TURNS = 5;                                      // of the rule of asph psi, to the length it wants
 
 // the same number of a particle on every rank, another in another step
 uint64_t draw(uint64_t tag, uint64_t step)
@@ -112,7 +113,7 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::of_centers(AuditPatch &p, unsi
   a.which = nullptr;
   a.effects = effects;
   std::vector<double> K(6 * (size_t) n + 1), PK((size_t) TM_REC_CORRECTION * n + 1);
-  if (effects & TM_FX_CORRECTION) {
+  if ((effects & TM_FX_CORRECTION) && !(effects & TM_FX_ONE_PASS)) {
     a.correction = K.data();
     a.rec.correction = PK.data();
     const double began = RunClock::processor_time();
@@ -185,7 +186,7 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::surroundings(AuditSearch &sear
     if (std::binary_search(all.begin(), all.end(), (int) atom->tag[i])) own.push_back(i);
 
   AuditPatch wider;
-  if ((effects & TM_FX_CORRECTION) || rule.table)
+  if (((effects & TM_FX_CORRECTION) && !(effects & TM_FX_ONE_PASS)) || rule.table)
     wider = search.around(own, rule.table ? search.farthest : search.radius);
   else wider = search.alone(own);
   std::vector<Around> known = of_centers(wider, effects, rule);
@@ -206,7 +207,6 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::surroundings(AuditSearch &sear
 
 AccuracyMeter::Rates AccuracyMeter::rates(AuditPatch &p, const tm_records &rec, unsigned effects, const double *K) const
 {
-  const Settings defaults;
   const int n = p.centers;
   const size_t room = n + 1, all = p.member.size() + 1;
   tm_rates_args a = scene.results().rate_args();
@@ -216,8 +216,8 @@ AccuracyMeter::Rates AccuracyMeter::rates(AuditPatch &p, const tm_records &rec, 
   a.conductance = nullptr;
   a.which = nullptr;
   if (!state.has(TM_FX_VISCOSITY)) {
-    a.visc_alpha = defaults.visc_alpha;
-    a.visc_beta = defaults.visc_beta;
+    a.visc_alpha = VISCOSITY_DEFAULT;
+    a.visc_beta = VISCOSITY_DEFAULT;
   }
   if (!state.has(TM_FX_XSPH)) a.xsph = XSPH_DEFAULT;
   Rates r;
@@ -226,17 +226,19 @@ AccuracyMeter::Rates AccuracyMeter::rates(AuditPatch &p, const tm_records &rec, 
   r.heat.resize(effects & TM_FX_CONDUCTION ? room : 0);
   r.xsph.resize(effects & TM_FX_XSPH ? 3 * room : 0);
   std::vector<double> surface(effects & TM_FX_SURFACE ? 3 * room : 0);
-  std::vector<float> main, more, correction, size;
+  std::vector<float> main, more, correction, size, stab;
   if (effects & TM_FX_MIXED) {
     main.resize(TM_REC * all);
     more.resize(effects & (TM_FX_ARTSTRESS | TM_FX_CONDUCTION) ? TM_MORE * all : 0);
-    correction.resize(effects & TM_FX_CORRECTION ? TM_REC_CORRECTION * all : 0);
+    correction.resize(rec.correction ? TM_REC_CORRECTION * all : 0);
+    stab.resize(effects & TM_FX_ONE_PASS ? TM_REC_STAB * all : 0);
     size.resize(effects & TM_FX_SMOOTHING ? TM_REC_SIZE * all : 0);
     auto part = [](std::vector<float> &v) { return v.empty() ? nullptr : v.data(); };
     a.single.main = part(main);
     a.single.more = part(more);
     a.single.correction = part(correction);
     a.single.size = part(size);
+    a.single.stab = part(stab);
     PairLoops::of(Backend::host()).round_to_single(Backend::host(), (int) p.member.size(), {rec, a.single}, effects);
   }
   a.force = r.force.data();
@@ -247,8 +249,9 @@ AccuracyMeter::Rates AccuracyMeter::rates(AuditPatch &p, const tm_records &rec, 
   a.xsph_v = r.xsph.data();
   a.surface = surface.data();
   a.artificial = nullptr;
-  const bool hourglass = (effects & TM_FX_HOURGLASS) != 0;    // a pass of its own
-  std::vector<double> hourglass_rate(hourglass ? 3 * room : 0);
+  const bool one_pass = (effects & TM_FX_ONE_PASS) != 0, hourglass = !one_pass && (effects & TM_FX_HOURGLASS);
+  std::vector<double> hourglass_rate(3 * room), moment(6 * room);
+  a.moment = moment.data();
   a.hourglass_rate = hourglass_rate.data();
   r.seconds = 1e300;
   for (int turn = 0; turn < 2; turn++) {    // the second finds its data in the cache
@@ -289,17 +292,19 @@ void AccuracyMeter::audit(const InUse &in_use)
   p.correction.clear();
   for (int k = 0; k < members; k++) {
     const Around &a = around[k];
-    if (k < n) K.insert(K.end(), a.K, a.K + 6);
+    if (k < n && !(used & TM_FX_ONE_PASS)) K.insert(K.end(), a.K, a.K + 6);
+    else if (k < n)
+      K.insert(K.end(), in_use.correction + 6 * (size_t) p.member[k], in_use.correction + 6 * (size_t) p.member[k] + 6);
     p.correction.insert(p.correction.end(), a.PK, a.PK + TM_REC_CORRECTION);
     sizes.insert(sizes.end(), a.size, a.size + TM_REC_SIZE);
   }
-  rec.correction = p.correction.data();
+  rec.correction = used & TM_FX_ONE_PASS ? nullptr : p.correction.data();
   if (absent & TM_FX_ARTSTRESS) {
     stress.resize((size_t) TM_REC_STRESS * members + 1);
     rec.stress = stress.data();
     tm_predict_args a = {};
     a.rec = rec;
-    a.art_eps = Settings().art_eps;
+    a.art_eps = ARTSTRESS_EPS;
     a.art_component = model.settings_in_use().art_component;
     const double began = RunClock::processor_time();
     tm_predict_artstress(0, members, &a, full);
@@ -331,7 +336,12 @@ void AccuracyMeter::audit(const InUse &in_use)
       undo_balance(p, rec, main);
       without.main = main.data();
     }
-    take(k, without, exact & ~e.effect);
+    std::vector<double> stab = p.stab;
+    if (e.effect == TM_FX_HOURGLASS && (used & TM_FX_ONE_PASS)) {    // of the same pass
+      for (size_t r = 0; r < stab.size(); r += TM_REC_STAB) std::fill_n(stab.data() + r + TM_STAB_W, 3, 0.0);
+      without.stab = stab.data();
+      take(k, without, exact);
+    } else take(k, without, exact & ~e.effect);
   }
   take(ALL, sized, full | TM_FX_SMOOTHING);
   if (search.rows) {

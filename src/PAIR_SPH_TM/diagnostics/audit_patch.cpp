@@ -24,6 +24,7 @@ tm_records AuditPatch::records()
   r.size = part(size);
   r.correction = part(correction);
   r.hourglass = part(hourglass);
+  r.stab = part(stab);
   return r;
 }
 
@@ -139,6 +140,7 @@ void AuditSearch::gather(AuditPatch &p) const
   take(p.heat, rec.heat, TM_REC_HEAT);
   take(p.size, rec.size, TM_REC_SIZE);
   take(p.hourglass, rec.hourglass, TM_REC_HOURGLASS);
+  take(p.stab, rec.stab, TM_REC_STAB);
 }
 
 }    // namespace SPHTM_NS

@@ -18,7 +18,7 @@ struct AuditPatch {
   int centers = 0;
   std::vector<int> index, mechanical, none;
   std::vector<ptrdiff_t> first;
-  std::vector<double> main, stress, heat, size, correction, hourglass;    // records of the members
+  std::vector<double> main, stress, heat, size, correction, hourglass, stab;    // records of the members
 
   tm_rows rows() const { return {index.data(), first.data(), mechanical.data(), none.data(), none.data(), 1}; }
   tm_records records();

@@ -79,7 +79,7 @@ tm_records StepResults::host_records()
   return r;
 }
 
-StepResults::Rates StepResults::host_rates() { return {gradient.host_read(), heat.host_read(), xsph_v.host_read()}; }
+StepResults::Rates StepResults::host_rates() { return {gradient.host_read(), heat.host_read(), xsph_v.host_read(), correction.host_read()}; }
 
 /* ---------------------------------------------------------------------- arguments of the loops */
 

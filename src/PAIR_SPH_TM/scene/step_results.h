@@ -55,7 +55,7 @@ class StepResults : protected LAMMPS_NS::Pointers {
   tm_real *tally_rows(bool per_particle);
   const tm_real *host_tally() { return tally.host_read(); }
   struct Rates {
-    const double *gradient, *heat, *xsph;
+    const double *gradient, *heat, *xsph, *correction;
   };
   Rates host_rates();
 
