@@ -27,6 +27,15 @@ void HeatSource::set_zero(Backend &loops, bool wanted, int nmax)
   loops.zero(loop_write(), bytes());
 }
 
+int HeldTemperatures::hold(int bit, double T)
+{
+  if (all.n >= TM_HELD_MOST) return -1;
+  all.group[all.n] = bit;
+  all.temperature[all.n] = T;
+  supplied[all.n] = 0.0;
+  return all.n++;
+}
+
 void StartTemperatures::apply(int n, const int *mask, LoopArray<double> &field)
 {
   if (groups.empty()) return;
