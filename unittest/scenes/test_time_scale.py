@@ -27,7 +27,8 @@ for how in ("", "conduction explicit"):
     checks.near(name + "time of the run", 8 * log8["Time"][-1], log["Time"][-1], relative=1e-12)
     checks.below(name + "temperatures, K", abs(slow - fast).max(), 1e-7)
     for flux in "qcr":
-        checks.near(name + "energy of fix " + flux, log8["f_%s[2]" % flux][-1], log["f_%s[2]" % flux][-1], relative=1e-9)
+        column = "f_%s[2]" % flux
+        checks.near(name + "energy of fix " + flux, log8[column][-1], log[column][-1], relative=1e-9)
 checks.above("heat: off without time/scale, K", abs(slow - heat(8, how, 1)[0]).max(), 10)
 
 # --- a block of Johnson-Cook steel whose rate hardening is large, with conduction, that is drawn apart
@@ -56,8 +57,38 @@ for column, name, least in (("c_p[1]", "temperature", 293), ("c_p[2]", "plastic 
     size = (slow[column] - least).max()
     checks.below("block: %s, fast against slow" % name, abs(fast[column] - slow[column]).max() / size, 1e-9)
 checks.below("block: rate", abs(fast["c_p[4]"] / 8 - slow["c_p[4]"]).max() / slow["c_p[4]"].max(), 1e-9)
-checks.above("block: stress without time/scale is off by", abs(wrong["c_p[3]"] - slow["c_p[3]"]).max() / slow["c_p[3]"].max(),
-             0.03)
+off = abs(wrong["c_p[3]"] - slow["c_p[3]"]).max() / slow["c_p[3]"].max()
+checks.above("block: stress without time/scale is off by", off, 0.03)
+# --- a tool that rubs and conducts: conductance, effusivity, temperature of a lumped tool
+PLATE = "solid p\n" + "".join(
+    "facet normal 1 0 0\nouter loop\n" + "".join("vertex %g %g %g\n" % (0, y, z) for y, z in corners) +
+    "endloop\nendfacet\n" for corners in (((-1, -1), (1, -1), (1, 1)), ((-1, -1), (1, 1), (-1, 1)))) + "endsolid p\n"
+TOOL = """fix tool all contact/tri file plate.stl scale 0.02 move {at} 0 0 sides two friction 0.3 heat conductance 1e8 &
+    effusivity 2e4 temperature 500 lumped 1e-2 {tool_cp} 500
+fix_modify tool move linear {vt} {us} 0
+thermo_style custom step time dt f_tool f_tool[1] f_tool[2]
+thermo_modify format float %.15g
+thermo 2
+run 150
+"""
+
+
+def rub(s, scaled=None):
+    text = BLOCK.replace("run 150\n", TOOL).replace("thermo_style custom step time dt\n", "")
+    return run(text.format(rho=7800.0 / s ** 2, cp=480.0 * s ** 2, v=20.0 * s, s=scaled or s, at=-5e-3, vt=5.0 * s,
+                           us=20.0 * s, tool_cp=480.0), files={"plate.stl": PLATE})
+
+
+slow, fast, wrong = rub(1), rub(8), rub(8, 1)
+a, b, c = (r.dump("end.dump")[-1]["c_p[1]"] for r in (slow, fast, wrong))
+checks.above("rubbed block: hottest particle, K", a.max(), 294)
+checks.below("rubbed block: temperature, fast against slow, K", abs(a - b).max(), 1e-6)
+for k, name in (("f_tool[1]", "force"), ("f_tool[2]", "friction"), ("f_tool", "temperature of the tool")):
+    f, g = fast.thermo[-1][k], slow.thermo[-1][k]
+    checks.above("rubbed block: largest " + name, abs(g).max(), 1)
+    checks.below("rubbed block: %s, fast against slow" % name, abs(f - g).max() / abs(g).max(), 1e-9)
+checks.above("rubbed block: off without time/scale, K", abs(a - c).max(), 0.1)
+
 bad = run(BLOCK.format(rho=7800, cp=480, v=1, s=0), expect_error=True)
 checks.true("time/scale 0 is refused", "time/scale" in bad.errors(), bad.errors()[:120])
 checks.end()

@@ -144,6 +144,9 @@ void TimeStep::end_setup(bool first)
                      atom->natoms, state.start_temperatures().of_all());
       utils::logmesg(lmp, "sph/tm: time step {:.6g}, limited by {}; rate loops: {}\n", fixed > 0.0 ? fixed : dt_next,
                      CAUSES[dt_cause], state.loops().name());
+      if (fixed <= 0.0 && has_stages() && dt_cause == TM_DT_CONDUCTION && !limited_by[dt_cause])
+        utils::logmesg(lmp, "sph/tm: without mechanics the time step grows with the time: end the run at a time "
+                            "(fix halt), or give 'dt'\n");
     }
   } else {    // a run that goes on keeps its step, unless a tool became stiffer or faster
     dt_next = std::min({dt_next, limits[TM_DT_CONTACT], limits[TM_DT_MOTION]});
