@@ -36,6 +36,7 @@ void Model::resize(int types)
   atom_types = types;
   const size_t n = (size_t) types + 1;
   material.assign(n, tm_material{});
+  given = material;
   names.assign(n, "");
   laws.assign(n * n, PairLaw());
 }
@@ -43,8 +44,22 @@ void Model::resize(int types)
 void Model::set_material(int type, const tm_material &m, const std::string &name)
 {
   unit = unit_scale(lmp);
-  material[type] = m;
+  material[type] = given[type] = m;
   names[type] = name;
+}
+
+void Model::set_time_scale(double s)
+{
+  times_as_fast = s;
+  for (size_t t = 0; t < material.size(); t++) {
+    tm_material &m = material[t];
+    m = given[t];
+    if (s == 1.0) continue;
+    m.conductivity.value *= s;
+    for (int k = 0; k < m.conductivity.n; k++) m.conductivity.y[k] *= s;
+    m.jc_rate0 *= s;
+    m.za_rate0 *= s;
+  }
 }
 
 void Model::set_law(int i, int j, const PairLaw &law)
@@ -101,7 +116,8 @@ void Model::make_tables(double temperature)
   most_sides = contact_sides(side);
   bool conducts = false;
   for (int k = 0; k < n * n; k++) {
-    conductance[k] = laws[k].conductance > 0.0 ? laws[k].conductance * lattice.interface * lattice.gradient : 0.0;
+    conductance[k] =
+        laws[k].conductance > 0.0 ? times_as_fast * laws[k].conductance * lattice.interface * lattice.gradient : 0.0;
     conducts = conducts || conductance[k] > 0.0;
     contact[k] = laws[k].contact;
   }

@@ -41,6 +41,15 @@ void StartTemperatures::set_group(int bit, double T)
   start.n = n + 1;
 }
 
+int HeldTemperatures::hold(int bit, double T)
+{
+  if (all.n >= TM_HELD_MOST) return -1;
+  all.group[all.n] = bit;
+  all.temperature[all.n] = T;
+  supplied[all.n] = 0.0;
+  return all.n++;
+}
+
 void StartTemperatures::apply(int n, const int *mask, LoopArray<double> &field)
 {
   if (start.n == 0) return;
