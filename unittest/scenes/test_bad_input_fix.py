@@ -31,7 +31,7 @@ for bad in "0 10", "-5 10", "1.5 10", "1e3 10", "two 10":
 for bad in "10 0", "10 -3", "10 2.5", "10 many", "10 2000000":
     wrong("audit " + bad, fix("audit " + bad), F, "audit M", bad.split()[1])
 wrong("energy perhaps", fix("energy perhaps"), "perhaps")
-wrong("unknown effect", fix("effects fracture on"), F, "fracture", "damage")
+wrong("unknown effect", fix("effects rupture on"), F, "rupture", "damage")
 wrong("effect without value", fix("effects heat"), F, "effects", "2 values")
 wrong("effect perhaps", fix("effects heat perhaps"), "perhaps")
 wrong("effect on and off", fix("effects heat on effects heat off"), F, "heat", "on and off")

@@ -30,7 +30,7 @@ YIELDS = "strength plastic 400e6 100e6"
 STEEL = "strength johnson/cook 792e6 510e6 0.26 0.014 1.03 298 1793 1"
 HEAT = "heat 38 477 0.9"
 ALL = ("viscosity artstress heat conduction plasticity damage correction balsara xsph surface internal-energy bodies energy "
-       "smoothing hourglass").split()
+       "smoothing hourglass fracture").split()
 STEP = "dt 5e-8 "    # the coefficient of the viscosity, on or off, is part of the automatic step
 checks = Checks()
 
@@ -65,7 +65,7 @@ def expect(name, result, on):
 
 
 # --- what each kind of scene turns on
-plain = {"viscosity", "artstress"}
+plain = {"viscosity", "artstress", "fracture"}
 elastic = scene("strength elastic")
 plastic = scene(YIELDS)
 johnson_cook = scene(STEEL + " " + HEAT)
@@ -82,7 +82,7 @@ expect("damage, shock", scene(STEEL + " eos shock 4570 1.49 1.9 damage strain 1.
        plain | {"plasticity", "damage", "internal-energy"})
 expect("all settings", scene("strength elastic", "balsara yes xsph 0.1 correction yes hourglass 0.02", "energy yes"),
        plain | {"balsara", "xsph", "correction", "energy", "hourglass"})
-expect("nothing artificial", scene("strength elastic", "viscosity 0 0 artstress 0 4"), set())
+expect("nothing artificial", scene("strength elastic", "viscosity 0 0 artstress 0 4"), {"fracture"})
 
 # --- forced off: a warning where the scene needs it, and the results of a scene that never asks
 for effect, scene_with, scene_without, warns in (
