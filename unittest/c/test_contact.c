@@ -267,6 +267,90 @@ static void energy_closes(void)
   ut_clear(&s);
 }
 
+/* A particle between two plates that close and slide, with damping and friction: the same books, if the tools know of each
+   other; without that each leaves out what the other's force adds to the velocity of the step. */
+static void two_tools(void)
+{
+  double error[3], gone = 0.0;
+  for (int k = 0; k < 3; k++) {
+    floor_scene();
+    tm_contact_law *w = s.law + 1;
+    w->stiffness = 1.0e4; w->damping = 0.05; w->friction.value = 0.2;
+    static double earlier[TM_EARLIER * UT_PARTICLES];
+    tm_motion low, high;
+    memset(&low, 0, sizeof low);
+    low.kind = TM_MOTION_WIGGLE;
+    low.v = tm_vec(0.01, 0, 0.002);
+    low.period = 0.11;
+    high = low;
+    high.v = tm_vec(-0.02, 0.01, -0.001);
+    tm_pose below = tm_pose_rest(), above = tm_pose_rest();
+    above.turn = tm_rotation_about(tm_vec(1, 0, 0), TM_PI);
+    s.args.dt = k == 2 ? 5e-5 : 1e-4;
+    s.args.after = 0.5 * s.args.dt;
+    s.args.earlier = k ? earlier : NULL;
+    above.shift.z = 0.95 * dp;    /* pressed from both sides */
+    ut_put(&s, 0, tm_vec(0, 0, 0.475 * dp), tm_vec(0.3, 0.1, 0));
+    double tool = 0.0, spring = 0.0, first = 1.0e4 * pow(0.025 * dp, 2), kinetic0 = 0.5 * (0.09 + 0.01), t = 0.0;
+    gone = 0.0;
+    for (int n = 0; t < 1.0; n++, t += s.args.dt) {
+      double *x = s.x, *v = s.v, *f = s.f;
+      spring = 0.0;
+      for (int d = 0; d < 3; d++) {
+        x[d] += 0.5 * s.args.dt * v[d];
+        f[d] = 0.0;
+      }
+      for (int plate = 0; plate < 2; plate++) {
+        s.args.pose = tm_motion_pose(plate ? &high : &low, plate ? &above : &below, t + 0.5 * s.args.dt);
+        s.args.first = plate == 0;
+        const tm_contact_result out = tm_contact_tri(0, &s.args, TM_CT_3D | TM_CT_FRICTION);
+        gone += s.args.dt * (out.damping_power + out.friction_power + out.late_friction);
+        tool += s.args.dt * out.tool_power;
+        spring += out.spring;
+        UT_TRUE(out.contacts == 1 || n > 0);
+      }
+      for (int d = 0; d < 3; d++) {
+        v[d] += s.args.dt / s.mass[1] * f[d];
+        x[d] += 0.5 * s.args.dt * v[d];
+      }
+    }
+    const double kinetic = 0.5 * (s.v[0] * s.v[0] + s.v[1] * s.v[1] + s.v[2] * s.v[2]);
+    error[k] = kinetic - kinetic0 + spring - first + gone - tool;
+    ut_clear(&s);
+  }
+  printf("two tools: dissipated %.4e, left over %.2e alone, %.2e together, %.2e with half the step\n", gone, error[0], error[1],
+         error[2]);
+  UT_WITHIN(error[1], 0.0, 2e-3 * gone);
+  UT_TRUE(fabs(error[0]) > 5 * fabs(error[1]));
+}
+
+/* The friction of a particle without heat is that of the temperature it started with, of its group or of all; a table
+   holds its last values beyond its ends. */
+static void starts(void)
+{
+  floor_scene();
+  s.law[1].stiffness = 1.0;
+  tm_table *t = &s.law[1].friction;
+  t->n = 2;
+  t->t[0] = 300; t->y[0] = 0.4;
+  t->t[1] = 900; t->y[1] = 0.1;
+  s.args.dt = 1e-6;
+  const double T[4][3] = {{600, 0, 0.25}, {100, 0, 0.4}, {2000, 0, 0.1}, {100, 700, 0.2}};
+  s.args.mask = s.type;    /* bit 1 */
+  s.args.group = 1;
+  for (int k = 0; k < 4; k++) {
+    s.args.start.of_all = T[k][0];
+    s.args.start.n = T[k][1] > 0.0;
+    s.args.start.bit[0] = 1;
+    s.args.start.of[0] = T[k][1];
+    ut_put(&s, 0, tm_vec(0.1, 0.1, 0.5 * r), tm_vec(1, 0, 0));
+    tm_contact_tri(0, &s.args, TM_CT_3D | TM_CT_FRICTION);
+    UT_NEAR(-s.f[0] / s.f[2], T[k][2], 1e-12);
+  }
+  s.args.mask = NULL;
+  ut_clear(&s);
+}
+
 /* Yield-limited friction and the conducted heat reach the particle through the loop. */
 static void limits_in_the_loop(void)
 {
@@ -358,6 +442,8 @@ int main(void)
   slope();
   books();
   energy_closes();
+  two_tools();
+  starts();
   limits_in_the_loop();
   return ut_summary();
 }

@@ -85,6 +85,9 @@ wrong("tool heat some", tool(AWAY + "heat some"), K, "heat", "perfect or conduct
 wrong("tool conductance -1", tool(AWAY + "heat conductance -1"), K, "heat", "-1")
 wrong("tool temperature -5", tool(AWAY + "temperature -5"), K, "temperature", "-5")
 wrong("tool share 2", tool(AWAY + "share 2"), K, "share", "2")
+wrong("tool material without heat capacity", tool(AWAY + "material 50 7800"), K, "material", "3")
+wrong("tool material of no density", tool(AWAY + "material 50 0 460"), K, "material", "density", "0")
+wrong("tool share and material", tool(AWAY + "share 0.5 material 50 7800 460"), K, "share", "material")
 wrong("tool share and effusivity", tool(AWAY + "share 0.5 effusivity 1000"), K, "share or effusivity")
 wrong("tool lumped 0", tool(AWAY + "lumped 0 500 300"), K, "lumped", "0")
 wrong("tool heat without heat constants", tool(AWAY + "heat perfect"), "heat is on", "fix contact/tri tool", "type 1",

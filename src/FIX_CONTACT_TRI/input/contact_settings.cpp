@@ -1,6 +1,7 @@
 #include "contact_settings.h"
 
 #include "argument.h"
+#include "friction_table.h"
 #include "restart_block.h"
 
 #include "atom.h"
@@ -16,7 +17,7 @@ namespace SPHTM_NS {
 
 static const char *const KEYWORDS =
     "file, scale, move, rotate, friction, friction/table, friction/shear, penalty, damping, "
-    "approach, method, sides, heat, temperature, lumped, share, effusivity, particles, reference, "
+    "approach, method, sides, heat, temperature, lumped, share, effusivity, material, particles, reference, "
     "vtk, stl, local, flip, merge, smooth, maxsize, overlap";
 
 bool ContactSettings::read_mesh(Keywords &k)
@@ -59,27 +60,13 @@ bool ContactSettings::read_placement(Keywords &k)
   return true;
 }
 
-void ContactSettings::read_friction_table(Keywords &k)
-{
-  tm_table &t = friction;
-  t = {};
-  for (; k.number_ahead(); t.n++) {
-    if (t.n == TM_TABLE_MAX) lmp->error->all(FLERR, "{} takes at most {} pairs", k.what(), TM_TABLE_MAX);
-    t.t[t.n] = k.number("temperature");
-    if (t.n && t.t[t.n] <= t.t[t.n - 1])
-      lmp->error->all(FLERR, "{}: temperatures must increase, got {} after {}", k.what(), t.t[t.n], t.t[t.n - 1]);
-    t.y[t.n] = k.not_negative("coefficient");
-  }
-  if (t.n == 0) lmp->error->all(FLERR, "{} must read: T1 mu1 T2 mu2 ...", k.what());
-}
-
 bool ContactSettings::read_law(Keywords &k)
 {
   if (k.is("friction")) {
     friction = {};
     friction.value = k.not_negative();
   } else if (k.is("friction/table")) {
-    read_friction_table(k);
+    friction = SPHTM_NS::read_friction_table(lmp, k);
   } else if (k.is("friction/shear")) shear = k.share();
   else if (k.is("penalty")) penalty = k.positive();
   else if (k.is("damping")) damping = k.not_negative();
@@ -116,7 +103,11 @@ bool ContactSettings::read_heat(Keywords &k)
     temperature_given = heat_given = true;
   } else if (k.is("share")) share = k.share();
   else if (k.is("effusivity")) effusivity = k.not_negative();
-  else if (k.is("particles")) {
+  else if (k.is("material")) {
+    k.need(3);
+    const double conductivity = k.not_negative("conductivity"), density = k.positive("density");
+    effusivity = tm_effusivity(conductivity, density, k.positive("heat capacity"));
+  } else if (k.is("particles")) {
     body_type = k.integer(1, lmp->atom->ntypes, "(an atom type)");
     heat_given = true;
   } else return false;
@@ -159,7 +150,8 @@ void ContactSettings::check() const
   if (shape.file.empty())
     error->all(FLERR, "Fix contact/tri needs a mesh: fix ID group contact/tri file insert.stl ...");
   if (share >= 0.0 && effusivity >= 0.0)
-    error->all(FLERR, "Fix contact/tri: give either share or effusivity, not both");
+    error->all(FLERR,
+               "Fix contact/tri: give either share or effusivity (or the material that it follows from), not both");
   if (f15 && two_sided) error->all(FLERR, "Fix contact/tri: method f15 has no sides, leave the keyword out");
   if (body_type && (conductance != 0.0 || lumped_capacity > 0.0))
     error->all(FLERR, "Fix contact/tri: with particles the tool's heat is theirs; leave out heat "

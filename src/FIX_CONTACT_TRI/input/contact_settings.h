@@ -57,7 +57,6 @@ struct ContactSettings {
   bool read_mesh(Keywords &);
   bool read_placement(Keywords &);
   bool read_law(Keywords &);
-  void read_friction_table(Keywords &);
   bool read_heat(Keywords &);
   bool read_output(Keywords &);
   void check() const;

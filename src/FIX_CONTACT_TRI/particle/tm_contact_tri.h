@@ -21,6 +21,7 @@
 #include "tm_material.h"
 #include "tm_motion.h"
 #include "tm_record.h"
+#include "tm_start_temperature.h"
 #include "tm_touch.h"
 
 /* Effects of the contact loop. */
@@ -56,6 +57,8 @@ typedef struct tm_contact_args {
   ptrdiff_t x_stride, v_stride, f_stride;
   const double *mass, *rmass; /* per type; per particle or NULL */
 
+  tm_start_temperatures start; /* of the particles, without TM_CT_HEAT */
+
   /* with TM_CT_HEAT */
   const tm_material *material; /* per type, for conductivity and capacity */
   const tm_real *temperature;
@@ -65,11 +68,17 @@ typedef struct tm_contact_args {
   const tm_real *pstrain; /* rows of TM_F_PSTRAIN, for the flow stress, or NULL */
   tm_real *tool_heat;     /* power into the tool through each particle, set; or NULL */
 
+  tm_real *earlier; /* TM_EARLIER per particle: contacts of tools that acted on it earlier in this step; or NULL */
+  int first;        /* this tool is the first of the step */
+
   /* with TM_CT_OUTPUT, added to; each may be NULL */
   double *tri_force; /* 3 nt, on the tool, world frame, unit style */
   double *tri_heat;  /* nt, power into the tool */
   int *tri_count;    /* nt */
 } tm_contact_args;
+
+/* Columns of what earlier tools did to a particle: force, friction alone, force of the springs alone. */
+enum { TM_EARLIER_FORCE = 0, TM_EARLIER_FRICTION = 3, TM_EARLIER_SPRING = 6, TM_EARLIER = 9 };
 
 /* Sums over particles, but for the depth; all in mass-length-time units. */
 typedef struct {
@@ -82,6 +91,7 @@ typedef struct {
   tm_real damping_power;  /* dissipated by damping */
   tm_real particle_power; /* work of contact forces on particles, per time */
   tm_real tool_power;     /* work done by the tool's motion, per time */
+  tm_real late_friction;  /* what this tool changes in the friction power of earlier ones */
   tm_real depth;          /* deepest penetration */
   tm_real inner;          /* deepest center behind the surface, 0: none */
   int contacts;
@@ -92,7 +102,7 @@ TM_FN tm_contact_result tm_contact_nothing(void)
   tm_contact_result r;
   r.force = r.torque = tm_vec(0, 0, 0);
   r.friction_power = r.friction_heat = r.conducted = r.heat_tool = r.spring = 0.0;
-  r.damping_power = r.particle_power = r.tool_power = r.depth = r.inner = 0.0;
+  r.damping_power = r.particle_power = r.tool_power = r.late_friction = r.depth = r.inner = 0.0;
   r.contacts = 0;
   return r;
 }
@@ -109,6 +119,7 @@ TM_FN void tm_contact_sum(tm_contact_result *a, const tm_contact_result *b)
   a->damping_power += b->damping_power;
   a->particle_power += b->particle_power;
   a->tool_power += b->tool_power;
+  a->late_friction += b->late_friction;
   a->depth = tm_max(a->depth, b->depth);
   a->inner = tm_max(a->inner, b->inner);
   a->contacts += b->contacts;
@@ -165,7 +176,8 @@ TM_FN tm_contact_body tm_contact_load(int i, const tm_contact_args *a, const tm_
   b.rate_v = a->record ? tm_vec_from_record(a->record + tm_record(i, TM_REC), TM_REC_V, 1) : b.v;
   b.force = tm_vec_scale(1.0 / a->force_unit, tm_load3(a->f + i * a->f_stride));
   if (!(effects & TM_CT_3D)) b.force.z = 0.0;
-  b.temperature = (effects & TM_CT_HEAT) ? a->temperature[i * a->temperature_stride] : 0.0;
+  b.temperature = (effects & TM_CT_HEAT) ? a->temperature[i * a->temperature_stride]
+                                         : tm_start_temperature(&a->start, a->mask ? a->mask[i] : 0);
   b.yield = a->pstrain ? a->pstrain[tm_row(i, tm_field_columns(TM_F_PSTRAIN)) + tm_column(2)] : 0.0;
   return b;
 }
@@ -249,11 +261,34 @@ TM_FN void tm_contact_output(const tm_contact_args *a, const tm_contact_point *c
   if (a->tri_count && c->fn > 0.0) tm_contact_count(a->tri_count + t);
 }
 
+/* Earlier tools of the step have taken powers with a mean velocity that lacks this tool's force F; with it the mean is
+   higher by dt F/(2 m). Their difference, for the sums of this tool. */
+TM_FN void tm_contact_settle(int i, const tm_contact_args *a, const tm_contact_body *b, const tm_contact_point *c,
+                             int n, tm_contact_result *r)
+{
+  tm_real *e = a->earlier + (ptrdiff_t) i * TM_EARLIER;
+  const tm_vec3 more = tm_vec_scale(-0.5 * b->dt / b->mass, r->force);
+  const tm_vec3 force = tm_vec(e[0], e[1], e[2]), friction = tm_vec(e[3], e[4], e[5]),
+                spring = tm_vec(e[6], e[7], e[8]);
+  r->particle_power += tm_vec_dot(force, more);
+  r->late_friction -= tm_vec_dot(friction, more);
+  r->damping_power += tm_vec_dot(tm_vec_add(tm_vec_sub(spring, force), friction), more);
+  r->spring -= 2.0 * a->after * tm_vec_dot(spring, more);
+  for (int k = 0; k < n; k++) {
+    const tm_vec3 F = tm_vec_add(c[k].normal_force, c[k].friction), T = c[k].friction;
+    const tm_vec3 S = tm_vec_scale(b->law->stiffness * c[k].delta, c[k].normal);
+    const tm_real add[TM_EARLIER] = {F.x, F.y, F.z, T.x, T.y, T.z, S.x, S.y, S.z};
+    for (int d = 0; d < TM_EARLIER; d++) e[d] += add[d];
+  }
+}
+
 /* Contacts of particle i: adds to its force and to its heat source; what is summed over particles comes back. */
 TM_FN tm_contact_result tm_contact_tri(int i, const tm_contact_args *a, unsigned effects)
 {
   tm_contact_result r = tm_contact_nothing();
   if (a->tool_heat) a->tool_heat[i] = 0.0;
+  if (a->earlier && a->first)
+    for (int d = 0; d < TM_EARLIER; d++) a->earlier[(ptrdiff_t) i * TM_EARLIER + d] = 0.0;
   if (a->mask && !(a->mask[i] & a->group)) return r;
   const tm_contact_law *w = a->law + a->type[i];
   if (!w->active) return r;
@@ -284,6 +319,7 @@ TM_FN tm_contact_result tm_contact_tri(int i, const tm_contact_args *a, unsigned
     if (effects & TM_CT_OUTPUT)
       tm_contact_output(a, c + k, touch[k].triangle, (effects & TM_CT_HEAT) ? r.heat_tool - before : 0.0);
   }
+  if (a->earlier) tm_contact_settle(i, a, &b, c, n, &r);
   double *f = a->f + i * a->f_stride; /* F15 (17), times the mass */
   f[0] -= a->force_unit * r.force.x;
   f[1] -= a->force_unit * r.force.y;

@@ -2,10 +2,7 @@
 
    Penetration F15 (9): delta = r - d, r = dp/2 the particle's radius, d the distance of its center.
    Stiffness and damping are those against a rigid body, with the particle's own mass.
-   Friction F15 (13): |f_t| <= min(mu(T) f_n, m Y/sqrt(3) A): Coulomb's law up to the shear flow
-   stress of the particle's material (Zorev; m = 1 sticking, 0 leaves the limit out). F15 prints
-   mu(sigma_y, T) without a form; this one has the same arguments. Up to that limit friction is
-   the force that brings the sliding to rest at the end of the step.
+   Friction F15 (13): up to its limit it is the force that brings the sliding to rest at the end of the step.
    Heat: friction power is shared by effusivity e = sqrt(k rho c_p), the exact split between two
    half-spaces. A conductance h acts in series with the half spacing of the particle. */
 #ifndef TM_CONTACT_H
@@ -43,18 +40,7 @@ TM_FN tm_contact_law tm_contact_law_of_size(const tm_contact_law *law, tm_real d
 /* Largest friction force at normal force fn, temperature T and flow stress Y (0: not known). */
 TM_FN tm_real tm_contact_friction_limit(const tm_contact_law *w, tm_real fn, tm_real T, tm_real Y)
 {
-  const tm_real coulomb = tm_table_at(&w->friction, T) * fn;
-  if (!(w->shear > 0.0 && Y > 0.0)) return coulomb;
-  return tm_min(coulomb, w->shear * Y * w->area * 0.57735026918962576);
-}
-
-/* Friction on a particle that would slide at v_end relative to the surface (tangential) at the end
-   of the step if nothing held it: what stops it, at most `limit`. */
-TM_FN tm_vec3 tm_contact_friction(tm_vec3 v_end, tm_real mass, tm_real dt, tm_real limit)
-{
-  const tm_real stop = mass / dt * tm_vec_norm(v_end);
-  const tm_real part = stop > limit ? limit / stop : 1.0;
-  return tm_vec_scale(-part * mass / dt, v_end);
+  return tm_friction_limit(tm_table_at(&w->friction, T), fn, w->shear, Y, w->area);
 }
 
 /* Part of the friction heat that goes into the particle. */

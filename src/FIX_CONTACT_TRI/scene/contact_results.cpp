@@ -43,7 +43,7 @@ void ContactResults::add_to(EnergyBalance &energy, double dt, bool tool_particle
 {
   const double heat = sums.friction_heat + (tool_particles ? sums.heat_tool : 0.0);
   energy.add(EnergyBalance::CONTACT_DAMPING, dt * sums.damping_power);
-  energy.add(EnergyBalance::FRICTION, dt * (sums.friction_power - heat));
+  energy.add(EnergyBalance::FRICTION, dt * (sums.friction_power + sums.late_friction - heat));
   energy.add(EnergyBalance::FRICTION_HEAT, dt * heat);
   energy.add(EnergyBalance::HEAT_EXCHANGED, dt * sums.conducted);
   energy.add(EnergyBalance::CONTACT_WORK, dt * sums.particle_power);

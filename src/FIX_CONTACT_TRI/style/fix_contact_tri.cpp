@@ -78,6 +78,7 @@ void FixContactTri::init()
   particles.live_in(lmp, *scene);
   triangles.live_in(state->loops());
   results.live_in(state->loops());
+  earlier.live_in(state->loops());
   checks.empty_group();
   checks.heat(*state);
   temperature.begin(state->start_temperatures().of_all());
@@ -89,6 +90,18 @@ void FixContactTri::init()
   laws.make(set, *model, state->start_temperatures().of_all(), domain->dimension);
   if (first) report();
   limit_time_step();    // the first step of the run keeps to it too
+}
+
+// of several, for an energy balance that knows all forces on a particle between them
+void FixContactTri::find_first_tool()
+{
+  FixContactTri *first = nullptr;
+  int tools = 0;
+  for (Fix *fix : modify->get_fix_list())
+    if (auto *tool = dynamic_cast<FixContactTri *>(fix)) {
+      if (tools++ == 0) first = tool;
+    }
+  first_tool = tools > 1 && state->has(TM_FX_LEDGER) ? first : nullptr;
 }
 
 void FixContactTri::index_tool()
@@ -111,11 +124,15 @@ void FixContactTri::limit_time_step()
 }
 
 // friction heat of a type
-static std::string heat_in_words(const tm_contact_law &w, const tm_material &m, double T, bool given)
+static std::string heat_in_words(const tm_contact_law &w, const tm_material &m, double T, const ContactSettings &set)
 {
   const double e = tm_effusivity(tm_conductivity(&m, T), m.rho0, tm_capacity(&m, T));
-  return fmt::format(", {:.3f} of the friction heat into the particles{}", tm_contact_share(&w, e),
-                     given ? "" : " (give 'effusivity' or 'share' to change that)");
+  const char *why = set.share >= 0.0        ? "as given"
+                    : set.effusivity >= 0.0 ? "by effusivity"
+                    : set.body_type         ? "by effusivity, the tool's from its particles"
+                                    : "half: the tool's material is not known, give 'material', 'effusivity' or "
+                                      "'share'";
+  return fmt::format(", {:.3f} of the friction heat into the particles ({})", tm_contact_share(&w, e), why);
 }
 
 void FixContactTri::report() const
@@ -124,14 +141,13 @@ void FixContactTri::report() const
   utils::logmesg(lmp, "contact/tri {}: {}: {}\n", id, set.shape.file, tool.summary());
   for (const auto &line : tool.flaws(set.two_sided)) error->warning(FLERR, "Fix contact/tri {}: {}", id, line);
   const bool heat = state->has(TM_FX_HEAT) && set.has_friction();
-  const bool given = set.share >= 0.0 || set.effusivity >= 0.0 || set.body_type;
   for (int t = 1; t <= atom->ntypes; t++) {
     const tm_contact_law &w = laws.of(t);
     if (!w.active) continue;
     const std::string mu = w.friction.n ? "by table" : fmt::format("{:.4g}", w.friction.value);
     utils::logmesg(lmp, "contact/tri {}: type {}: stiffness {:.6g}, damping {:.4g} of critical, friction {}{}\n", id, t,
                    w.stiffness / model->units().force, w.damping, mu,
-                   heat ? heat_in_words(w, model->materials()[t], state->start_temperatures().of_all(), given) : "");
+                   heat ? heat_in_words(w, model->materials()[t], state->start_temperatures().of_all(), set) : "");
   }
 }
 
@@ -154,6 +170,7 @@ void FixContactTri::check_overlap()
 
 void FixContactTri::setup(int vflag)
 {
+  find_first_tool();
   evaluate_variables(0.0);
   checks.jump(motion.pose_now(), motion.by_variable(), state->time_step().now(), model->smallest_spacing());
   check_overlap();
@@ -222,6 +239,7 @@ tm_contact_args FixContactTri::contact_args(const tm_pose &pose, bool of_triangl
   a.mass = s.mass;
   a.rmass = s.rmass;
   a.material = s.material;
+  a.start = state->start_temperatures().all();
   if (state->has(TM_FX_HEAT)) {
     a.temperature = rec.heat + TM_REC_T;
     a.temperature_stride = TM_REC_HEAT;
@@ -229,6 +247,11 @@ tm_contact_args FixContactTri::contact_args(const tm_pose &pose, bool of_triangl
     a.tool_heat = set.body_type ? particles.heat_of_contact() : nullptr;
   }
   if (state->has(TM_FX_PLASTICITY) && set.shear > 0.0) a.pstrain = s.field[TM_F_PSTRAIN];
+  if (first_tool) {
+    first_tool->earlier.resize((size_t) TM_EARLIER * std::max(atom->nmax, 1));
+    a.earlier = first_tool->earlier.loop_write();
+    a.first = first_tool == this;
+  }
   if (of_triangles) triangles.hand_to(a, tool.mesh().nt);
   return a;
 }
@@ -341,4 +364,4 @@ int FixContactTri::pack_forward_comm(int n, int *list, double *buf, int, int *)
 
 void FixContactTri::unpack_forward_comm(int n, int first, double *buf) { particles.unpack(n, first, buf); }
 
-double FixContactTri::memory_usage() { return tool.bytes() + particles.bytes() + triangles.bytes(); }
+double FixContactTri::memory_usage() { return tool.bytes() + particles.bytes() + triangles.bytes() + earlier.bytes(); }

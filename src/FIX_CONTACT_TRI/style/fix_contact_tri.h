@@ -67,6 +67,8 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   SPHTM_NS::ContactLaws laws;
   SPHTM_NS::ContactResults results;
   SPHTM_NS::TriangleValues triangles;
+  SPHTM_NS::LoopArray<double> earlier;    // of the first of several tools: what those before did to each particle
+  FixContactTri *first_tool = nullptr;    // of several, with an energy balance
   SPHTM_NS::ToolOutput output;
   SPHTM_NS::ToolChecks checks;
   SPHTM_NS::ParticleState *state = nullptr;
@@ -76,6 +78,7 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   bool restored = false, overlap_checked = false, warned_deep = false;
 
   void index_tool();
+  void find_first_tool();
   void report() const;
   void limit_time_step();
   void check_overlap();

@@ -7,8 +7,10 @@
    m_i + m_j, which has no rigid limit.
    Normal force F15 (12): f = k delta + c ddelta/dt, ddelta/dt > 0 while closing (the printed minus
    would feed energy in), and never tensile. F15's approach test drops all of it while separating.
-   Friction F15 (13): Coulomb's law, |f_t| <= mu f_n, on the tangential part of the relative velocity, F15 (14). It
-   brings the sliding to rest at most, and never reverses it. */
+   Friction F15 (13): Coulomb's law up to the shear flow stress of the material, |f_t| <= min(mu(T) f_n, m Y/sqrt(3) A)
+   (Zorev; m = 1 sticking, 0 leaves the limit out), on the tangential part of the relative velocity, F15 (14). It
+   brings the sliding to rest at most, and never reverses it. F15 prints mu(sigma_y, T) without a form; this one has
+   the same arguments. */
 #ifndef TM_CONTACT_LAW_H
 #define TM_CONTACT_LAW_H
 
@@ -31,7 +33,22 @@ TM_FN tm_real tm_contact_normal(tm_real k, tm_real delta, tm_real c, tm_real clo
   return tm_max(k * delta + c * closing, 0.0);
 }
 
+/* F15 (13): largest friction at the normal force fn, coefficient mu, m, flow stress Y (0: not known) and area. */
+TM_FN tm_real tm_friction_limit(tm_real mu, tm_real fn, tm_real m, tm_real Y, tm_real area)
+{
+  return m > 0.0 && Y > 0.0 ? tm_min(mu * fn, m * Y * area * 0.57735026918962576) : mu * fn;
+}
+
 /* F15 (14): the part of v across the unit normal n. */
 TM_FN tm_vec3 tm_contact_tangential(tm_vec3 v, tm_vec3 n) { return tm_vec_axpy(v, -tm_vec_dot(v, n), n); }
+
+/* Friction on a particle that would slide at v_end relative to the surface (tangential) at the end
+   of the step if nothing held it: what stops it, at most `limit`. */
+TM_FN tm_vec3 tm_contact_friction(tm_vec3 v_end, tm_real mass, tm_real dt, tm_real limit)
+{
+  const tm_real stop = mass / dt * tm_vec_norm(v_end);
+  const tm_real part = stop > limit ? limit / stop : 1.0;
+  return tm_vec_scale(-part * mass / dt, v_end);
+}
 
 #endif

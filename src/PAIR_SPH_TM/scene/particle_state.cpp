@@ -27,14 +27,28 @@ void HeatSource::set_zero(Backend &loops, bool wanted, int nmax)
   loops.zero(loop_write(), bytes());
 }
 
+// the last temperature that a group is given counts
+void StartTemperatures::set_group(int bit, double T)
+{
+  int n = 0;
+  for (int g = 0; g < start.n; g++) {
+    if (start.bit[g] == bit) continue;
+    start.bit[n] = start.bit[g];
+    start.of[n++] = start.of[g];
+  }
+  start.bit[n] = bit;
+  start.of[n] = T;
+  start.n = n + 1;
+}
+
 void StartTemperatures::apply(int n, const int *mask, LoopArray<double> &field)
 {
-  if (groups.empty()) return;
+  if (start.n == 0) return;
   double *T = field.host_write();
-  for (const auto &g : groups)
-    for (int i = 0; i < n; i++)
-      if (mask[i] & g.bit) T[3 * (size_t) i] = g.temperature;
-  groups.clear();
+  for (int i = 0; i < n; i++)
+    for (int g = 0; g < start.n; g++)
+      if (mask[i] & start.bit[g]) T[3 * (size_t) i] = start.of[g];
+  start.n = 0;
 }
 
 ParticleState::ParticleState(LAMMPS *lmp, Backend &loops, std::unique_ptr<AtomArrays> arrays, StepOwner &owner,
@@ -131,7 +145,8 @@ tm_state ParticleState::host_arrays()
 
 double ParticleState::temperature(int i)
 {
-  return has(TM_FX_HEAT) ? values[TM_F_TEMP].host_read()[3 * (size_t) i] : temperatures.of_all();
+  return has(TM_FX_HEAT) ? values[TM_F_TEMP].host_read()[3 * (size_t) i]
+                         : tm_start_temperature(&temperatures.all(), atom->mask[i]);
 }
 
 tm_size_range ParticleState::sizes()
@@ -160,7 +175,7 @@ tm_initial_args ParticleState::initial_args(const tm_state &s, unsigned mask) co
 void ParticleState::initialize_new()
 {
   PairLoops::of(backend).initial_of_new(backend, atom->nlocal, initial_args(arrays(), values.mask()), plan.effects);
-  temperatures.apply(atom->nlocal, atom->mask, values[TM_F_TEMP]);
+  if (has(TM_FX_HEAT)) temperatures.apply(atom->nlocal, atom->mask, values[TM_F_TEMP]);
 }
 
 void ParticleState::begin_setup()

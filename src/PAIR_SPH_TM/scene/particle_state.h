@@ -11,6 +11,7 @@
 #include "run_history.h"
 #include "step_audit.h"
 #include "tm_initial.h"
+#include "tm_start_temperature.h"
 #include "time_step.h"
 
 #include <memory>
@@ -41,21 +42,17 @@ class HeatSource : public LoopArray<double> {
   void set_zero(Backend &, bool wanted, int nmax);
 };
 
-// with what temperatures particles start
+// with what temperatures particles start, and stay at without the effect heat
 class StartTemperatures {
  public:
-  double of_all() const { return temperature; }    // K
-  void set_all(double T) { temperature = T; }
-  void set_group(int bit, double T) { groups.push_back({bit, T}); }    // at the next set-up
-  void apply(int n, const int *mask, LoopArray<double> &);             // those of groups, once
+  double of_all() const { return start.of_all; }    // K
+  const tm_start_temperatures &all() const { return start; }
+  void set_all(double T) { start.of_all = T; }
+  void set_group(int bit, double T);                          // at the next set-up
+  void apply(int n, const int *mask, LoopArray<double> &);    // those of groups to the state, once
 
  private:
-  double temperature = 293.15;
-  struct Group {
-    int bit;
-    double temperature;
-  };
-  std::vector<Group> groups;
+  tm_start_temperatures start = {293.15, 0, {}, {}};
 };
 
 class ParticleState : protected LAMMPS_NS::Pointers {

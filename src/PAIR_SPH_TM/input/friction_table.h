@@ -1,0 +1,19 @@
+/* SPH-TM: mu(T) of contact, as pairs of numbers on the command line: T1 mu1 T2 mu2 ... */
+#ifndef SPHTM_FRICTION_TABLE_H
+#define SPHTM_FRICTION_TABLE_H
+
+#include "tm_material.h"
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace SPHTM_NS {
+
+class Keywords;
+
+tm_table read_friction_table(LAMMPS_NS::LAMMPS *, Keywords &);    // of the keyword that was read last
+
+}    // namespace SPHTM_NS
+
+#endif
