@@ -28,7 +28,8 @@ typedef struct {
   tm_material material[TYPES + 1];
   tm_contact_law law[TYPES + 1];
   tm_body_law touch_law[(TYPES + 1) * (TYPES + 1)];
-  int touch[(TYPES + 1) * (TYPES + 1)];
+  int touch_side[(TYPES + 1) * (TYPES + 1)];
+  tm_body_surface body_surface;
   double conductance[(TYPES + 1) * (TYPES + 1)], young[TYPES + 1], effusivity[TYPES + 1], mass[TYPES + 1];
   unsigned char meets[(TYPES + 1) * (TYPES + 1)];
   int type[CLOUD], mask[CLOUD], tag[CLOUD];
@@ -48,7 +49,7 @@ typedef struct {
   __attribute__((aligned(16))) double rec_main[TM_REC * CLOUD], rec_stress[TM_REC_STRESS * CLOUD], rec_heat[TM_REC_HEAT * CLOUD];
   double rec_correction[TM_REC_CORRECTION * CLOUD], rec_size[TM_REC_SIZE * CLOUD];
   double gradient[9 * CLOUD], heat[CLOUD], correction[6 * CLOUD], xsph_v[3 * CLOUD], surface[3 * CLOUD];
-  double artificial[CLOUD], near[CLOUD], tally[TM_TALLY * CLOUD], tool_heat[CLOUD];
+  double artificial[CLOUD], near[CLOUD], body_sides[TM_BODY_SIDE * CLOUD], body_ahead[TM_AHEAD * CLOUD], tally[TM_TALLY * CLOUD], tool_heat[CLOUD];
   double result[POINTS_MOST * CLOUD];                 /* what the function returned */
 } cloud;
 
@@ -60,7 +61,7 @@ typedef struct {
   ARRAY(size, TM_S_COLUMNS) ARRAY(rec_size, TM_REC_SIZE) ARRAY(hourglass, TM_G_COLUMNS)                              \
   ARRAY(rec_hourglass, TM_REC_HOURGLASS) ARRAY(hourglass_rate, 3)                                                            \
   ARRAY(gradient, 9) ARRAY(heat, 1) ARRAY(correction, 6) ARRAY(xsph_v, 3) ARRAY(surface, 3) ARRAY(artificial, 1)     \
-  ARRAY(near, 1) ARRAY(tally, TM_TALLY) ARRAY(tool_heat, 1) ARRAY(result, POINTS_MOST)
+  ARRAY(near, 1) ARRAY(tally, TM_TALLY) ARRAY(tool_heat, 1) ARRAY(body_sides, TM_BODY_SIDE) ARRAY(result, POINTS_MOST)
 
 TM_FN tm_state cloud_state(cloud *w)
 {
@@ -207,16 +208,45 @@ STAGE(thermal)
   if (a.rows.thermal[i]) tm_thermal(i, &a, w->effects);
   (void) out;
 }
+TM_FN tm_body_contact_args cloud_bodies(cloud *w)
+{
+  tm_body_contact_args b;
+  b.law = w->touch_law; b.side = w->touch_side; b.sides = 1; b.young = w->young; b.effusivity = w->effusivity;
+  b.surface = w->body_surface;
+  b.spacing = w->spacing;
+  b.dt = w->dt; b.after = 0.5 * w->dt;
+  b.sides_of = w->body_sides;
+  b.ahead = w->body_ahead; b.mask = 0;
+  b.start.of_all = 300.0; b.start.n = 0;
+  b.source = w->source;
+  return b;
+}
+TM_FN void cloud_body_result(const tm_body_contact_result *r, double *out)
+{
+  out[0] = r->spring; out[1] = r->damping_power; out[2] = r->friction_power; out[3] = r->heat_power; out[4] = r->work_power;
+}
+STAGE(body_ahead)
+{
+  tm_ahead_args a;
+  a.state = cloud_state(w);
+  a.dt = w->dt; a.force_unit = 1.0;
+  a.ahead = w->body_ahead;
+  tm_body_ahead(i, &a, w->effects);
+  (void) out;
+}
+STAGE(body_touch)
+{
+  const tm_rates_args a = cloud_rates(w);
+  const tm_body_contact_args b = cloud_bodies(w);
+  const tm_body_contact_result r = tm_body_touch(i, &a, &b, w->effects);
+  cloud_body_result(&r, out);
+}
 STAGE(body_contact)
 {
   const tm_rates_args a = cloud_rates(w);
-  tm_body_contact_args b;
-  b.law = w->touch_law; b.contact = w->touch; b.young = w->young; b.effusivity = w->effusivity;
-  b.spacing = w->spacing;
-  b.dt = w->dt;
-  b.source = w->source;
+  const tm_body_contact_args b = cloud_bodies(w);
   const tm_body_contact_result r = tm_body_contact(i, &a, &b, w->effects);
-  out[0] = r.spring; out[1] = r.damping_power; out[2] = r.friction_power; out[3] = r.heat_power; out[4] = r.work_power;
+  cloud_body_result(&r, out);
 }
 STAGE(contact_tri)
 {
@@ -349,7 +379,8 @@ STAGE(initial)
 #define CLOUD_STAGES(CASE)                                                                              \
   CASE(drift, POINTS_ARITHMETIC) CASE(predict, POINTS_TRANSCENDENTAL) CASE(moment, POINTS_ARITHMETIC)     \
   CASE(rates, POINTS_ARITHMETIC) CASE(hourglass, POINTS_ARITHMETIC) CASE(thermal, POINTS_ARITHMETIC)      \
-  CASE(body_contact, POINTS_ARITHMETIC)                                                                   \
+  CASE(body_ahead, POINTS_ARITHMETIC)                                                                     \
+  CASE(body_touch, POINTS_TRANSCENDENTAL) CASE(body_contact, POINTS_TRANSCENDENTAL)                       \
   CASE(contact_tri, POINTS_TRANSCENDENTAL) CASE(exchange, POINTS_ARITHMETIC) CASE(drive, POINTS_ARITHMETIC) \
   CASE(update, POINTS_TRANSCENDENTAL) CASE(hold, POINTS_ARITHMETIC) CASE(tally, POINTS_ARITHMETIC)        \
   CASE(near, POINTS_ARITHMETIC) CASE(carry, POINTS_ARITHMETIC) CASE(initial_limits, POINTS_ARITHMETIC)    \

@@ -116,10 +116,11 @@ void cloud_make(cloud *w, int dim, int kernel, double ratio, unsigned effects, t
     for (int b = 1; b <= TYPES; b++) {
       const int pair = a * (TYPES + 1) + b;
       w->meets[pair] = a == b ? TM_MEETS_MECHANICAL : TM_MEETS_THERMAL | TM_MEETS_CONTACT;
-      w->touch[pair] = a != b;
+      w->touch_side[pair] = a != b;
       w->conductance[pair] = a != b ? 2e4 : 0.0;
-      w->touch_law[pair].friction = 0.2; w->touch_law[pair].penalty = 0.1; w->touch_law[pair].damping = 0.3;
+      w->touch_law[pair].friction.value = 0.2; w->touch_law[pair].penalty = 0.1; w->touch_law[pair].damping = 0.3;
     }
+  w->body_surface = tm_body_surface_make(dim, tm_kernel_support(kernel) * ratio);
   tm_gradient_table(kernel, dim, w->factor);
   const int side = dim == 3 ? SIDE : 31;
   for (int a = 0; a < side; a++)

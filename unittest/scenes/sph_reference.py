@@ -8,6 +8,8 @@ x_ij = x_i - x_j.
     body = Body(dim, x, v, kind, materials, box, kernel="cubic", h=1.2 * dx, spacing=dx, ...)
     body.rates(); body.step(dt)
 """
+import math
+
 import numpy as np
 from sph_kernels import CONSTANT, REACH, factors, kernel, lattice_psi, lattice_sums, tensile_share
 from sph_material import jaumann, warmed
@@ -66,25 +68,66 @@ class Body:
         return q
 
     def contact(self, out, touch, r, d, vij, dt):
-        """Two bodies: F15 (9)-(16) between spheres one spacing wide; DFAC = 1 is critical damping; friction may
-        take a quarter of the sliding within a step; its heat is shared by effusivity."""
+        """Two bodies: F15 (9)-(16) of each particle against the smooth surface psi of the other body, from both sides
+        with half of the stiffness; DFAC = 1 is critical damping of the reduced mass; friction takes 1.5 times the sliding
+        that the step would end with at most; its heat is shared by effusivity."""
         mu, penalty, damping = next(law[1:] for law in self.meets.values() if law[0] == "contact")
+        width, s, dim = 0.845, self.spacing, self.dim
+        reach = min(2.4, REACH.get(self.kernel, 2.0) * self.h / s) ** 2
+        edge = np.exp(-reach / width)
+
+        def plane(g):
+            """Of a layer at distance g: integrals of the weight and of its fall."""
+            y, e = reach - g * g, np.exp(-g * g / width)
+            if y <= 0:
+                return np.zeros(2)
+            if dim == 3:
+                return np.pi * np.array([width * (e - edge) - edge * (y + y * y / (2 * width)),
+                                         2 * g / width * (width * (e - edge) - edge * y)])
+            line = np.sqrt(np.pi * width) * e * math.erf(np.sqrt(y / width))
+            return np.array([line - edge * (2 * np.sqrt(y) + 4 * y ** 1.5 / (3 * width)),
+                             2 * g / width * (line - 2 * np.sqrt(y) * edge)])
+
+        norm, slope = plane(1) + plane(2)
+        bend = 2 * norm / slope
+        x = np.where(touch, (r / s) ** 2, 1e30)
+        near = x < reach
+        w = np.where(near, np.exp(-x / width) - edge * (1 + (reach - x) / width), 0.0) / norm
+        fall = np.where(near, 2 * (np.exp(-x / width) - edge) / (width * s * s), 0.0) / norm
+        psi = w.sum(axis=1)
+        hit = psi > 1
+        q = 1 - bend * np.log(np.where(hit, psi, 1.0))
+        deep, at = q <= 0.16, np.exp(0.84 / bend)    # linear in psi from there
+        root, of = np.sqrt(np.maximum(q, 0.16)), np.where(deep, at, np.where(hit, psi, 1.0))
+        rate = np.where(hit, s * 0.5 * bend / (of * root), 0.0)
+        delta = np.where(hit, s * (1 - root) + np.where(deep, rate * (psi - at), 0.0), 0.0)
+        p = w / np.maximum(psi, 1e-300)[:, None]    # shares of the neighbors
         E = np.array([m.E for m in self.mat])
-        delta = np.where(touch, self.spacing - r, 0.0)
-        k = penalty * E[:, None] * E[None] / (E[:, None] + E[None]) * (self.spacing if self.dim == 3 else 1.0)
-        mass = self.m[:, None] * self.m[None] / (self.m[:, None] + self.m[None])
-        normal = d / r[..., None]
-        vn = np.sum(vij * normal, axis=2)
-        fn = np.where(delta > 0, np.maximum(k * delta - 2 * damping * np.sqrt(k * mass) * vn, 0), 0.0)
-        vt = vij - vn[..., None] * normal
-        speed = np.linalg.norm(vt, axis=2)
-        ft = np.minimum(mu * fn, 0.25 * mass * speed / dt)
-        force = fn[..., None] * normal - np.where(speed > 0, ft / np.maximum(speed, 1e-300), 0.0)[..., None] * vt
+        k = np.sum(p * penalty * E[:, None] * E[None] / (E[:, None] + E[None]) * (s if dim == 3 else 1.0), axis=1)
+        under = p @ self.m
+        mass = self.m * under / (self.m + under)
+        closing = -rate * np.einsum("ij,ija,ija->i", fall, d, vij)
+        f = np.where(hit, 0.5 * np.maximum(k * delta + 2 * damping * np.sqrt(k * mass) * closing, 0), 0.0)
+        normal = np.einsum("ij,ija->ia", fall, d)
+        steep = np.linalg.norm(normal, axis=1)
+        n = normal / np.maximum(steep, 1e-300)[:, None]
+        v = np.einsum("ij,ija->ia", p, vij)
+        end = self.v + dt * out["acc"]    # of the step, by the forces so far
+        slide = end - p @ end
+        slide = slide - np.sum(slide * n, axis=1)[:, None] * n
+        speed = np.linalg.norm(slide, axis=1)
+        ft = np.minimum(mu * f * rate * steep, 0.75 * mass * speed / dt)
+        friction = np.where(hit & (speed > 0), -ft / np.maximum(speed, 1e-300), 0.0)[:, None] * slide
+        a = (f * rate)[:, None] * fall
+        give = p[..., None] * friction[:, None]
+        force = (a + a.T)[..., None] * d + give - give.transpose(1, 0, 2)
         out["acc"] = out["acc"] + np.sum(force, axis=1) / self.m[:, None]
         if self.heat:
             b = np.array([np.sqrt(m.conductivity(self.T0) * m.capacity(self.T0) * m.rho0) for m in self.mat])
-            out["source"] = np.sum(ft * speed * b[:, None] / (b[:, None] + b[None]), axis=1)
-        self.contacts = int(np.sum(fn > 0))
+            share = b / (b + p @ b)
+            power = -np.sum(friction * v, axis=1)
+            out["source"] = share * power + p.T @ ((1 - share) * power)
+        self.contacts = int(np.sum(f > 0))
 
     def distances(self, x):
         """x_ij and its size, of the nearest image; a particle is far from itself."""

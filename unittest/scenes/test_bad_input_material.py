@@ -145,6 +145,11 @@ wrong("meeting of one type", {"more": "pair_coeff 1 1 contact friction 0.3"}, C,
 both = dict(TWO, more="pair_coeff 2 2 " + GOOD + "\npair_coeff 1 2 ")
 wrong("unknown contact keyword", dict(both, more=both["more"] + "contact mu 0.3"), C, "contact", "mu", "friction")
 wrong("negative friction", dict(both, more=both["more"] + "contact friction -0.3"), C, "friction", "-0.3")
+wrong("friction table that goes back", dict(both, more=both["more"] + "contact friction/table 300 0.3 200 0.1"), C,
+      "friction/table", "must increase", "200")
+wrong("friction table without pairs", dict(both, more=both["more"] + "contact friction/table damping 0.3"), C,
+      "friction/table", "T1 mu1")
+wrong("shear limit above 1", dict(both, more=both["more"] + "contact friction/shear 1.5"), C, "friction/shear", "1.5")
 wrong("penalty 0", dict(both, more=both["more"] + "contact penalty 0"), C, "penalty", "0")
 wrong("contact keyword without value", dict(both, more=both["more"] + "contact penalty"), C, "penalty", "value")
 wrong("conductance of a bond", dict(both, more=both["more"] + "bond conductance 5"), C, "bond", "conductance")

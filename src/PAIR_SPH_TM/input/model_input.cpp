@@ -1,6 +1,7 @@
 #include "model_input.h"
 
 #include "argument.h"
+#include "friction_table.h"
 #include "material_input.h"
 #include "model.h"
 
@@ -95,8 +96,8 @@ void check_spacing_kept(LAMMPS *lmp, const Settings &before, const Settings &now
                     before.spacing, now.spacing);
 }
 
-// how two types meet: bond | none | heat [conductance hc] | contact [friction mu] [penalty PFAC]
-// [damping DFAC] [conductance hc]
+// how two types meet: bond | none | heat [conductance hc] | contact [friction mu] [friction/table T1 mu1 ...]
+// [friction/shear m] [penalty PFAC] [damping DFAC] [conductance hc]
 static void read_meeting(LAMMPS *lmp, int narg, char **arg, Model &model)
 {
   Error *error = lmp->error;
@@ -106,11 +107,10 @@ static void read_meeting(LAMMPS *lmp, int narg, char **arg, Model &model)
   const std::string what = arg[2];
   PairLaw law;
   law.meeting = what == "bond" ? BOND : what == "none" ? NONE : what == "heat" ? HEAT_ONLY : CONTACT;
-  law.contact.friction = 0.0;
   law.contact.penalty = 1.0;
   law.contact.damping = 0.2;
   law.conductance = what == "contact" ? -1.0 : 0.0;    // contact: no heat unless asked
-  for (int iarg = 3; iarg < narg; iarg += 2) {
+  for (int iarg = 3; iarg < narg; iarg += 2) {         // friction/table takes more
     const std::string key = arg[iarg];
     if (iarg + 1 >= narg) error->all(FLERR, "Pair sph/tm coeff {} keyword {} needs a value", what, key);
     const char *val = arg[iarg + 1];
@@ -118,15 +118,22 @@ static void read_meeting(LAMMPS *lmp, int narg, char **arg, Model &model)
       law.conductance = strcmp(val, "perfect") == 0
                             ? 0.0
                             : positive(lmp, "Pair sph/tm coeff " + what + " conductance", val) * unit_scale(lmp).energy;
-    } else if (key == "friction" && law.meeting == CONTACT)
-      law.contact.friction = not_negative(lmp, "Pair sph/tm coeff contact friction", val);
-    else if (key == "penalty" && law.meeting == CONTACT)
+    } else if (key == "friction" && law.meeting == CONTACT) {
+      law.contact.friction = {0, not_negative(lmp, "Pair sph/tm coeff contact friction", val), {}, {}};
+    } else if ((key == "friction/table" || key == "friction/shear") && law.meeting == CONTACT) {
+      Keywords k(lmp, "Pair sph/tm coeff contact", narg - iarg, arg + iarg);
+      k.next();
+      if (key == "friction/table") law.contact.friction = read_friction_table(lmp, k);
+      else law.contact.shear = k.share();
+      iarg = narg - k.rest() - 2;
+    } else if (key == "penalty" && law.meeting == CONTACT)
       law.contact.penalty = positive(lmp, "Pair sph/tm coeff contact penalty", val);
     else if (key == "damping" && law.meeting == CONTACT)
       law.contact.damping = not_negative(lmp, "Pair sph/tm coeff contact damping", val);
     else
       error->all(FLERR, "Unknown pair sph/tm coeff {} keyword {}: known {}", what, key,
-                 law.meeting == CONTACT     ? "are friction, penalty, damping and conductance"
+                 law.meeting == CONTACT     ? "are friction, friction/table, friction/shear, penalty, damping and "
+                                              "conductance"
                  : law.meeting == HEAT_ONLY ? "is conductance"
                                             : "is none");
   }

@@ -219,7 +219,8 @@ void ModelRestart::compare(const Model &model)
     say(fmt::format(": type {} ({})", i, model.material_name(i)), changes(then->material[i], model.materials()[i]));
     for (int j = i + 1; j <= model.types(); j++) {
       const PairLaw &a = then->laws[i * (model.types() + 1) + j], &b = model.law(i, j);
-      if (a.meeting == b.meeting && a.conductance == b.conductance && a.contact.friction == b.contact.friction &&
+      if (a.meeting == b.meeting && a.conductance == b.conductance &&
+          same_table(a.contact.friction, b.contact.friction) && a.contact.shear == b.contact.shear &&
           a.contact.penalty == b.contact.penalty && a.contact.damping == b.contact.damping)
         continue;
       error->warning(FLERR, "{}: how types {} and {} meet is set in another way{}", WHO, i, j, tail);

@@ -1,17 +1,18 @@
 /* SPH-TM: the loops of pair sph/tm, fix sph/tm and the computes over particles. See loop_table.h.
 
-   A step runs drift, predict, (correction,) rates, (hourglass, thermal, body_contact,) update. */
+   A step runs drift, predict, (correction,) rates, (hourglass, thermal,) update; contact of bodies, before
+   the update, is in body_loops.h. */
 #ifndef SPHTM_PAIR_LOOPS_H
 #define SPHTM_PAIR_LOOPS_H
 
 #include "loop_table.h"
-#include "tm_body_contact.h"
 #include "tm_drift.h"
 #include "tm_hourglass.h"
 #include "tm_initial.h"
 #include "tm_moment.h"
 #include "tm_neighbors.h"
 #include "tm_predict.h"
+#include "tm_rates.h"
 #include "tm_single.h"
 #include "tm_size.h"
 #include "tm_tally.h"
@@ -20,10 +21,6 @@
 
 namespace SPHTM_NS {
 
-struct BodyContactLoop {
-  tm_rates_args rates;
-  tm_body_contact_args contact;
-};
 struct AddLoop {
   double *to;
   const double *from;
@@ -44,28 +41,26 @@ TM_FN tm_tally_result tm_tally_nothing(void)
   return r;
 }
 
-#define PAIR_LOOPS(LOOP)                                                                                          \
-  /* a step; drift: *lost is the first particle lost, or n, once the loop is waited for */                        \
-  LOOP(OWN, drift, void, int n, const tm_drift_args &, unsigned effects, int *lost)                               \
-  LOOP(RANGE, predict, tm_predict_args)                                                                           \
-  LOOP(EACH, round_to_single, tm_single_args, tm_single(i, &a, effects))                                          \
-  LOOP(RANGE, correction, tm_rates_args)                                                                          \
-  LOOP(RANGE, rates_in_double, tm_rates_args)                                                                     \
-  LOOP(RANGE, rates_in_single, tm_rates_args)                                                                     \
-  LOOP(RANGE, hourglass, tm_rates_args)                                                                           \
-  LOOP(EACH, thermal, tm_rates_args, if (a.rows.thermal[i]) tm_thermal(i, &a, effects))                           \
-  LOOP(SUM, body_contact, BodyContactLoop, tm_body_contact_result, tm_body_contact,                               \
-       (a.rates.rows.contact[i] ? tm_body_contact(i, &a.rates, &a.contact, effects) : tm_body_contact_nothing())) \
-  LOOP(EACH, add, AddLoop, a.to[i] += a.from[i])                                                                  \
-  LOOP(RANGE_SUM, update, tm_update_args, tm_update_result, tm_step)                                              \
-  /* set-up and output */                                                                                         \
-  LOOP(EACH, initial_of_new, tm_initial_args, tm_initial_of_new(i, &a))                                           \
-  LOOP(SUM, initial_limits, InitialLimitsLoop, tm_update_result, tm_step,                                         \
-       tm_initial_limits(i, &a.update, effects, a.seed))                                                          \
-  LOOP(SUM, kinetic_energy, tm_state, double, tm_number, tm_kinetic_energy(i, &a))                                \
-  LOOP(SUM, tally, tm_tally_args, tm_tally_result, tm_tally, tm_tally(i, &a, effects))                            \
-  LOOP(SUM, size_range, tm_state, tm_size_range, tm_size, tm_size_of(i, &a))                                      \
-  LOOP(SUM, near_count, tm_near_args, double, tm_number, tm_near_count(i, &a))                                    \
+#define PAIR_LOOPS(LOOP)                                                                   \
+  /* a step; drift: *lost is the first particle lost, or n, once the loop is waited for */ \
+  LOOP(OWN, drift, void, int n, const tm_drift_args &, unsigned effects, int *lost)        \
+  LOOP(RANGE, predict, tm_predict_args)                                                    \
+  LOOP(EACH, round_to_single, tm_single_args, tm_single(i, &a, effects))                   \
+  LOOP(RANGE, correction, tm_rates_args)                                                   \
+  LOOP(RANGE, rates_in_double, tm_rates_args)                                              \
+  LOOP(RANGE, rates_in_single, tm_rates_args)                                              \
+  LOOP(RANGE, hourglass, tm_rates_args)                                                    \
+  LOOP(EACH, thermal, tm_rates_args, if (a.rows.thermal[i]) tm_thermal(i, &a, effects))    \
+  LOOP(EACH, add, AddLoop, a.to[i] += a.from[i])                                           \
+  LOOP(RANGE_SUM, update, tm_update_args, tm_update_result, tm_step)                       \
+  /* set-up and output */                                                                  \
+  LOOP(EACH, initial_of_new, tm_initial_args, tm_initial_of_new(i, &a))                    \
+  LOOP(SUM, initial_limits, InitialLimitsLoop, tm_update_result, tm_step,                  \
+       tm_initial_limits(i, &a.update, effects, a.seed))                                   \
+  LOOP(SUM, kinetic_energy, tm_state, double, tm_number, tm_kinetic_energy(i, &a))         \
+  LOOP(SUM, tally, tm_tally_args, tm_tally_result, tm_tally, tm_tally(i, &a, effects))     \
+  LOOP(SUM, size_range, tm_state, tm_size_range, tm_size, tm_size_of(i, &a))               \
+  LOOP(SUM, near_count, tm_near_args, double, tm_number, tm_near_count(i, &a))             \
   LOOP(SUM, nearest, tm_near_args, tm_nearest, tm_nearest, tm_nearest_neighbor(i, &a))
 
 struct PairLoops {

@@ -109,9 +109,9 @@ void Reasons::contacts()
   for (int i = 1; i <= model.types(); i++)
     for (int j = i + 1; j <= model.types(); j++) {
       const PairLaw &l = model.law(i, j);
-      if (l.meeting != CONTACT || !(l.contact.friction > 0.0 || l.conductance >= 0.0)) continue;
-      on(TM_FX_HEAT, "contact of " + of_type(i) + " and " + of_type(j) +
-                         (l.contact.friction > 0.0 ? " has friction" : " conducts heat"));
+      if (l.meeting != CONTACT || !(l.has_friction() || l.conductance >= 0.0)) continue;
+      on(TM_FX_HEAT,
+         "contact of " + of_type(i) + " and " + of_type(j) + (l.has_friction() ? " has friction" : " conducts heat"));
     }
 }
 

@@ -24,7 +24,7 @@ Model::Tables::Tables(Backend &loops)
   material.live_in(loops);
   for (auto *a : {&conductance, &young, &effusivity, &gradient, &share}) a->live_in(loops);
   law.live_in(loops);
-  touch.live_in(loops);
+  side.live_in(loops);
 }
 
 Model::Model(LAMMPS *lmp, Backend &loops) : Pointers(lmp), tables(loops) {}
@@ -88,6 +88,7 @@ void Model::prepare()
   heat_rate = lattice.heat_rate;
   list_h = settings.h;
   least_spacing = settings.spacing;
+  of_bodies = tm_body_surface_make(domain->dimension, tm_kernel_support(settings.kernel) * settings.ratio);
   surface = tm_surface_make(settings.kernel, domain->dimension, settings.spacing, settings.h, TM_SURFACE_THRESHOLD);
 }
 
@@ -96,13 +97,13 @@ void Model::make_tables(double temperature)
   const int n = atom_types + 1;
   std::vector<double> conductance(n * n), young(n), effusivity(n);
   std::vector<tm_body_law> contact(n * n);
-  std::vector<int> touch(n * n);
+  std::vector<int> side;
+  most_sides = contact_sides(side);
   bool conducts = false;
   for (int k = 0; k < n * n; k++) {
     conductance[k] = laws[k].conductance > 0.0 ? laws[k].conductance * lattice.interface * lattice.gradient : 0.0;
     conducts = conducts || conductance[k] > 0.0;
     contact[k] = laws[k].contact;
-    touch[k] = laws[k].meeting == CONTACT;
   }
   for (int t = 1; t < n; t++) {
     const tm_material &m = material[t];
@@ -113,7 +114,7 @@ void Model::make_tables(double temperature)
   tables.material.assign(material.data(), n);
   tables.conductance.assign(conductance.data(), conducts ? n * n : 0);
   tables.law.assign(contact.data(), n * n);
-  tables.touch.assign(touch.data(), n * n);
+  tables.side.assign(side.data(), n * n);
   tables.young.assign(young.data(), n);
   tables.effusivity.assign(effusivity.data(), n);
   std::vector<double> share(settings.art_balanced && settings.art_eps > 0.0 ? TM_GRADIENT_ENTRIES : 0);
@@ -141,6 +142,38 @@ double Model::particle_mass(int type) const { return material[type].rho0 * pow(s
 bool Model::has_contact_pairs() const
 {
   return std::any_of(laws.begin(), laws.end(), [](const PairLaw &l) { return l.meeting == CONTACT; });
+}
+
+bool Model::has_friction() const
+{
+  return std::any_of(laws.begin(), laws.end(),
+                     [](const PairLaw &l) { return l.meeting == CONTACT && l.has_friction(); });
+}
+
+int Model::contact_sides(std::vector<int> &side) const
+{
+  const int n = atom_types + 1;
+  std::vector<int> body(n);    // the lowest type that a type is bonded to, in a chain
+  for (int t = 0; t < n; t++) body[t] = t;
+  for (int i = 1; i < n; i++)
+    for (int j = i + 1; j < n; j++) {
+      if (law(i, j).meeting != BOND || body[i] == body[j]) continue;
+      const int from = std::max(body[i], body[j]), to = std::min(body[i], body[j]);
+      std::replace(body.begin(), body.end(), from, to);
+    }
+  side.assign((size_t) n * n, 0);
+  int most = 0;
+  for (int i = 1; i < n; i++) {
+    std::vector<int> met;
+    for (int j = 1; j < n; j++) {
+      if (law(i, j).meeting != CONTACT) continue;
+      const auto it = std::find(met.begin(), met.end(), body[j]);
+      side[i * n + j] = 1 + int(it - met.begin());
+      if (it == met.end()) met.push_back(body[j]);
+    }
+    most = std::max(most, (int) met.size());
+  }
+  return most;
 }
 
 static bool is_thermal(const PairLaw &l)

@@ -5,6 +5,7 @@
 
 #include "loop_array.h"
 #include "pair_loops.h"
+#include "tm_body_contact.h"
 #include "tm_surface.h"
 #include "unit_scale.h"
 
@@ -21,6 +22,7 @@ struct PairLaw {
   Meeting meeting = UNSET;
   double conductance = 0.0;    // heat across the interface; 0: perfect
   tm_body_law contact = {};
+  bool has_friction() const { return contact.friction.n || contact.friction.value > 0.0; }
 };
 
 // numerical settings of the pair_style line
@@ -74,6 +76,10 @@ class Model : protected LAMMPS_NS::Pointers {
   const std::string &restart_file() const { return file; }    // that was read, or empty
   double particle_mass(int type) const;    // from density and spacing; in 2D of a plate of unit thickness
   bool has_contact_pairs() const;
+  bool has_friction() const;    // of bodies
+  // of types that may touch others: which side of i meets j, by type pair, from 1 on (0: no contact). Types that are
+  // bonded are one body and meet on one side; returns the most sides of a type
+  int contact_sides(std::vector<int> &) const;
   bool has_thermal_pairs() const;              // that exchange heat and take no part in mechanics together
   double largest_conductivity() const;         // of all types at all temperatures
   double contact_time_step(int type) const;    // the largest stable one of the stiffest pair in contact
@@ -89,10 +95,12 @@ class Model : protected LAMMPS_NS::Pointers {
     LoopArray<tm_real> gradient;    // tm_gradient_table, with particles of different size
     LoopArray<tm_real> share;       // tm_tensile_table, where the artificial stress is balanced
     LoopArray<tm_body_law> law;
-    LoopArray<int> touch;
+    LoopArray<int> side;
     explicit Tables(Backend &);
   };
   Tables &loop_tables() { return tables; }
+  int sides() const { return most_sides; }    // of a particle in contact with other bodies
+  const tm_body_surface &body_surface() const { return of_bodies; }
 
  private:
   Settings settings;
@@ -100,6 +108,8 @@ class Model : protected LAMMPS_NS::Pointers {
   tm_lattice lattice = {};
   double heat_rate = 0.0, list_h = 0.0, least_spacing = 0.0;
   tm_surface surface = {};
+  tm_body_surface of_bodies = {};
+  int most_sides = 0;
   int atom_types = 0;
   std::vector<tm_material> material;    // by type
   std::vector<std::string> names;

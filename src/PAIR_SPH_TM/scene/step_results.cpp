@@ -22,7 +22,7 @@ StepResults::StepResults(LAMMPS *lmp, Backend &where, Model &m) :
   rec_stress.live_in(where, TM_REC_STRESS, 2);
   gradient.live_in(where, 9);
   for (auto *a : {&rec_heat, &rec_correction, &rec_size, &rec_hourglass, &heat, &correction, &xsph_v, &hourglass_rate,
-                  &surface, &artificial, &near_count, &tally, &force_internal})
+                  &surface, &artificial, &near_count, &tally, &sides, &ahead, &force_internal})
     a->live_in(where);
   single_main.live_in(where, TM_REC, 4);
   single_more.live_in(where, TM_MORE, 4);
@@ -44,6 +44,7 @@ void StepResults::resize(const ParticleState &state)
   xsph_v.make_room(state.has(TM_FX_XSPH), own * 3);
   hourglass_rate.make_room(state.has(TM_FX_HOURGLASS), own * 3);
   surface.make_room(state.has(TM_FX_SURFACE), own * 3);
+  sides.make_room(state.has(TM_FX_BODIES), all * TM_BODY_SIDE * model.sides());
   artificial.make_room(state.has(TM_FX_LEDGER) || state.has(TM_FX_ENERGY), own);
   force_internal.make_room(state.has(TM_FX_LEDGER), own * 3);
   take_up_ghosts();
@@ -225,6 +226,12 @@ const tm_real *StepResults::loop_neighbors()
 
 tm_nearest StepResults::nearest() { return loops.nearest(backend, atom->nlocal, near_args(false), 0); }
 
+LoopArray<tm_real> &StepResults::body_ahead(bool wanted)
+{
+  ahead.make_room(wanted, TM_AHEAD * ((size_t) atom->nlocal + atom->nghost + 1));
+  return ahead;
+}
+
 tm_real *StepResults::tally_rows(bool per_particle)
 {
   tally.make_room(per_particle, (size_t) TM_TALLY * (atom->nlocal + 1));
@@ -244,6 +251,7 @@ std::map<unsigned, double> StepResults::bytes_by_effect(unsigned effects) const
   bytes[TM_FX_XSPH] = xsph_v.bytes();
   bytes[TM_FX_HOURGLASS] = rec_hourglass.bytes() + hourglass_rate.bytes();
   bytes[TM_FX_SURFACE] = surface.bytes();
+  bytes[TM_FX_BODIES] = sides.bytes() + ahead.bytes();
   bytes[TM_FX_LEDGER] = force_internal.bytes();
   bytes[effects & TM_FX_LEDGER ? TM_FX_LEDGER : TM_FX_ENERGY] += artificial.bytes();
   return bytes;

@@ -5,6 +5,7 @@
 
 #include "loop_array.h"
 #include "pair_loops.h"
+#include "tm_body_contact.h"
 #include "tm_ghost.h"
 
 #include "pointers.h"
@@ -49,6 +50,8 @@ class StepResults : protected LAMMPS_NS::Pointers {
   const tm_records &records() const { return rec; }
   void take_up_ghosts();    // the host may have filled their records
   LoopArray<double> &pair_force() { return force_internal; }
+  LoopArray<tm_real> &body_sides() { return sides; }    // of contact between bodies, see tm_body_contact.h
+  LoopArray<tm_real> &body_ahead(bool wanted);          // what friction between bodies needs of each
   tm_real *tally_rows(bool per_particle);
   const tm_real *host_tally() { return tally.host_read(); }
   struct Rates {
@@ -72,7 +75,7 @@ class StepResults : protected LAMMPS_NS::Pointers {
   LoopArray<tm_real> rec_main, rec_stress, rec_heat, rec_correction, rec_size, rec_hourglass;
   LoopArray<float> single_main, single_more, single_correction, single_size;    // mixed precision
   LoopArray<tm_real> gradient, heat, correction, xsph_v, hourglass_rate, surface, artificial;
-  LoopArray<tm_real> near_count, tally;
+  LoopArray<tm_real> near_count, tally, sides, ahead;
   LoopArray<double> force_internal;
   tm_records rec = {};
   tm_rates_args args = {};

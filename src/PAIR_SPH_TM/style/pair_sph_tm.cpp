@@ -1,6 +1,7 @@
 /* SPH-TM: pair style sph/tm. See doc/pair_sph_tm.rst. No physics here: tm_rates.h and its kin. */
 #include "pair_sph_tm.h"
 
+#include "body_loops.h"
 #include "model_checks.h"
 #include "model_input.h"
 #include "model_restart.h"
@@ -87,6 +88,8 @@ void PairSPHTM::init_style()
   check_materials(lmp, model, force->pair == this ? "" : "sph/tm ");
   model.prepare();
   model.complete_laws();
+  std::vector<int> side;
+  comm_forward = std::max(comm_forward, (int) TM_BODY_SIDE * model.contact_sides(side));
   restart->compare(model);
 
   state = &scene->state("Pair style sph/tm");
@@ -246,16 +249,35 @@ void PairSPHTM::audit(StepAudit &audited, LoopArray<double> &force)
 void PairSPHTM::body_contact(const tm_rates_args &others)
 {
   const auto timed = state->clock().timed(RunClock::BODIES);
+  const int nlocal = atom->nlocal;
+  if (model.sides() == 0) return;    // forced on, without bodies
+  const BodyLoops &of_bodies = BodyLoops::of(backend);
   Model::Tables &tables = model.loop_tables();
   tm_body_contact_args b;
   b.law = tables.law.loop_read();
-  b.contact = tables.touch.loop_read();
+  b.side = tables.side.loop_read();
+  b.sides = model.sides();
   b.young = tables.young.loop_read();
   b.effusivity = tables.effusivity.loop_read();
+  b.surface = model.body_surface();
   b.spacing = model.settings_in_use().spacing;
   b.dt = state->time_step().now();
+  b.after = state->time_step().ahead() > 0.0 ? b.dt - state->time_step().ahead() : 0.0;
+  b.mask = state->arrays().mask;
+  b.start = state->start_temperatures().all();
   b.source = state->heat_source();
-  state->energy().add_body_contact(loops.body_contact(backend, atom->nlocal, {others, b}, state->effects()), b.dt);
+  LoopArray<tm_real> &ahead = results.body_ahead(model.has_friction());
+  if (model.has_friction()) {
+    of_bodies.ahead(backend, nlocal, {state->arrays(), b.dt, others.force_unit, ahead.loop_write()}, state->effects());
+    results.communicate(this, ahead, TM_AHEAD);
+  }
+  b.ahead = ahead.loop_write();
+  b.sides_of = results.body_sides().loop_write();
+  // springs and what friction dissipates; then forces, from the sides of both
+  state->energy().add_body_contact(of_bodies.touch(backend, nlocal, {others, b}, state->effects()), b.dt);
+  results.communicate(this, results.body_sides(), b.sides * TM_BODY_SIDE);
+  b.sides_of = results.body_sides().loop_write();
+  state->energy().add_body_contact(of_bodies.contact(backend, nlocal, {others, b}, state->effects()), b.dt);
 }
 
 // virial of the stress, -V sigma, and the elastic energy stored in it; both in the units of the run
