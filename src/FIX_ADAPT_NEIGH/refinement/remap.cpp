@@ -15,7 +15,9 @@ double Remap::elastic_energy(const double *row, int type) const
   const tm_material *m = parts.model().materials() + type;
   const int stress = cloud.column(TM_F_STRESS), energy = cloud.column(TM_F_ENERGY);
   const tm_sym3 s = tm_sym_load(row + stress);
-  const double p = tm_eos_pressure(m, row[cloud.column(TM_F_RHO)], energy < 0 ? 0.0 : row[energy]);
+  const int unstrained = cloud.column(TM_F_UNSTRAINED);
+  const double growth = unstrained < 0 ? 1.0 : tm_thermal_growth(m, row[unstrained], row[cloud.column(TM_F_TEMP)]);
+  const double p = tm_eos_pressure(m, growth * row[cloud.column(TM_F_RHO)], energy < 0 ? 0.0 : row[energy]);
   return row[TM_CLOUD_VOLUME] * (tm_sym_ddot(s, s) / (4.0 * m->shear) + p * p / (2.0 * m->bulk));
 }
 
@@ -32,9 +34,9 @@ void Remap::add_content(tm_content &c, double sign, const double *row, const dou
 struct Spread {
   int field, first, groups, width;
 };
-static const Spread SPREADS[] = {{TM_F_RHO, 0, 1, 1},      {TM_F_STRESS, 0, 1, 6}, {TM_F_PSTRAIN, 0, 3, 1},
-                                 {TM_F_TEMP, 0, 1, 1},     {TM_F_ENERGY, 0, 1, 1}, {TM_F_DAMAGE, 0, 1, 1},
-                                 {TM_F_THICKNESS, 0, 1, 1}};
+static const Spread SPREADS[] = {{TM_F_RHO, 0, 1, 1},       {TM_F_STRESS, 0, 1, 6},    {TM_F_PSTRAIN, 0, 3, 1},
+                                 {TM_F_TEMP, 0, 1, 1},      {TM_F_ENERGY, 0, 1, 1},    {TM_F_DAMAGE, 0, 1, 1},
+                                 {TM_F_THICKNESS, 0, 1, 1}, {TM_F_UNSTRAINED, 0, 1, 1}};
 
 // of the same material, torn or not as i
 std::vector<int> Remap::kin(int i)

@@ -68,8 +68,10 @@ void hourglass(int begin, int end, const tm_rates_args *args, unsigned effects)
   hourglass_of(kernel_set_index(effects), std::make_integer_sequence<int, KERNEL_SETS>())(begin, end, args);
 }
 
-// of the correction update needs one constant, of the others prediction and update need nothing
-constexpr unsigned TESTED = TM_FX_CORRECTION | TM_FX_ARTSTRESS;
+// of the correction update needs one constant; expansion and heats are a few operations; of the others prediction and
+// update need nothing
+constexpr unsigned TESTED =
+    TM_FX_CORRECTION | TM_FX_ARTSTRESS | TM_FX_EXPANSION | TM_FX_COMPRESSION_HEAT | TM_FX_ARTIFICIAL_HEAT;
 
 // in chunks, so that the records are still in the cache for the artificial stress
 template <unsigned SET, unsigned ASK> void predict_set(int begin, int end, const tm_predict_args *args, unsigned given)

@@ -55,6 +55,8 @@ class Model : protected LAMMPS_NS::Pointers {
   // before a run: units, sums of the lattice, surface measure; then, with the fix known, tables of the loops
   void prepare();
   void make_tables(double temperature);
+  // where compression heats: what is left of the heat capacity at constant volume, at this temperature
+  void set_compression_heat(bool heats, double temperature);
   // particles of different size (effect smoothing): smoothing lengths up to h are in the rows, the smallest particle
   // has the edge dp
   void cover_sizes(double h, double dp);

@@ -27,13 +27,16 @@ void HeatSource::set_zero(Backend &loops, bool wanted, int nmax)
   loops.zero(loop_write(), bytes());
 }
 
-void StartTemperatures::apply(int n, const int *mask, LoopArray<double> &field)
+void StartTemperatures::apply(int n, const int *mask, LoopArray<double> &field, LoopArray<double> &unstrained)
 {
   if (groups.empty()) return;
-  double *T = field.host_write();
+  double *T = field.host_write(), *Tu = unstrained.empty() ? nullptr : unstrained.host_write();
   for (const auto &g : groups)
     for (int i = 0; i < n; i++)
-      if (mask[i] & g.bit) T[3 * (size_t) i] = g.temperature;
+      if (mask[i] & g.bit) {
+        if (Tu) Tu[i] += g.temperature - T[3 * (size_t) i];
+        T[3 * (size_t) i] = g.temperature;
+      }
   groups.clear();
 }
 
@@ -70,6 +73,7 @@ void ParticleState::derive_effects()
 {
   const Model &m = *used_model;
   plan.derive(m, domain->dimension);
+  used_model->set_compression_heat(has(TM_FX_COMPRESSION_HEAT), temperatures.of_all());
   if (plan.effects & ~TM_FX_PRESENT)
     error->all(FLERR, "Fix sph/tm: this build of the plugin has no effect {} (CMake SPHTM_MINIMAL_EFFECTS)",
                effect_name(plan.effects & ~TM_FX_PRESENT));
@@ -160,7 +164,7 @@ tm_initial_args ParticleState::initial_args(const tm_state &s, unsigned mask) co
 void ParticleState::initialize_new()
 {
   PairLoops::of(backend).initial_of_new(backend, atom->nlocal, initial_args(arrays(), values.mask()), plan.effects);
-  temperatures.apply(atom->nlocal, atom->mask, values[TM_F_TEMP]);
+  temperatures.apply(atom->nlocal, atom->mask, values[TM_F_TEMP], values[TM_F_UNSTRAINED]);
 }
 
 void ParticleState::begin_setup()

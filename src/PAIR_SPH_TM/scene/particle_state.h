@@ -47,7 +47,8 @@ class StartTemperatures {
   double of_all() const { return temperature; }    // K
   void set_all(double T) { temperature = T; }
   void set_group(int bit, double T) { groups.push_back({bit, T}); }    // at the next set-up
-  void apply(int n, const int *mask, LoopArray<double> &);             // those of groups, once
+  // those of groups, once: temperatures and, unless empty, those without thermal strain, which go along
+  void apply(int n, const int *mask, LoopArray<double> &, LoopArray<double> &unstrained);
 
  private:
   double temperature = 293.15;

@@ -44,7 +44,7 @@ void StepResults::resize(const ParticleState &state)
   xsph_v.make_room(state.has(TM_FX_XSPH), own * 3);
   hourglass_rate.make_room(state.has(TM_FX_HOURGLASS), own * 3);
   surface.make_room(state.has(TM_FX_SURFACE), own * 3);
-  artificial.make_room(state.has(TM_FX_LEDGER) || state.has(TM_FX_ENERGY), own);
+  artificial.make_room(state.has(TM_FX_LEDGER) || state.has(TM_FX_ENERGY) || state.has(TM_FX_ARTIFICIAL_HEAT), own);
   force_internal.make_room(state.has(TM_FX_LEDGER), own * 3);
   take_up_ghosts();
   rec.correction = rec_correction.loop_write();
@@ -245,7 +245,9 @@ std::map<unsigned, double> StepResults::bytes_by_effect(unsigned effects) const
   bytes[TM_FX_HOURGLASS] = rec_hourglass.bytes() + hourglass_rate.bytes();
   bytes[TM_FX_SURFACE] = surface.bytes();
   bytes[TM_FX_LEDGER] = force_internal.bytes();
-  bytes[effects & TM_FX_LEDGER ? TM_FX_LEDGER : TM_FX_ENERGY] += artificial.bytes();
+  bytes[effects & TM_FX_LEDGER   ? TM_FX_LEDGER
+        : effects & TM_FX_ENERGY ? TM_FX_ENERGY
+                                 : TM_FX_ARTIFICIAL_HEAT] += artificial.bytes();
   return bytes;
 }
 
