@@ -220,6 +220,11 @@ static void shock_heat(void)
     UT_NEAR(r.artificial, DT * 90.0, 1e-14);
     UT_NEAR(r.elastic + r.heat, work + given, 1e-10);
   }
+  /* artificial stress gives energy: with it only what is taken under pressure is heat */
+  const unsigned with = TM_FX_ARTIFICIAL_HEAT | TM_FX_ARTSTRESS;
+  UT_TRUE(tm_artificial_heat(3.0, 5.0, 0) == 0.0 && tm_artificial_heat(-3.0, -5.0, TM_FX_ARTIFICIAL_HEAT) == -3.0);
+  UT_TRUE(tm_artificial_heat(3.0, 5.0, with) == 3.0 && tm_artificial_heat(3.0, -5.0, with) == 0.0);
+  UT_TRUE(tm_artificial_heat(-3.0, 5.0, with) == 0.0);
   tm_update_args a = arrange(); /* failed, and open: no tension, no heat */
   p.material[1].expansion.value = 1e-3;
   p.field[TM_F_DAMAGE][tm_column(1)] = 1.0;

@@ -312,8 +312,9 @@ class Body:
                 self.switch[i] = div / (div + np.linalg.norm(curl) + 1e-4 * q["c"][i] / self.h)
             if self.heat and m.heat:
                 heat = m.heat[2] * y * d_eps * self.m[i] / rho + given
-                if self.dissipation:
-                    heat += dt * o["heating"][i]
+                if self.dissipation:    # with artificial stress only what is taken under pressure
+                    given = o["heating"][i] if self.artstress[0] == 0 else max(o["heating"][i], 0) * (p_half > 0)
+                    heat += dt * given
                 self.T[i] = warmed(m, m.compressed(T, self.rho[i], rho), heat / self.m[i])
                 rate["T"][i] = (self.T[i] - T) / dt
             self.rho[i], self.s[i] = rho, s

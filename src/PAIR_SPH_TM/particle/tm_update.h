@@ -181,6 +181,15 @@ TM_FN tm_vec3 tm_update_motion(int i, const tm_update_args *a, unsigned effects,
   return acc;
 }
 
+/* The part of the energy that artificial terms give to a particle which heats it. Artificial stress is no dissipation: it
+   gives as well as it takes, in tension. With it only what is taken under pressure counts. */
+TM_FN tm_real tm_artificial_heat(tm_real energy, tm_real p, unsigned effects)
+{
+  if (!(effects & TM_FX_ARTIFICIAL_HEAT)) return 0.0;
+  if (!(effects & TM_FX_ARTSTRESS)) return energy;
+  return p > 0.0 ? tm_max(energy, 0.0) : 0.0;
+}
+
 /* Energies that a particle takes up as heat in a step. */
 typedef struct {
   tm_real heat;        /* all but that of the artificial terms */
@@ -365,7 +374,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     tm_heat_taken taken = {0.0, 0.0, 0.0};
     if (effects & TM_FX_HEAT)
       taken = tm_update_temperature(i, a, m, q.rho, q.yield * q.d_eps * inv_dt, compression,
-                                    (effects & TM_FX_ARTIFICIAL_HEAT) ? artificial : 0.0, effects);
+                                    tm_artificial_heat(artificial, p_half, effects), effects);
     if (e) tm_update_energy(e, work + (artificial + taken.given) / mass, a->dt);
     out.heat = taken.heat;
     if (effects & TM_FX_LEDGER) {
