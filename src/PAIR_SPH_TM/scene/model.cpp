@@ -124,8 +124,8 @@ void Model::make_tables(double temperature)
   for (int t = 1; t < n; t++) {
     const tm_material &m = material[t];
     young[t] = m.young;
-    effusivity[t] = m.heat ? tm_effusivity(tm_conductivity(&m, temperature), tm_capacity(&m, temperature), m.rho0)
-                           : 0.0;
+    effusivity[t] =
+        m.heat ? tm_effusivity(tm_conductivity(&m, temperature), tm_table_at(&m.capacity, temperature), m.rho0) : 0.0;
   }
   tables.material.assign(material.data(), n);
   tables.conductance.assign(conductance.data(), conducts ? n * n : 0);
@@ -136,6 +136,12 @@ void Model::make_tables(double temperature)
   std::vector<double> share(settings.art_balanced && settings.art_eps > 0.0 ? TM_GRADIENT_ENTRIES : 0);
   if (!share.empty()) tm_tensile_table(settings.kernel, domain->dimension, settings.art_n, share.data());
   tables.share.assign(share.data(), share.size());
+}
+
+void Model::set_compression_heat(bool heats, double temperature)
+{
+  for (tm_material &m : material) tm_set_compression_heat(&m, heats, temperature);
+  tables.material.assign(material.data(), material.size());
 }
 
 void Model::cover_sizes(double h, double dp)

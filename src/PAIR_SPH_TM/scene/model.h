@@ -61,6 +61,8 @@ class Model : protected LAMMPS_NS::Pointers {
   // those of its time
   void set_time_scale(double s);
   double time_scale() const { return times_as_fast; }
+  // where compression heats: what is left of the heat capacity at constant volume, at this temperature
+  void set_compression_heat(bool heats, double temperature);
   // particles of different size (effect smoothing): smoothing lengths up to h are in the rows, the smallest particle
   // has the edge dp
   void cover_sizes(double h, double dp);

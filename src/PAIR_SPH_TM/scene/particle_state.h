@@ -66,7 +66,8 @@ class StartTemperatures {
   const tm_start_temperatures &all() const { return start; }
   void set_all(double T) { start.of_all = T; }
   void set_group(int bit, double T);                          // at the next set-up
-  void apply(int n, const int *mask, LoopArray<double> &);    // those of groups to the state, once
+  // those of groups to the state, once: temperatures and, unless empty, those without thermal strain, which go along
+  void apply(int n, const int *mask, LoopArray<double> &, LoopArray<double> &unstrained);
 
  private:
   tm_start_temperatures start = {293.15, 0, {}, {}};

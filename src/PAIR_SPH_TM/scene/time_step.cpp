@@ -99,8 +99,8 @@ double TimeStep::of_size(int i, double h)
   const tm_material *m = model.materials() + atom->type[i];
   const double rho = state.field(TM_F_RHO)[i], *e = state.field(TM_F_ENERGY), T = state.temperature(i);
   const Settings &set = model.settings_in_use();
-  double value = courant * tm_sound_time_step(h, tm_eos_sound_speed(m, rho, e ? e[i] : 0.0), set.visc_alpha,
-                                              set.hourglass, state.effects());
+  double value = courant * tm_sound_time_step(h, tm_eos_sound_speed(m, rho, e ? e[3 * (size_t) i] : 0.0),
+                                              set.visc_alpha, set.hourglass, state.effects());
   if (state.has(TM_FX_CONDUCTION))
     value =
         std::min(value, stages_bear(has_stages()) * tm_conduction_time_step(m, rho, T, h, model.largest_conductivity(),
