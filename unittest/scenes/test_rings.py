@@ -2,6 +2,7 @@
 control. Plane strain, radii 0.03 to 0.04 m, particles on circles 1 mm apart, each ring at 0.059 and at 0.12 times the bulk
 speed of sound, as bodies in contact and, at 0.12, as one continuum."""
 import os
+import re
 import sys
 
 import numpy as np
@@ -16,7 +17,7 @@ SPACING, BOND = 1e-3, 1.5
 # speed over that of sound; meeting; speed back over that of approach: with total-Lagrangian pairs (fix adapt/neigh threshold
 # inf, contact) 0.806 at 0.059, which bear no larger speed; what is found at 0.12; drift of the energy sum over the kinetic
 # energy. A ring keeps a fifth to a quarter of the energy as vibration.
-CASES = ((0.059, "contact", 0.806, 0.005), (0.12, "contact", 0.789, 0.02), (0.12, "bond", 0.754, 0.02))
+CASES = ((0.059, "contact", 0.806, 0.008), (0.12, "contact", 0.789, 0.02), (0.12, "bond", 0.754, 0.02))
 
 
 def pieces(frame):
@@ -58,9 +59,9 @@ def main():
         checks.above(name + "least artificial work over kinetic energy", table["f_body[7]"].min() / kinetic, -1e-3)
         checks.note(name + "artificial work over kinetic energy", "%.3f" % (table["f_body[7]"][-1] / kinetic))
     plain = run(SCRIPT, {"options": "hourglass 0"}, folder=folder, expect_error=True)
-    if plain.errors():    # fragments fly out of the box, or the energy check stops
+    if plain.errors():    # fragments fly out of the box, or a check of the state or of the energies stops
         checks.true("without hourglass control the rings break", "leaves the box" in plain.errors() or
-                    "sum of the energies has drifted" in plain.errors(), plain.errors()[:150])
+                    re.search(r"Fix sph/tm\b.* stops at step [1-9]", plain.errors()), plain.errors()[:150])
     else:
         broken = pieces(plain.dump("end.dump")[-1])
         checks.true("without hourglass control the rings break", len(broken) > 2, "pieces %s" % broken)
