@@ -30,7 +30,7 @@ YIELDS = "strength plastic 400e6 100e6"
 STEEL = "strength johnson/cook 792e6 510e6 0.26 0.014 1.03 298 1793 1"
 HEAT = "heat 38 477 0.9"
 ALL = ("viscosity artstress heat conduction plasticity damage correction balsara xsph surface internal-energy bodies energy "
-       "smoothing hourglass").split()
+       "smoothing hourglass fracture expansion compression-heat artificial-heat").split()
 STEP = "dt 5e-8 "    # the coefficient of the viscosity, on or off, is part of the automatic step
 checks = Checks()
 
@@ -65,7 +65,7 @@ def expect(name, result, on):
 
 
 # --- what each kind of scene turns on
-plain = {"viscosity", "artstress"}
+plain = {"viscosity", "artstress", "fracture"}
 elastic = scene("strength elastic")
 plastic = scene(YIELDS)
 johnson_cook = scene(STEEL + " " + HEAT)
@@ -80,9 +80,15 @@ checks.true("Johnson-Cook: the reason of heat", "plastic work" in lines["heat"][
 expect("no conductivity", scene(STEEL + " heat 0 477 0.9"), plain | {"plasticity", "heat"})
 expect("damage, shock", scene(STEEL + " eos shock 4570 1.49 1.9 damage strain 1.0"),
        plain | {"plasticity", "damage", "internal-energy"})
+expect("thermal expansion", scene(YIELDS + " expansion 1.2e-5 " + HEAT),
+       plain | {"plasticity", "heat", "conduction", "expansion", "compression-heat"})
+expect("shock, heat constants", scene("strength elastic eos shock 4570 1.49 1.9 " + HEAT),
+       plain | {"heat", "conduction", "internal-energy", "compression-heat", "artificial-heat"})
+expect("heat, no artificial stress", scene(YIELDS + " " + HEAT, "artstress 0 4"),
+       {"viscosity", "plasticity", "heat", "conduction", "artificial-heat"})
 expect("all settings", scene("strength elastic", "balsara yes xsph 0.1 correction yes hourglass 0.02", "energy yes"),
        plain | {"balsara", "xsph", "correction", "energy", "hourglass"})
-expect("nothing artificial", scene("strength elastic", "viscosity 0 0 artstress 0 4"), set())
+expect("nothing artificial", scene("strength elastic", "viscosity 0 0 artstress 0 4"), {"fracture"})
 
 # --- forced off: a warning where the scene needs it, and the results of a scene that never asks
 for effect, scene_with, scene_without, warns in (
@@ -140,12 +146,18 @@ for name, columns, arguments in (
         ("balsara", 1, ("strength elastic", "viscosity 1 1 artstress 0 4 balsara yes")),
         ("xsph", 3, ("strength elastic", "viscosity 0 0 artstress 0 4 xsph 0.1")),
         ("hourglass", 6 + 4 + 3, ("strength elastic", "viscosity 0 0 artstress 0 4 hourglass 0.02")),
+        ("expansion", 1, (YIELDS + " heat 0 477 0.9 expansion 1e-5", "viscosity 0 0 artstress 0 4")),
+        ("artificial-heat", 1, (YIELDS + " heat 0 477 0.9", "viscosity 1 1 artstress 0 4")),
         ("surface", 3, ("strength elastic", "viscosity 0 0 artstress 0 4", "effects surface on")),
         ("internal-energy", 1, ("strength elastic eos shock 4570 1.49 1.9", "viscosity 0 0 artstress 0 4"))):
     on = scene(*arguments, text=BIG)
     off = scene(*arguments[:2], "effects %s off" % name, text=BIG)
     per_column = 20000 * 8 / 2.0**20
-    bare = scene(YIELDS, "viscosity 0 0 artstress 0 4", text=BIG) if name in ("heat", "damage") else bare_elastic
+    bare = bare_elastic
+    if name in ("heat", "damage"):
+        bare = scene(YIELDS, "viscosity 0 0 artstress 0 4", text=BIG)
+    if name in ("expansion", "artificial-heat"):
+        bare = scene(YIELDS + " heat 0 477 0.9", "viscosity 0 0 artstress 0 4", text=BIG)
     checks.near(name + " off: megabytes, those of a scene without", memory(off), memory(bare), absolute=0.0011)
     checks.above(name + " on: megabytes more", memory(on) - memory(off), 0.99 * columns * per_column)
 checks.end()

@@ -49,7 +49,8 @@ def amplitude(result):
 
 # --- a chessboard of +-1 m/s: without resistance it goes on for ever, with it it swings
 steps = 2000
-free, held = scene(BARE, CHESS, steps), scene(BARE + "hourglass 0.02", CHESS, steps)
+# the prediction takes (omega dt)^4/8 a step from it: a tenth of its energy in all, so energy/drift does not judge it
+free, held = (scene(BARE + more, CHESS, steps, fix="energy/drift none") for more in ("", "hourglass 0.02"))
 checks.above("pattern without resistance, way of a particle (spacings)", amplitude(free)[-1], 0.05)
 # the spring of a chessboard: omega^2 = 2 xi c^2 sum V |W'|/r (1 - cos) x^2/r^2 (1 - s); its half period is less than 5 us
 checks.below("pattern with resistance: largest way (spacings)", amplitude(held).max(), 3e-3)

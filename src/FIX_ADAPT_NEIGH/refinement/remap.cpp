@@ -32,9 +32,9 @@ void Remap::add_content(tm_content &c, double sign, const double *row, const dou
 struct Spread {
   int field, first, groups, width;
 };
-static const Spread SPREADS[] = {{TM_F_RHO, 0, 1, 1},      {TM_F_STRESS, 0, 1, 6}, {TM_F_PSTRAIN, 0, 3, 1},
-                                 {TM_F_TEMP, 0, 1, 1},     {TM_F_ENERGY, 0, 1, 1}, {TM_F_DAMAGE, 0, 1, 1},
-                                 {TM_F_THICKNESS, 0, 1, 1}};
+static const Spread SPREADS[] = {{TM_F_RHO, 0, 1, 1},       {TM_F_STRESS, 0, 1, 6},    {TM_F_PSTRAIN, 0, 3, 1},
+                                 {TM_F_TEMP, 0, 1, 1},      {TM_F_ENERGY, 0, 1, 1},    {TM_F_DAMAGE, 0, 1, 1},
+                                 {TM_F_THICKNESS, 0, 1, 1}, {TM_F_UNSTRAINED, 0, 1, 1}};
 
 // of the same material, torn or not as i
 std::vector<int> Remap::kin(int i)
