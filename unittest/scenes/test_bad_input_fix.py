@@ -30,7 +30,7 @@ for bad in "0 10", "-5 10", "1.5 10", "1e3 10", "two 10":
 for bad in "10 0", "10 -3", "10 2.5", "10 many", "10 2000000":
     wrong("audit " + bad, fix("audit " + bad), F, "audit M", bad.split()[1])
 wrong("energy perhaps", fix("energy perhaps"), "perhaps")
-wrong("unknown effect", fix("effects fracture on"), F, "fracture", "damage")
+wrong("unknown effect", fix("effects breakage on"), F, "breakage", "damage")
 wrong("effect without value", fix("effects heat"), F, "effects", "2 values")
 wrong("effect perhaps", fix("effects heat perhaps"), "perhaps")
 wrong("effect on and off", fix("effects heat on effects heat off"), F, "heat", "on and off")
@@ -99,6 +99,6 @@ wrong("energy/drift of nothing", fix("energy/drift -1"), F, "energy/drift")
 wrong("state of another kind", fix("state old"), F, "state", "keep", "new")
 fine("effects forced on that have no use", fix("effects damage on effects surface on effects xsph on"))
 fine("everything off",
-     dict(style("hyperbolic 1.2 spacing 1e-3 viscosity 0 0 artstress 0 4"), **fix("effects heat off")))
+     dict(style("hyperbolic 1.2 spacing 1e-3 viscosity 0 0 hourglass 0 correction no"), **fix("effects heat off")))
 
 run_all()
