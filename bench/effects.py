@@ -45,7 +45,8 @@ thermo          {steps}
 run             {steps}
 """
 BARE = {"options": "viscosity 0 0 artstress 0 4", "material": "", "meet": "bond", "fix": "", "more": ""}
-MORE = dict(BARE, options="viscosity 1 1 artstress 0 4", material="strength plastic 400e6 1e9 heat 0 477 0.9")
+MORE = dict(BARE, options="viscosity 1 1 artstress 0 4", material="strength plastic 400e6 1e9 heat 0 477 0.9",
+            fix="effects artificial-heat off")
 SHOCK = dict(BARE, material="eos shock 4570 1.49 1.9", fix="effects internal-energy off")
 USUAL = dict(BARE, options="", material="strength plastic 400e6 1e9 heat 38 477 0.9")
 APART = dict(BARE, meet="none")
@@ -67,6 +68,9 @@ EFFECTS = {
     "internal-energy": ("shock", {"fix": ""}),
     "energy": ("bare", {"fix": "energy yes"}),
     "bodies": ("apart", {"meet": "contact"}),
+    "expansion": ("more", {"material": "strength plastic 400e6 1e9 heat 0 477 0.9 expansion 1e-5",
+                           "fix": "effects artificial-heat off effects compression-heat off"}),
+    "artificial-heat": ("more", {"fix": ""}),
     "fix contact/tri": ("more", {"more": "fix tool all contact/tri file {mesh} move {mid} {mid} {top} friction 0.2 "
                                          "heat conductance 1e5 temperature 600"}),
     "fix sph/tm/heat": ("more", {"more": "fix air all sph/tm/heat convection 100 300"}),

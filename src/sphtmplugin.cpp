@@ -9,6 +9,7 @@
 #include "fix_sph_tm.h"
 #include "fix_sph_tm_drive.h"
 #include "fix_sph_tm_heat.h"
+#include "fix_sph_tm_relax.h"
 #include "pair_sph_tm.h"
 #ifdef LMP_KOKKOS
 #include "fix_ave_time_kokkos.h"
@@ -35,6 +36,7 @@ using ContactKokkos = FixContactTriKokkos;
 using AdaptKokkos = FixAdaptNeighKokkos;
 using HeatKokkos = SPHTM_NS::OnLoopsKokkos<FixSPHTMHeat>;
 using DriveKokkos = SPHTM_NS::OnLoopsKokkos<FixSPHTMDrive>;
+using RelaxKokkos = SPHTM_NS::OnLoopsKokkos<FixSPHTMRelax>;
 using AtomComputeKokkos = ComputeSPHTMAtomKokkos;
 #else
 using PairKokkos = PairSPHTM;
@@ -43,6 +45,7 @@ using ContactKokkos = FixContactTri;
 using AdaptKokkos = FixAdaptNeigh;
 using HeatKokkos = FixSPHTMHeat;
 using DriveKokkos = FixSPHTMDrive;
+using RelaxKokkos = FixSPHTMRelax;
 using AtomComputeKokkos = ComputeSPHTMAtom;
 #endif
 
@@ -62,6 +65,7 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *p
   registry.state_fix<FixSPHTM, FixKokkos>("sph/tm", "state and time integration of pair sph/tm");
   registry.fix<FixSPHTMHeat, HeatKokkos>("sph/tm/heat", "temperature, flux, source, convection, radiation on a group");
   registry.fix<FixSPHTMDrive, DriveKokkos>("sph/tm/drive", "prescribed velocity of a group of sph/tm particles");
+  registry.fix<FixSPHTMRelax, RelaxKokkos>("sph/tm/relax", "damping of a group to its static equilibrium");
   registry.compute<ComputeSPHTMAtom, AtomComputeKokkos>("sph/tm/atom", "per-particle values of sph/tm");
   registry.fix<FixContactTri, ContactKokkos>("contact/tri", "contact, friction and heat with a tool of triangles");
   registry.state_fix<FixAdaptNeigh, AdaptKokkos>("adapt/neigh",

@@ -29,7 +29,7 @@ pair_coeff      1 2 heat
 mass            * 1e-4
 """,
     model="""
-fix             body all sph/tm temperature 300 dt {dt}
+fix             body all sph/tm temperature 300 conduction explicit dt {dt}
 compute         T all sph/tm/atom temperature
 compute         hi all reduce max c_T
 compute         lo all reduce min c_T

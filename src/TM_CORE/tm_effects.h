@@ -34,13 +34,15 @@ enum tm_effect {
   TM_FX_MIXED = 1 << 18,        /* pair arithmetic in single */
   TM_FX_HOURGLASS = 1 << 19,    /* hourglass control (zero-energy modes) */
 
-  TM_FX_KERNEL_SHIFT = 20, /* three bits of enum tm_kernel */
-  TM_FX_ONE_PASS = 1 << 23, /* correction and hourglass control within the rate pass, see tm_hourglass.h */
-  TM_FX_FRACTURE = 1 << 28 /* count of particles that lose neighbors without damage */
+  TM_FX_KERNEL_SHIFT = 20,          /* three bits of enum tm_kernel */
+  TM_FX_ONE_PASS = 1 << 23,         /* correction and hourglass control within the rate pass, see tm_hourglass.h */
+  TM_FX_FRACTURE = 1 << 24,         /* count of particles that lose neighbors without damage */
+  TM_FX_EXPANSION = 1 << 28,        /* thermal expansion; the temperature without thermal strain is a state */
+  TM_FX_COMPRESSION_HEAT = 1 << 29, /* compression changes the temperature */
+  TM_FX_ARTIFICIAL_HEAT = 1 << 30   /* what artificial terms take out of the motion heats */
 };
 
-#define TM_FX_RATE_MASK \
-  ((unsigned) (TM_FX_3D | TM_FX_VISCOSITY | TM_FX_ARTSTRESS | TM_FX_CONDUCTION | TM_FX_ONE_PASS))
+#define TM_FX_RATE_MASK ((unsigned) (TM_FX_3D | TM_FX_VISCOSITY | TM_FX_ARTSTRESS | TM_FX_CONDUCTION | TM_FX_ONE_PASS))
 #define TM_FX_EXTENDED_MASK \
   ((unsigned) (TM_FX_FORM_F14 | TM_FX_CORRECTION | TM_FX_BALSARA | TM_FX_XSPH | TM_FX_SURFACE | TM_FX_SMOOTHING))
 #define TM_FX_KERNEL_MASK (7u << TM_FX_KERNEL_SHIFT)
@@ -52,7 +54,8 @@ enum tm_effect {
   ((unsigned) (TM_FX_MINIMAL) |                                                                             \
    ~((unsigned) (TM_FX_VISCOSITY | TM_FX_ARTSTRESS | TM_FX_CONDUCTION | TM_FX_CORRECTION | TM_FX_BALSARA |  \
                  TM_FX_XSPH | TM_FX_SURFACE | TM_FX_HEAT | TM_FX_PLASTICITY | TM_FX_DAMAGE | TM_FX_ENERGY | \
-                 TM_FX_BODIES | TM_FX_LEDGER | TM_FX_SMOOTHING | TM_FX_HOURGLASS)))
+                 TM_FX_BODIES | TM_FX_LEDGER | TM_FX_SMOOTHING | TM_FX_HOURGLASS | TM_FX_EXPANSION |        \
+                 TM_FX_COMPRESSION_HEAT | TM_FX_ARTIFICIAL_HEAT)))
 #else
 #define TM_FX_PRESENT (~0u)
 #endif

@@ -24,7 +24,7 @@ enum { TM_K_MATRIX = 0, TM_K_SPIN = 6, TM_K_SINCE = 9, TM_K_COLUMNS = 10 };
     history      rates of the last two steps: v(3) rho(1) s(6), newer first
     pstrain      equivalent plastic strain, its rate, and the last flow stress
     temperature  and its rates of the last two steps
-    energy       specific internal energy
+    energy       specific internal energy, and its rates of the last two steps
     damage       0..1, and 1 when failed
     balsara      shear switch of the last step, 0..1
     xsph         XSPH velocity of the last step
@@ -35,22 +35,24 @@ enum { TM_K_MATRIX = 0, TM_K_SPIN = 6, TM_K_SINCE = 9, TM_K_COLUMNS = 10 };
                  it, see tm_fracture.h
     hourglass    displacement against the neighborhood, see tm_hourglass.h, and its rate in the last step
     correction   of the gradients at the last force point, xx yy zz xy xz yz, xx = 0: not known yet; twice the spin there,
-                 L.zy - L.yz, L.xz - L.zx, L.yx - L.xy; and the time since then */
-#define TM_FIELD_TABLE(FIELD)                                       \
-  FIELD(TM_F_RHO, "density", 1, 0)                                  \
-  FIELD(TM_F_STRESS, "stress", 6, 0)                                \
-  FIELD(TM_F_HISTORY, "history", TM_H_COLUMNS, 0)                   \
-  FIELD(TM_F_PSTRAIN, "plastic strain", 3, TM_FX_PLASTICITY)        \
-  FIELD(TM_F_TEMP, "temperature", 3, TM_FX_HEAT)                    \
-  FIELD(TM_F_ENERGY, "energy", 1, TM_FX_ENERGY)                     \
-  FIELD(TM_F_DAMAGE, "damage", 2, TM_FX_DAMAGE)                     \
-  FIELD(TM_F_BALSARA, "balsara", 1, TM_FX_BALSARA)                  \
-  FIELD(TM_F_XSPH, "xsph", 3, TM_FX_XSPH)                           \
-  FIELD(TM_F_THICKNESS, "thickness", 1, TM_FX_PLANE_STRESS)         \
-  FIELD(TM_F_SIZE, "size", TM_S_COLUMNS, TM_FX_SMOOTHING)           \
-  FIELD(TM_F_HOURGLASS, "hourglass", TM_G_COLUMNS, TM_FX_HOURGLASS) \
-  FIELD(TM_F_FRACTURE, "reference", TM_R_COLUMNS, TM_FX_FRACTURE)   \
-  FIELD(TM_F_CORRECTION, "correction", TM_K_COLUMNS, TM_FX_ONE_PASS)
+                 L.zy - L.yz, L.xz - L.zx, L.yx - L.xy; and the time since then
+    unstrained   temperature at which there is no thermal strain */
+#define TM_FIELD_TABLE(FIELD)                                        \
+  FIELD(TM_F_RHO, "density", 1, 0)                                   \
+  FIELD(TM_F_STRESS, "stress", 6, 0)                                 \
+  FIELD(TM_F_HISTORY, "history", TM_H_COLUMNS, 0)                    \
+  FIELD(TM_F_PSTRAIN, "plastic strain", 3, TM_FX_PLASTICITY)         \
+  FIELD(TM_F_TEMP, "temperature", 3, TM_FX_HEAT)                     \
+  FIELD(TM_F_ENERGY, "energy", 3, TM_FX_ENERGY)                      \
+  FIELD(TM_F_DAMAGE, "damage", 2, TM_FX_DAMAGE)                      \
+  FIELD(TM_F_BALSARA, "balsara", 1, TM_FX_BALSARA)                   \
+  FIELD(TM_F_XSPH, "xsph", 3, TM_FX_XSPH)                            \
+  FIELD(TM_F_THICKNESS, "thickness", 1, TM_FX_PLANE_STRESS)          \
+  FIELD(TM_F_SIZE, "size", TM_S_COLUMNS, TM_FX_SMOOTHING)            \
+  FIELD(TM_F_HOURGLASS, "hourglass", TM_G_COLUMNS, TM_FX_HOURGLASS)  \
+  FIELD(TM_F_FRACTURE, "reference", TM_R_COLUMNS, TM_FX_FRACTURE)    \
+  FIELD(TM_F_CORRECTION, "correction", TM_K_COLUMNS, TM_FX_ONE_PASS) \
+  FIELD(TM_F_UNSTRAINED, "unstrained", 1, TM_FX_EXPANSION)
 
 #define TM_FIELD(id, name, columns, effects) id,
 enum tm_field_id { TM_FIELD_TABLE(TM_FIELD) TM_F_COUNT };

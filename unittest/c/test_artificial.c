@@ -14,12 +14,12 @@ static void check_viscosity(void)
       c[i] = ut_random(1, 10);
       rho[i] = ut_random(1, 10);
     }
-    double pi[2], inv_r;
+    double pi[2], inv_r, inv_rho_sum;
     for (int i = 0; i < 2; i++) {
       const int j = 1 - i;
       const tm_vec3 dx = tm_vec_sub(x[i], x[j]), dv = tm_vec_sub(v[i], v[j]);
       pi[i] = tm_viscosity_pair(1.2, 2.1, 0.7, tm_vec_dot(dv, dx), tm_vec_dot(dx, dx), tm_vec_norm(dx),
-                                0.5 * (c[i] + c[j]), rho[i] + rho[j], &inv_r);
+                                0.5 * (c[i] + c[j]), rho[i] + rho[j], &inv_r, &inv_rho_sum);
     }
     UT_TRUE(pi[0] == pi[1]);
     const tm_vec3 dx = tm_vec_sub(x[0], x[1]), dv = tm_vec_sub(v[0], v[1]);
@@ -27,6 +27,7 @@ static void check_viscosity(void)
     const double cm = 0.5 * (c[0] + c[1]), rm = 0.5 * (rho[0] + rho[1]);
     UT_WITHIN(pi[0], vx < 0 ? (-1.2 * cm * mu + 2.1 * mu * mu) / rm : 0, 1e-13 * (1 + mu * mu));
     UT_NEAR(inv_r, 1 / tm_vec_norm(dx), 1e-14);
+    UT_NEAR(inv_rho_sum, 1 / (2 * rm), 1e-14);
     UT_TRUE(vx < 0 ? pi[0] > 0 : pi[0] == 0);
     approaching += vx < 0;
   }

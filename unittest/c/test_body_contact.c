@@ -367,12 +367,12 @@ static void friction_laws(void)
   UT_NEAR(middle_friction(&fn), 5 * 0.8 * 0.9 / sqrt(3.0), 0.01);    /* 5 particles of edge 1 */
   for (int i = 0; i < s.n; i++) s.ahead[TM_AHEAD * i + TM_AHEAD_YIELD] = s.type[i] == 1 ? 0.9 : 0.4;
   UT_NEAR(middle_friction(&fn), 5 * 0.8 * 0.4 / sqrt(3.0), 0.01);
-  /* slow sliding is braked, never turned round */
+  /* slow sliding is braked by what stops it */
   b.dt = 1.0;
   for (int i = 0; i < s.n; i++) rec(i)[TM_REC_V] = s.type[i] == 2 ? 1e-3 : 0.0;
   const double brake = middle_friction(&fn);
   UT_TRUE(brake > 0.0 && brake < 0.5 * fn);
-  UT_NEAR(brake, 5 * 0.5 * 1e-3, 0.02);    /* reduced mass 1/2: to rest within the step */
+  UT_NEAR(brake, TM_BODY_STOP * 5 * 0.5 * 1e-3, 0.02);    /* reduced mass 1/2 */
 }
 
 /* A body of two types that are bonded is one surface; a particle between two other bodies meets each by itself. */

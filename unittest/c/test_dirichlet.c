@@ -18,6 +18,7 @@ static void temperature(void)
   t[4] = 7.0; t[5] = -8.0;
   UT_TRUE(tm_dirichlet(0, &a) == 0.0 && t[0] == 300.0);            /* not of the group */
   UT_NEAR(tm_dirichlet(1, &a), 2.0 * 4.0 * 200.0, 1e-15);           /* m c dT */
+  UT_NEAR(p.field[TM_F_ENERGY][3], 4.0 * 200.0, 1e-15);             /* the internal energy takes it up */
   UT_TRUE(t[3] == 500.0 && t[4] == 0.0 && t[5] == 0.0);        /* and no rate that would lead away */
   UT_TRUE(tm_dirichlet(1, &a) == 0.0);                              /* it is there already */
   /* a capacity linear in T: the integral from 500 to 300 is that of the middle */

@@ -258,6 +258,23 @@ static void test_stiffness(void)
   UT_TRUE(tm_hourglass_memory(0.0, 1.0) == TM_HOURGLASS_STRAIN);
 }
 
+/* What resists plastic flow stays below its share of the flow stress. */
+static void test_limit(void)
+{
+  const double Y = 3.0, h = 0.5, stiffness = 20.0, most = TM_HOURGLASS_YIELD * Y * h / stiffness;
+  double field[TM_G_COLUMNS] = {0.6 * most, 0, 0.6 * most, 1, 2, 3};
+  tm_hourglass_limit(field, stiffness, Y, h);
+  UT_TRUE(field[0] == 0.6 * most && field[2] == 0.6 * most);
+  field[1] = -5.0 * most;
+  tm_hourglass_limit(field, stiffness, Y, h);
+  UT_NEAR(sqrt(field[0] * field[0] + field[1] * field[1] + field[2] * field[2]), most, 1e-14);
+  UT_NEAR(field[1] / field[0], -5.0 / 0.6, 1e-14);
+  UT_TRUE(field[3] == 1 && field[5] == 3);
+  field[0] = 7.0;
+  tm_hourglass_limit(field, stiffness, 0.0, h); /* it does not flow */
+  UT_TRUE(field[0] == 7.0);
+}
+
 /* K turns with the particle; unknown it is 1. */
 static void test_correction_turned(void)
 {
@@ -329,6 +346,7 @@ int main(void)
   test_few();
   test_displacement();
   test_stiffness();
+  test_limit();
   test_correction_turned();
   test_step();
   test_time_step();

@@ -116,6 +116,35 @@ static void failed(void)
   }
 }
 
+/* the same in plane stress, times the thickness */
+static void failed_plate(void)
+{
+  for (int pressed = 0; pressed < 2; pressed++) {
+    const tm_predict_args a = arrange();
+    const double rho = pressed ? 10.1 : 9.9, sum = 0.9 * rho;
+    p.field[TM_F_DAMAGE][1] = 1.0;
+    p.field[TM_F_RHO][0] = rho;
+    p.field[TM_F_THICKNESS][0] = 0.9;
+    p.field[TM_F_STRESS][0] = 5.0;
+    tm_predict(0, &a, TM_FX_PLASTICITY | TM_FX_DAMAGE | TM_FX_PLANE_STRESS);
+    for (int k = 0; k < 3; k++) UT_NEAR(records[TM_REC_P + k], pressed ? -1e5 / 6.0 * 0.01 * 0.9 / (sum * sum) : 0.0, 1e-12);
+  }
+}
+
+/* thermal expansion: the pressure of the density that the mass would have without thermal strain, at T of the half step */
+static void expansion(void)
+{
+  const tm_predict_args a = arrange();
+  p.material[1].expansion.value = 1e-4;
+  p.field[TM_F_UNSTRAINED][0] = 290.0;
+  p.field[TM_F_TEMP][1] = 1000.0 / DT; /* weights 3/4 and -1/4 */
+  p.field[TM_F_TEMP][2] = 1000.0 / DT;
+  tm_predict(0, &a, TM_FX_3D | TM_FX_HEAT | TM_FX_EXPANSION);
+  const double eps = 1e-4 * (300.0 + 500.0 - 290.0);
+  UT_NEAR(records[TM_REC_P], -1e5 / 6.0 * ((1.0 + eps) * (1.0 + eps) * (1.0 + eps) - 1.0) / 100.0, 1e-12);
+  UT_NEAR(heat[TM_REC_T], 800.0, 1e-14);
+}
+
 /* plane stress: sigma_zz = 0 whatever the density, and sums run over areas of the thickness */
 static void plane_stress(void)
 {
@@ -136,6 +165,8 @@ int main(void)
   weights();
   record();
   failed();
+  failed_plate();
+  expansion();
   plane_stress();
   return ut_summary();
 }

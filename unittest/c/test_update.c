@@ -189,6 +189,77 @@ static void plane_stress(void)
   }
 }
 
+/* a volume that shrinks warms along the isentrope, and what the artificial terms give heats; with conduction, a source and
+   a shock equation of state all of it goes into e, and the sum of elastic energy, heat and artificial work is the work and
+   what was given */
+static void shock_heat(void)
+{
+  static double artificial[UT_ROOM];
+  const unsigned shock = TM_FX_3D | TM_FX_HEAT | TM_FX_CONDUCTION | TM_FX_ENERGY | TM_FX_LEDGER;
+  const unsigned heats[3] = {0, TM_FX_COMPRESSION_HEAT, TM_FX_COMPRESSION_HEAT | TM_FX_ARTIFICIAL_HEAT};
+  for (int k = 0; k < 3; k++) {
+    tm_update_args a = arrange();
+    tm_material *m = p.material + 1;
+    m->strength = TM_STRENGTH_NONE;
+    m->eos = TM_EOS_SHOCK;
+    m->eos_s = 1.4;
+    m->eos_gamma = 2.0;
+    a.artificial = artificial;
+    artificial[0] = 90.0;
+    conducted[0] = 700.0;
+    source[0] = 40.0;
+    gradient[0] = -5.0;
+    records[TM_REC_RHO] = 10.1;
+    const tm_update_result r = tm_update(0, &a, shock | heats[k]);
+    const double given = DT * (700.0 * MASS / 10.1 + 40.0), e = p.field[TM_F_ENERGY][0], rho = p.field[TM_F_RHO][0];
+    const double work = MASS * e - given - DT * 90.0;
+    const double warmer = k ? 300.0 * exp(2.0 * RHO * (1.0 / RHO - 1.0 / rho)) : 300.0;
+    UT_NEAR(rho, RHO + DT * 10.1 * 5.0, 1e-14);
+    UT_NEAR(p.field[TM_F_TEMP][0], warmer + (given + (k == 2) * DT * 90.0) / (MASS * 5.0), 1e-12);
+    UT_NEAR(r.heat, given + MASS * 5.0 * (warmer - 300.0), 1e-10);
+    UT_NEAR(r.artificial, DT * 90.0, 1e-14);
+    UT_NEAR(r.elastic + r.heat, work + given, 1e-10);
+  }
+  /* artificial stress gives energy: with it only what is taken under pressure is heat */
+  const unsigned with = TM_FX_ARTIFICIAL_HEAT | TM_FX_ARTSTRESS;
+  UT_TRUE(tm_artificial_heat(3.0, 5.0, 0) == 0.0 && tm_artificial_heat(-3.0, -5.0, TM_FX_ARTIFICIAL_HEAT) == -3.0);
+  UT_TRUE(tm_artificial_heat(3.0, 5.0, with) == 3.0 && tm_artificial_heat(3.0, -5.0, with) == 0.0);
+  UT_TRUE(tm_artificial_heat(-3.0, 5.0, with) == 0.0);
+  tm_update_args a = arrange(); /* failed, and open: no tension, no heat */
+  p.material[1].expansion.value = 1e-3;
+  p.field[TM_F_DAMAGE][tm_column(1)] = 1.0;
+  gradient[0] = 5.0;
+  tm_update(0, &a, TM_FX_3D | TM_FX_HEAT | TM_FX_DAMAGE | TM_FX_COMPRESSION_HEAT);
+  UT_TRUE(p.field[TM_F_TEMP][0] == 300.0);
+}
+
+/* thermal expansion: at rest, in plane stress the thickness grows until sigma_zz is 0; E alpha dT/(1 - nu) in the plane */
+static void expansion(void)
+{
+  const tm_update_args a = arrange();
+  p.material[1].expansion.value = 1e-5;
+  p.field[TM_F_UNSTRAINED][0] = 290.0;
+  tm_update(0, &a, TM_FX_HEAT | TM_FX_EXPANSION | TM_FX_PLANE_STRESS);
+  const double growth = (1.0 + 1e-4) * (1.0 + 1e-4) * (1.0 + 1e-4);
+  const double pressure = K * (growth * p.field[TM_F_RHO][0] / RHO - 1.0);
+  UT_WITHIN(p.field[TM_F_STRESS][2] - pressure, 0.0, 1e-8);
+  UT_NEAR(p.field[TM_F_STRESS][0] - pressure, -2.5e4 * 1e-4 / 0.75, 1e-3);
+  UT_NEAR(p.field[TM_F_THICKNESS][0] - 1.0, 1e-4 * 1.25 / 0.75, 1e-3);
+}
+
+/* failed material in plane stress keeps its thickness */
+static void failed_plate(void)
+{
+  const tm_update_args a = arrange();
+  p.field[TM_F_DAMAGE][tm_column(1)] = 1.0;
+  p.field[TM_F_THICKNESS][0] = 0.9;
+  gradient[0] = gradient[4] = -2.0;
+  records[TM_REC_RHO] = 0.9 * RHO;
+  tm_update(0, &a, TM_FX_PLASTICITY | TM_FX_DAMAGE | TM_FX_PLANE_STRESS);
+  UT_TRUE(p.field[TM_F_THICKNESS][0] == 0.9);
+  UT_NEAR(p.field[TM_F_RHO][0], RHO + DT * RHO * 4.0, 1e-14);
+}
+
 static void limits(void)
 {
   const tm_update_args a = arrange();
@@ -216,6 +287,9 @@ int main(void)
   temperature();
   internal_energy();
   plane_stress();
+  shock_heat();
+  expansion();
+  failed_plate();
   limits();
   return ut_summary();
 }

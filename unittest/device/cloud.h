@@ -44,7 +44,7 @@ typedef struct {
   /* compared, all of one kind */
   double x[3 * CLOUD], v[3 * CLOUD], force[3 * CLOUD], force_internal[3 * CLOUD], source[CLOUD];
   double rho[CLOUD], stress[6 * CLOUD], history[TM_H_COLUMNS * CLOUD], pstrain[3 * CLOUD], temperature[3 * CLOUD];
-  double size[TM_S_COLUMNS * CLOUD], energy[CLOUD], damage[2 * CLOUD], balsara[CLOUD], xsph[3 * CLOUD], thickness[CLOUD];
+  double size[TM_S_COLUMNS * CLOUD], energy[3 * CLOUD], damage[2 * CLOUD], balsara[CLOUD], xsph[3 * CLOUD], thickness[CLOUD];
   double hourglass[TM_G_COLUMNS * CLOUD], rec_hourglass[TM_REC_HOURGLASS * CLOUD], hourglass_rate[3 * CLOUD];
   __attribute__((aligned(16))) double rec_main[TM_REC * CLOUD], rec_stress[TM_REC_STRESS * CLOUD], rec_heat[TM_REC_HEAT * CLOUD];
   double rec_correction[TM_REC_CORRECTION * CLOUD], rec_size[TM_REC_SIZE * CLOUD];
@@ -56,7 +56,7 @@ typedef struct {
 /* name, columns of the arrays that are compared */
 #define CLOUD_ARRAYS(ARRAY)                                                                                         \
   ARRAY(x, 3) ARRAY(v, 3) ARRAY(force, 3) ARRAY(source, 1) ARRAY(rho, 1) ARRAY(stress, 6) ARRAY(history, 20)         \
-  ARRAY(pstrain, 3) ARRAY(temperature, 3) ARRAY(energy, 1) ARRAY(damage, 2) ARRAY(balsara, 1) ARRAY(xsph, 3)         \
+  ARRAY(pstrain, 3) ARRAY(temperature, 3) ARRAY(energy, 3) ARRAY(damage, 2) ARRAY(balsara, 1) ARRAY(xsph, 3)         \
   ARRAY(thickness, 1) ARRAY(rec_main, TM_REC) ARRAY(rec_stress, 6) ARRAY(rec_heat, 2) ARRAY(rec_correction, 9)       \
   ARRAY(size, TM_S_COLUMNS) ARRAY(rec_size, TM_REC_SIZE) ARRAY(hourglass, TM_G_COLUMNS)                              \
   ARRAY(rec_hourglass, TM_REC_HOURGLASS) ARRAY(hourglass_rate, 3)                                                            \

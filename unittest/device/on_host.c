@@ -65,7 +65,9 @@ static void make_particle(cloud *w, int i, const int *at, int side)
   w->temperature[3 * i] = ut_random(300, 1500);
   w->temperature[3 * i + 1] = ut_random(-1e6, 1e6);
   w->temperature[3 * i + 2] = ut_random(-1e6, 1e6);
-  w->energy[i] = ut_random(0, 1e4);
+  w->energy[3 * i] = ut_random(0, 1e4);
+  w->energy[3 * i + 1] = ut_random(-1e9, 1e9);
+  w->energy[3 * i + 2] = ut_random(-1e9, 1e9);
   w->damage[2 * i] = ut_random(0, 0.999);
   w->damage[2 * i + 1] = i % 17 == 0;
   w->balsara[i] = ut_random(0, 1);

@@ -139,5 +139,13 @@ SCENES = {
     "cut": CUT + end(80),
     "bodies, heat fixes, drive": BODIES + end(150, VALUES + " surface/area"),
     "tool of particles": TOOL_OF_PARTICLES + end(150),
+    # they conduct so well that a step takes stages
+    "conduction in stages": BAR.format(style="", material=JOHNSON_COOK.replace("heat 167", "heat 3.3e7"),
+                                       fix="energy yes") + end(60),
+    "conduction in stages, lists": BAR.format(style="", material=JOHNSON_COOK.replace("heat 167", "heat 3.3e7"),
+                                              fix="\nfix lists all adapt/neigh asph psi every 2 threshold 0 margin 0.1")
+                                              + end(40, VALUES + " h"),
+    "tool of particles, conduction in stages": TOOL_OF_PARTICLES.replace("heat 150", "heat 1.5e8").replace(
+        "heat 50", "heat 5e7") + end(150),
 }
 FILES = {"box.stl": box_stl((0.004, 1e-5, -0.01), (0.014, 0.0085, 0.01))}

@@ -24,11 +24,13 @@ region box block $({lo}*v_dx) $({hi}*v_dx) 0 ${{dx}} {z} units box
 create_box {types} box
 """
 
-# time of the run is the argument: RUN(t), after 'run 0' has told the time step
+# runs to the time that is the argument, or a step beyond it
 RUN = """
-run 0
-variable steps equal ceil(({0})/dt)
-run ${{steps}}
+variable left equal {0}-time
+fix stop all halt 1 v_left <= 0 error continue message no
+thermo 1
+run 10000000
+unfix stop
 write_dump all custom profile.dump id type x c_T modify format float %.15g
 """
 

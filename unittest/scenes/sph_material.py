@@ -5,10 +5,12 @@ import numpy as np
 class Material:
     """Constants by their names in the doc page of pair sph/tm; what is not given is off."""
 
-    def __init__(self, density, young, poisson, eos=("linear",), strength=("elastic",), damage=None, heat=None):
+    def __init__(self, density, young, poisson, eos=("linear",), strength=("elastic",), damage=None, heat=None,
+                 expansion=0.0):
         self.rho0, self.E, self.nu = density, young, poisson
         self.G, self.K = young / (2 * (1 + poisson)), young / (3 * (1 - 2 * poisson))
-        self.eos, self.strength, self.damage, self.heat = eos, strength, damage, heat
+        self.eos, self.strength, self.damage, self.heat, self.expansion = eos, strength, damage, heat, expansion
+        self.start = None    # temperature of the start, where compression heats
 
     def pressure(self, rho, e=0.0):
         x = rho / self.rho0
@@ -79,7 +81,30 @@ class Material:
         return at(self.heat[0], T) if self.heat else 0.0
 
     def capacity(self, T):
-        return at(self.heat[1], T)
+        """c_v where compression heats: c_p - c_v = (3 alpha)^2 K T/rho; in shocks that of the start for all T."""
+        cp = at(self.heat[1], T)
+        if self.start is None:
+            return cp
+        if self.eos[0] == "shock":
+            c0, _, gamma = self.eos[1:]
+            return cp / (1 + gamma ** 2 * at(self.heat[1], self.start) * self.start / c0 ** 2)
+        return cp - 9 * at(self.expansion, T) ** 2 * self.K * T / self.rho0
+
+    def growth(self, T, without):
+        """Of a free volume from the temperature without thermal strain to T."""
+        if self.eos[0] == "shock":
+            return 1.0
+        if np.isscalar(self.expansion):
+            return (1 + self.expansion * (T - without)) ** 3
+        t = np.unique(np.concatenate([[T, without], [x for x, _ in self.expansion if min(T, without) < x < max(T, without)]]))
+        return (1 + np.sign(T - without) * np.trapz(at(self.expansion, t), t)) ** 3
+
+    def compressed(self, T, before, after):
+        """T after an isentropic change of density, Gamma rho constant."""
+        if self.start is None:
+            return T
+        each = self.eos[3] * self.rho0 if self.eos[0] == "shock" else 3 * at(self.expansion, T) * self.K / self.capacity(T)
+        return T * np.exp(each * (1 / before - 1 / after))
 
 
 def at(table, T):

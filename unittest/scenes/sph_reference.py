@@ -21,18 +21,21 @@ class Body:
     def __init__(self, dim, x, v, kind, materials, box, kernel, h, spacing, viscosity=(1.0, 1.0), artstress=(0.3, 4),
                  component=False, xsph=0.0, form="f15", correction=False, balsara=False, plane_stress=False,
                  temperature=293.15, heat=False, meets=None, load=(0.0, 0.0, 0.0), balanced=False, follow=None,
-                 every=1):
+                 every=1, expands=False, compression=False, dissipation=False):
         self.__dict__.update(dim=dim, x=np.array(x, float), v=np.array(v, float), kind=kind, box=np.asarray(box, float),
                              kernel=kernel, h=h, spacing=spacing, viscosity=viscosity, artstress=artstress,
                              component=component, xsph=xsph, form=form, correction=correction, balsara=balsara,
                              plane_stress=plane_stress, heat=heat, meets=meets or {}, T0=temperature, load=load,
-                             balanced=balanced, follow=follow, every=every, steps=0)
+                             balanced=balanced, follow=follow, every=every, steps=0, expands=expands,
+                             dissipation=dissipation)
         n = self.n = len(x)
         self.mat = [materials[k] for k in kind]
         self.m = np.array([m.rho0 for m in self.mat]) * spacing ** dim
         self.rho = np.array([m.rho0 for m in self.mat])
         self.s = np.zeros((n, 3, 3))
-        self.T = np.full(n, float(temperature))
+        self.T, self.unstrained = np.full(n, float(temperature)), np.full(n, float(temperature))
+        for m in self.mat:
+            m.start = float(temperature) if compression else None
         self.eps, self.eps_rate, self.e, self.D = np.zeros(n), np.zeros(n), np.zeros(n), np.zeros(n)
         self.failed = np.zeros(n, bool)
         self.lz = np.ones(n)
@@ -42,22 +45,24 @@ class Body:
 
     # what the pair sums see: state at the force point
     def point(self, ahead):
-        q = {"x": self.x, "v": self.v, "rho": self.rho, "s": self.s, "T": self.T}
+        q = {"x": self.x, "v": self.v, "rho": self.rho, "s": self.s, "T": self.T, "e": self.e}
         if ahead and self.old:
             new, older = self.old
             for name, rate in new.items():
                 q[name] = q[name] + ahead * ((1 + 2 * ROOT) * rate - 2 * ROOT * older[name])
         if ahead:
             q["x"] = self.x + ahead * (self.v + self.u)
+        q["growth"] = np.array([m.growth(T, Tu) if self.expands else 1.0
+                                for m, T, Tu in zip(self.mat, q["T"], self.unstrained)])
         sigma = np.empty((self.n, 3, 3))
         c = np.empty(self.n)
         for i, m in enumerate(self.mat):
-            p = m.pressure(q["rho"][i], self.e[i])
-            c[i] = m.sound_speed(q["rho"][i], self.e[i])
+            p = m.pressure(q["growth"][i] * q["rho"][i], q["e"][i])
+            c[i] = m.sound_speed(q["rho"][i], q["e"][i])
             s = q["s"][i]
             if self.failed[i]:
                 p, s = max(p, 0.0), 0 * s
-            if self.plane_stress:
+            elif self.plane_stress:
                 p = s[2, 2]
             sigma[i] = s - p * np.eye(3)
         q.update(sigma=sigma, c=c)
@@ -69,8 +74,8 @@ class Body:
 
     def contact(self, out, touch, r, d, vij, dt):
         """Two bodies: F15 (9)-(16) of each particle against the smooth surface psi of the other body, from both sides
-        with half of the stiffness; DFAC = 1 is critical damping of the reduced mass; friction brings the sliding that
-        the step would end with to rest at most; its heat is shared by effusivity."""
+        with half of the stiffness; DFAC = 1 is critical damping of the reduced mass; friction takes 1.5 times the sliding
+        that the step would end with at most; its heat is shared by effusivity."""
         mu, penalty, damping = next(law[1:] for law in self.meets.values() if law[0] == "contact")
         width, s, dim = 0.845, self.spacing, self.dim
         reach = min(2.4, REACH.get(self.kernel, 2.0) * self.h / s) ** 2
@@ -97,9 +102,10 @@ class Body:
         psi = w.sum(axis=1)
         hit = psi > 1
         q = 1 - bend * np.log(np.where(hit, psi, 1.0))
-        assert q.min() > 0.16, "deep contact is not in the reference"
-        delta = np.where(hit, s * (1 - np.sqrt(q)), 0.0)
-        rate = np.where(hit, s * 0.5 * bend / (np.where(hit, psi, 1.0) * np.sqrt(q)), 0.0)
+        deep, at = q <= 0.16, np.exp(0.84 / bend)    # linear in psi from there
+        root, of = np.sqrt(np.maximum(q, 0.16)), np.where(deep, at, np.where(hit, psi, 1.0))
+        rate = np.where(hit, s * 0.5 * bend / (of * root), 0.0)
+        delta = np.where(hit, s * (1 - root) + np.where(deep, rate * (psi - at), 0.0), 0.0)
         p = w / np.maximum(psi, 1e-300)[:, None]    # shares of the neighbors
         E = np.array([m.E for m in self.mat])
         k = np.sum(p * penalty * E[:, None] * E[None] / (E[:, None] + E[None]) * (s if dim == 3 else 1.0), axis=1)
@@ -115,7 +121,7 @@ class Body:
         slide = end - p @ end
         slide = slide - np.sum(slide * n, axis=1)[:, None] * n
         speed = np.linalg.norm(slide, axis=1)
-        ft = np.minimum(mu * f * rate * steep, 0.5 * mass * speed / dt)
+        ft = np.minimum(mu * f * rate * steep, 0.75 * mass * speed / dt)
         friction = np.where(hit & (speed > 0), -ft / np.maximum(speed, 1e-300), 0.0)[:, None] * slide
         a = (f * rate)[:, None] * fall
         give = p[..., None] * friction[:, None]
@@ -265,7 +271,7 @@ class Body:
         rho = self.q.get("rho3", self.q["rho"])
         s = np.array([jaumann(self.s[i], o["L"][i], m.G) if m.strength[0] != "none" else 0 * self.s[i]
                       for i, m in enumerate(self.mat)])
-        r = {"v": o["acc"], "rho": -rho * np.trace(o["L"], axis1=1, axis2=2), "s": s, "T": np.zeros(self.n)}
+        r = {"v": o["acc"], "rho": -rho * np.trace(o["L"], axis1=1, axis2=2), "s": s, "T": np.zeros(self.n), "e": np.zeros(self.n)}
         self.old = (r, r)
         if self.follow == "psi":
             self.target = np.array([self.nodes(i) for i in range(self.n)])
@@ -302,10 +308,11 @@ class Body:
             x = x + 0.5 * dt * self.u
         L = o["L"].copy()
         rho_half = q.get("rho3", q["rho"])
-        rate = {"v": o["acc"], "rho": np.zeros(n), "s": np.zeros((n, 3, 3)), "T": np.zeros(n)}
+        rate = {"v": o["acc"], "rho": np.zeros(n), "s": np.zeros((n, 3, 3)), "T": np.zeros(n),
+                "e": np.zeros(n)}
         for i, m in enumerate(self.mat):
-            T, e = self.T[i], self.e[i]
-            p_half = m.pressure(rho_half[i], e)
+            T, e, growth = self.T[i], q["e"][i], q["growth"][i]
+            p_half = m.pressure(growth * rho_half[i], e)
 
             def end(lzz):
                 G = L[i].copy()
@@ -316,10 +323,10 @@ class Body:
                     s = self.s[i] + dt * jaumann(q["s"][i], G, m.G)
                     if not self.failed[i]:
                         s, d_eps, y = m.radial_return(s, self.eps[i], T, dt)
-                return G, rho, s, d_eps, y, m.pressure(rho, e)
+                return G, rho, s, d_eps, y, m.pressure(growth * rho, e)
 
             lzz = 0.0
-            if self.plane_stress:    # the thickness rate at which sigma_zz vanishes
+            if self.plane_stress and not self.failed[i]:    # the thickness rate at which sigma_zz vanishes
                 reach = 5 * np.abs(L[i]).max() + 1e-3 * m.E / (dt * m.K)
                 lo, hi = -reach, reach
                 lzz = None
@@ -335,19 +342,23 @@ class Body:
             work = dt / rho_half[i] * np.sum(sigma_half * 0.5 * (G + G.T))
             rate["rho"][i] = (rho - self.rho[i]) / dt
             rate["s"][i] = (s - self.s[i]) / dt
+            given = dt * (o["heat"][i] * self.m[i] / q["rho"][i] + o["source"][i]) if self.heat else 0.0
             if m.eos[0] == "shock":
-                self.e[i] += work + dt * o["heating"][i] / self.m[i]
+                rate["e"][i] = work / dt + o["heating"][i] / self.m[i] + given / self.m[i] / dt
+                self.e[i] += dt * rate["e"][i]
             if m.damage and not self.failed[i]:
-                self.D[i] += m.fracture_increment(s - m.pressure(rho, e) * np.eye(3), d_eps, dt, T)
+                self.D[i] += m.fracture_increment(s - p * np.eye(3), d_eps, dt, T)
                 self.failed[i] = self.D[i] >= 1 if m.damage[0] == "johnson/cook" else self.eps[i] + d_eps >= m.damage[1]
             if self.balsara:
                 curl = np.array([G[2, 1] - G[1, 2], G[0, 2] - G[2, 0], G[1, 0] - G[0, 1]])
                 div = abs(np.trace(G))
                 self.switch[i] = div / (div + np.linalg.norm(curl) + 1e-4 * q["c"][i] / self.h)
             if self.heat and m.heat:
-                power = m.heat[2] * y * d_eps / dt * self.m[i] / rho
-                power = power + o["heat"][i] * self.m[i] / q["rho"][i] + o["source"][i]
-                self.T[i] = warmed(m, T, dt * power / self.m[i])
+                heat = m.heat[2] * y * d_eps * self.m[i] / rho + given
+                if self.dissipation:    # with artificial stress only what is taken under pressure
+                    given = o["heating"][i] if self.artstress[0] == 0 else max(o["heating"][i], 0) * (p_half > 0)
+                    heat += dt * given
+                self.T[i] = warmed(m, m.compressed(T, self.rho[i], rho), heat / self.m[i])
                 rate["T"][i] = (self.T[i] - T) / dt
             self.rho[i], self.s[i] = rho, s
             self.eps[i] += d_eps
@@ -361,10 +372,11 @@ class Body:
 
     # --- what compute sph/tm/atom gives
     def value(self, name):
-        p = np.array([m.pressure(r, e) for m, r, e in zip(self.mat, self.rho, self.e)])
+        growth = [m.growth(T, Tu) if self.expands else 1.0 for m, T, Tu in zip(self.mat, self.T, self.unstrained)]
+        p = np.array([m.pressure(g * r, e) for m, r, e, g in zip(self.mat, self.rho, self.e, growth)])
         p = np.where(self.failed, np.maximum(p, 0), p)
         if self.plane_stress:
-            p = self.s[:, 2, 2]
+            p = np.where(self.failed, p, self.s[:, 2, 2])
         if name.startswith("stress/"):
             a, b = ("xyz".index(c) for c in name[-2:])
             return self.s[:, a, b] - (p if a == b else 0)

@@ -19,7 +19,8 @@ for bad in ("0", "-1e-8", "nan", "inf"):
     wrong("dt " + bad, fix("dt " + bad), F, "dt", bad)
 wrong("dt/max 0", fix("dt/max 0"), F, "dt/max", "0")
 wrong("unstable time step", fix("dt 1e-6"), F, "dt 1e-06", "not stable", "dt auto")
-wrong("unstable time step of conduction", dict(coeff(JC + " heat 2e8 900 0.9"), fix="fix body all sph/tm dt 2e-8"), F,
+wrong("unstable time step of conduction",
+      dict(coeff(JC + " heat 2e8 900 0.9"), fix="fix body all sph/tm dt 2e-8 conduction explicit"), F,
       "dt 2e-08", "not stable", "conduction", "dt auto")
 wrong("lost perhaps", fix("lost perhaps"), F, "lost", "perhaps", "error or ignore")
 wrong("audit without values", fix("audit"), F, "audit", "1 value")
@@ -30,7 +31,7 @@ for bad in "0 10", "-5 10", "1.5 10", "1e3 10", "two 10":
 for bad in "10 0", "10 -3", "10 2.5", "10 many", "10 2000000":
     wrong("audit " + bad, fix("audit " + bad), F, "audit M", bad.split()[1])
 wrong("energy perhaps", fix("energy perhaps"), "perhaps")
-wrong("unknown effect", fix("effects breakage on"), F, "breakage", "damage")
+wrong("unknown effect", fix("effects rupture on"), F, "rupture", "damage")
 wrong("effect without value", fix("effects heat"), F, "effects", "2 values")
 wrong("effect perhaps", fix("effects heat perhaps"), "perhaps")
 wrong("effect on and off", fix("effects heat on effects heat off"), F, "heat", "on and off")

@@ -3,8 +3,8 @@
  - head on and off centre: momentum to round-off, energy book; angular momentum with corrected gradients (plain ones lose
    it in any turning body). Friction acts between centres a spacing apart that do not spin: it takes some of it;
  - rebound: equal blocks exchange their velocities, as equal bars do;
- - a block at rest on another, and sliding on it: the bodies are made of spheres, and rough. A block sinks by up to 0.134
-   spacings between those of the other and climbs again when it slides. What that costs is written, not judged;
+ - a block at rest on another, and sliding on it: it sinks by what its weight presses the contact spring, over particles as
+   over gaps, and is braked by mu g;
  - corner on corner and edge on edge, fast: the energy never exceeds what there was, nothing flies off;
  - one body in two types glued by 'bond' is the same as one type; 'none' lets bodies pass."""
 import numpy as np
@@ -59,7 +59,10 @@ def books(checks, name, t, frames, energy=0.01, angular=None, lever=None):
     p, l, scale = momenta(frames)
     checks.below(name + ": momentum, over sum of |v|", abs(p - p[0]).max() / scale, 1e-13)
     work = t["f_body[1]"][0]
-    checks.below("    drift of the energy sum over the kinetic energy", abs(t["f_body[9]"] - t["f_body[9]"][0]).max() / work, energy)
+    # corners at 0.3 c are strained by a third: no energy belongs to the Jaumann rate there, which is f_body[13]
+    book = t["f_body[9]"] + t["f_body[13]"]
+    checks.below("    drift of the energy sum but for the stress, over the kinetic energy", abs(book - book[0]).max() / work, energy)
+    checks.below("    work of the stress that is not stored, over the kinetic energy", abs(t["f_body[13]"]).max() / work, 0.06)
     if angular is not None:
         checks.below("    angular momentum, over that of the approach", abs(l - l[0]).max() / lever, angular)
 
@@ -99,7 +102,9 @@ def rest(checks):
         t, frames = collide(x1, base, (0, 0, 0), (0, 0, 0), "contact damping 1", 6000, 2, more, every=100, watch="f_h[2]")
         f = frames[-1]
         sunk = (x1[:, 1].min() - f["y"][f["type"] == 1].min()) / DX
-        checks.note("block at rest on a block, " + name, "sunk by %.4f spacings" % sunk)
+        # weight over k: 4 rows of it press on each column
+        due = 4 * RHO * DX * DX * g / (0.5 * E) / DX
+        checks.near("block at rest on a block, %s: sunk by (spacings)" % name, sunk, due, absolute=0.001)
         late = t["Step"] > 4000
         checks.near("    force on the lower block over the weight", -t["f_h[2]"][late].mean() / weight, 1.0, relative=0.01)
         checks.below("    speed left over sqrt(g dp)", abs(t["c_p1[2]"][late]).max() / np.sqrt(g * DX), 0.02)
@@ -107,7 +112,8 @@ def rest(checks):
         v = 1.0
         t, frames = collide(top, base, (v, 0, 0), (0, 0, 0), "contact friction %g damping 0.5" % mu, 4000, 2, more, every=50)
         T = t["Time"][-1]
-        checks.note("sliding on a block, friction %g: mean deceleration over g" % mu, "%.3f" % ((v - t["c_p1[1]"][-1]) / (g * T)))
+        checks.near("sliding on a block, friction %g: mean deceleration over g" % mu, (v - t["c_p1[1]"][-1]) / (g * T), mu,
+                    absolute=0.001 if mu == 0 else 0.01 * mu)
 
 
 def corners(checks):

@@ -103,7 +103,7 @@ group work type 1
 group inside type 2
 region top block INF INF {top!r} INF INF INF units box
 group top region top
-fix body all sph/tm temperature {T1} courant 0.4
+fix body all sph/tm temperature {T1} courant 0.4 effects artificial-heat off
 fix_modify body temperature inside {T2}
 fix tool all contact/tri file block.stl move 0 {down!r} 0 overlap allow particles 2 friction {mu!r} damping 0.5
 fix hold top setforce 0 0 0

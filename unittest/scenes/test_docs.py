@@ -76,6 +76,9 @@ same("fix sph/tm/heat: modes",
      known(READY + "fix h all sph/tm/heat nonsense", "a mode") - {"T", "q", "hc", "Tinf"}, modes)
 same("fix sph/tm/heat: keywords", known(READY + "fix h all sph/tm/heat radiation 300 nonsense 1"), keywords(heat))
 
+same("fix sph/tm/relax: keywords", known(READY + "fix r all sph/tm/relax nonsense 1"),
+     keywords(syntax("fix_sph_tm_relax")))
+
 tool = syntax("fix_contact_tri")
 same("fix contact/tri: keywords", known(READY + "fix t all contact/tri nonsense 1"), keywords(tool) | {"file"})
 

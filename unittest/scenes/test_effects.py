@@ -30,7 +30,7 @@ YIELDS = "strength plastic 400e6 100e6"
 STEEL = "strength johnson/cook 792e6 510e6 0.26 0.014 1.03 298 1793 1"
 HEAT = "heat 38 477 0.9"
 ALL = ("viscosity artstress heat conduction plasticity damage correction balsara xsph surface internal-energy bodies energy "
-       "smoothing hourglass fracture").split()
+       "smoothing hourglass fracture expansion compression-heat artificial-heat").split()
 NONE = "viscosity 0 0 hourglass 0 correction no"    # no artificial term
 STEP = "dt 5e-8 "    # the coefficient of the viscosity, on or off, is part of the automatic step
 checks = Checks()
@@ -68,20 +68,27 @@ def expect(name, result, on):
 # --- what each kind of scene turns on
 plain = {"viscosity", "hourglass", "correction", "fracture"}
 old = {"viscosity", "artstress", "fracture"}
+heated = {"heat", "conduction", "artificial-heat"}
 elastic = scene("strength elastic")
 plastic = scene(YIELDS)
 johnson_cook = scene(STEEL + " " + HEAT)
 expect("elastic", elastic, plain)
 lines = expect("plastic", plastic, plain | {"plasticity"})
 checks.true("plastic: the reason names the type", "type 1" in lines["plasticity"][1], lines["plasticity"][1])
-expect("plastic, heat constants", scene(YIELDS + " " + HEAT), plain | {"plasticity", "heat", "conduction"})
+expect("plastic, heat constants", scene(YIELDS + " " + HEAT), plain | {"plasticity"} | heated)
 expect("plastic, heat constants, chi 0", scene(YIELDS + " heat 38 477 0"), plain | {"plasticity"})
 expect("Johnson-Cook, no heat constants", scene(STEEL), plain | {"plasticity"})
-lines = expect("Johnson-Cook", johnson_cook, plain | {"plasticity", "heat", "conduction"})
+lines = expect("Johnson-Cook", johnson_cook, plain | {"plasticity"} | heated)
 checks.true("Johnson-Cook: the reason of heat", "plastic work" in lines["heat"][1], lines["heat"][1])
-expect("no conductivity", scene(STEEL + " heat 0 477 0.9"), plain | {"plasticity", "heat"})
+expect("no conductivity", scene(STEEL + " heat 0 477 0.9"), plain | {"plasticity", "heat", "artificial-heat"})
 expect("damage, shock", scene(STEEL + " eos shock 4570 1.49 1.9 damage strain 1.0"),
        plain | {"plasticity", "damage", "internal-energy"})
+expect("thermal expansion", scene(YIELDS + " expansion 1.2e-5 " + HEAT),
+       plain | {"plasticity", "expansion", "compression-heat"} | heated)
+expect("shock, heat constants", scene("strength elastic eos shock 4570 1.49 1.9 " + HEAT),
+       plain | {"internal-energy", "compression-heat"} | heated)
+expect("heat, artificial stress", scene(YIELDS + " " + HEAT, "stabilize artstress"),
+       old | {"plasticity", "heat", "conduction"})
 expect("all settings",
        scene("strength elastic", "balsara yes xsph 0.1 artstress 0.3 4 correction yes hourglass auto", "energy yes"),
        plain | {"artstress", "balsara", "xsph", "energy"})
@@ -158,12 +165,18 @@ for name, columns, arguments in (
         ("balsara", 1, ("strength elastic", "viscosity 1 1 hourglass 0 correction no balsara yes")),
         ("xsph", 3, ("strength elastic", NONE + " xsph 0.1")),
         ("hourglass", 6 + 4 + 3, ("strength elastic", "viscosity 0 0 correction no hourglass 0.02")),
+        ("expansion", 1, (YIELDS + " heat 0 477 0.9 expansion 1e-5", NONE)),
+        ("artificial-heat", 1, (YIELDS + " heat 0 477 0.9", "viscosity 1 1 hourglass 0 correction no")),
         ("surface", 3, ("strength elastic", NONE, "effects surface on")),
         ("internal-energy", 1, ("strength elastic eos shock 4570 1.49 1.9", NONE))):
     on = scene(*arguments, text=BIG)
     off = scene(*arguments[:2], "effects %s off" % name, text=BIG)
     per_column = 20000 * 8 / 2.0**20
-    bare = scene(YIELDS, NONE, text=BIG) if name in ("heat", "damage") else bare_elastic
+    bare = bare_elastic
+    if name in ("heat", "damage"):
+        bare = scene(YIELDS, NONE, text=BIG)
+    if name in ("expansion", "artificial-heat"):
+        bare = scene(YIELDS + " heat 0 477 0.9", NONE, text=BIG)
     checks.near(name + " off: megabytes, those of a scene without", memory(off), memory(bare), absolute=0.0011)
     checks.above(name + " on: megabytes more", memory(on) - memory(off), 0.99 * columns * per_column)
 # the state of both in one pass, and the reference of what counts numerical fracture

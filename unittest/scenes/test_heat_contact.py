@@ -53,7 +53,6 @@ compute all all reduce sum c_T
 thermo_style custom step time dt f_hot f_cold f_hot[2] f_cold[2] c_all
 """ % (meets, hc, n - 3, n - 3)
     more += RUN.format("%r" % (40 * (n * dx) ** 2 / (k / 1e6) / np.pi ** 2 * (1 + 2 / (n * biot))))
-    more = more.replace("run 0\n", "").replace("/dt)", "/%r)" % (0.08 * 1.44 * dx * dx / (ratio * k / 1e6)))
     text = rod([Layer(n, 1000.0, k, 1000.0, 310, bodies), Layer(n, 1000.0, k * ratio, 1000.0, 310, bodies)], dx, more,
                dim=dim)
     result = run(text)

@@ -95,8 +95,9 @@ pair_coeff 1 1 density 2700 elastic 2e9 0.3 heat 120 899 0
 pair_coeff 2 2 density 7870 elastic 2e9 0.3 heat 50.7 486 0
 pair_coeff 1 2 contact friction 0.3 damping 0.5
 fix body all sph/tm temperature 300 energy yes
-fix press top addforce 0 $(-v_p*12*v_dx/36) 0
-variable vt equal "5*(1-exp(-time/1e-6))"
+variable load equal "-v_p*12*v_dx/36*(1-exp(-time/2e-6))"
+fix press top addforce 0 v_load 0
+variable vt equal "5*(1-exp(-time/2e-6))"
 fix hold base sph/tm/drive 0 0 NULL
 fix slide top sph/tm/drive v_vt NULL NULL
 compute T all sph/tm/atom temperature

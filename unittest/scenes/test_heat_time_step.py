@@ -1,4 +1,4 @@
-"""The time step of conduction: the automatic one damps noise of the temperature, 1.5 times the limit does not.
+"""The time step of conduction explicit: the automatic one damps noise of the temperature, 1.5 times the limit does not.
 
 The limit is 4/3 of the automatic step (tm_heat_time_step). A constant step above it is refused before the first step,
 so the runs that shall go wrong start with a material that conducts ten times less and change it under way."""
@@ -23,7 +23,7 @@ set group half type {left}
 pair_style sph/tm {style} spacing ${{dx}}
 pair_coeff 1 1 density 7800 body heat heat {k} 500 0
 pair_coeff 2 2 density {density} body heat heat {k2} 500 0
-fix body all sph/tm temperature 300 dt {dt}
+fix body all sph/tm temperature 300 dt {dt} conduction explicit
 variable noise atom "random(0,1,4711) > 0.5"
 group hot variable noise
 fix_modify body temperature hot 301

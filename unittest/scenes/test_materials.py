@@ -18,7 +18,7 @@ NAMES = {"density": ["density"], "elastic": ["young", "poisson"],
          "strength johnson/cook": ["jc_a", "jc_b", "jc_n", "jc_c", "jc_m", "t_ref", "t_melt", "jc_rate0"],
          "strength zerilli/armstrong": ["za_c0", "za_c1", "za_c2", "za_c3", "za_c4", "za_c5", "za_n", "za_rate0", "t_melt"],
          "strength plastic": ["yield", "hardening"], "strength elastic": [], "eos linear": [],
-         "emissivity": ["emissivity"]}
+         "eos shock": ["eos_c0", "eos_s", "eos_gamma"], "emissivity": ["emissivity"], "expansion": ["expansion"]}
 
 # flow stress (MPa) at plastic strain, rate and temperature above Tref, worked out apart
 POINTS = ((0.1, 1.0, 0.0), (0.5, 1e3, 0.0), (0.5, 1e3, 300.0), (1.0, 1e5, 500.0))
@@ -26,21 +26,25 @@ FLOW = {"c45e": (903.634, 1162.428, 920.230, 869.397), "ofhc-copper": (233.015, 
         "4340": (1072.266, 1335.676, 1080.255, 1022.564)}
 VALUES = {
     "al6082-t6": {"density": 2690, "young": 68.9e9, "poisson": 0.33, "jc_a": 428e6, "jc_b": 327e6, "jc_n": 1.008,
-                  "jc_c": 0.00747, "jc_m": 1.31, "t_ref": 293, "t_melt": 855, "conductivity": 200, "capacity": 900},
+                  "jc_c": 0.00747, "jc_m": 1.31, "t_ref": 293, "t_melt": 855, "conductivity": 200, "capacity": 900,
+                  "expansion": 2.34e-5},
     "c45e": {"density": 7870, "young": 205e9, "poisson": 0.29, "t_ref": 293.15, "t_melt": 1733, "conductivity": 50.7,
-             "capacity": 486},
-    "ofhc-copper": {"density": 8960, "t_ref": 298, "t_melt": 1356, "capacity": 383},
-    "4340": {"density": 7830, "t_ref": 298, "t_melt": 1793, "capacity": 477},
+             "capacity": 486, "expansion": 1.15e-5},
+    "ofhc-copper": {"density": 8960, "t_ref": 298, "t_melt": 1356, "capacity": 383, "eos_c0": 3940, "eos_s": 1.489,
+                    "eos_gamma": 2.02},
+    "4340": {"density": 7830, "t_ref": 298, "t_melt": 1793, "capacity": 477, "eos_c0": 4578, "eos_s": 1.33,
+             "eos_gamma": 1.67},
     "ti6al4v": {"density": 4430, "young": 110e9, "poisson": 0.35, "jc_a": 852.1e6, "jc_b": 338.9e6, "jc_n": 0.148,
                 "jc_c": 0.02754, "jc_m": 0.5961, "t_ref": 300, "t_melt": 1836, "conductivity": 6.8, "capacity": 526,
-                "taylor_quinney": 0.9},
+                "taylor_quinney": 0.9, "expansion": 8.6e-6},
     "ofhc-copper-za": {"density": 8960, "za_c0": 65e6, "za_c1": 0, "za_c2": 890e6, "za_c3": 0.0028, "za_c4": 0.000115,
                        "za_c5": 0, "za_rate0": 1, "t_melt": 1356, "capacity": 383},
     "armco-iron-za": {"density": 7890, "za_c0": 65e6, "za_c1": 1033e6, "za_c2": 0, "za_c3": 0.00698, "za_c4": 0.000415,
                       "za_c5": 266e6, "za_n": 0.289, "za_rate0": 1, "t_melt": 1811, "capacity": 452},
     "rubber": {"density": 1200, "young": 1e7, "poisson": 0.3975},
     "steel-f14": {"density": 7850, "young": 210e9, "poisson": 0.3, "yield": 350e6, "hardening": 0},
-    "al6061-t6": {"density": 2700, "young": 68.9e9, "poisson": 0.33, "yield": 276e6}}
+    "al6061-t6": {"density": 2700, "young": 68.9e9, "poisson": 0.33, "yield": 276e6, "eos_c0": 5240, "eos_s": 1.4,
+                  "eos_gamma": 1.97}}
 
 # --- a run in which every constant matters ------------------------------------------------------------------
 

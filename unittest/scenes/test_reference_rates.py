@@ -23,7 +23,7 @@ newton {newton}
 read_data data.{number}
 pair_style sph/tm {kernel} {ratio} spacing {dx!r} {style}
 {coeffs}
-fix body all sph/tm temperature {T!r} dt {dt!r} lost ignore
+fix body all sph/tm temperature {T!r} dt {dt!r} lost ignore {fix}
 {more}
 compute p all sph/tm/atom {attributes}
 thermo 1
@@ -40,8 +40,8 @@ JC_ALU = (428e6, 327e6, 0.8, 0.05, 1.31, 293.0, 855.0, 1.0)
 JC_COPPER = (90e6, 292e6, 0.31, 0.025, 1.09, 298.0, 1356.0, 1.0)
 
 
-def material(base, eos=("linear",), strength=("elastic",), damage=None, heat=None):
-    return Material(*base, eos=eos, strength=strength, damage=damage, heat=heat)
+def material(base, eos=("linear",), strength=("elastic",), damage=None, heat=None, expansion=0.0):
+    return Material(*base, eos=eos, strength=strength, damage=damage, heat=heat, expansion=expansion)
 
 
 def words(m, units):
@@ -62,7 +62,8 @@ def words(m, units):
     line += " eos " + text(m.eos[0], m.eos[1:]) + " strength " + text(m.strength[0], m.strength[1:])
     if m.damage:
         line += " damage %s %s" % (m.damage[0], " ".join(repr(float(d)) for d in m.damage[1:]))
-    return line + (" " + text("heat", m.heat) if m.heat else "")
+    line += " " + text("heat", m.heat) if m.heat else ""
+    return line + (" " + text("expansion", [m.expansion]) if m.expansion else "")
 
 
 ELASTIC = [material(ALU), material(COPPER)]
@@ -78,16 +79,26 @@ DAMAGED = [material(ALU, strength=("johnson/cook",) + JC_ALU, damage=("johnson/c
                     heat=(0.0, 900.0, 0.9)),
            material(COPPER, strength=("plastic", 150e6, 1e9), damage=("strain", 0.01), heat=(0.0, 383.0, 0.0))]
 
+# c_v must stay above c_p/2
+WARM = [material(ALU, strength=("johnson/cook",) + JC_ALU, heat=(200e3, 900.0, 0.9), expansion=4e-5),
+        material(COPPER, strength=("johnson/cook",) + JC_COPPER, heat=(3e5, 383.0, 0.8), expansion=3e-5)]
+BENT = [material(ALU, heat=(200e3, 900.0, 0.9), expansion=[(200.0, 1e-4), (350.0, 2e-4), (600.0, 3e-4)]),
+        material(COPPER, strength=("plastic", 150e6, 1e9), heat=(3e5, 383.0, 0.8))]
+HOT_SHOCK = [material(ALU, eos=("shock", 5240.0, 1.4, 1.97), strength=("plastic", 300e6, 1e9), heat=(200e3, 900.0, 0.9)),
+             material(COPPER, eos=("shock", 3940.0, 1.49, 1.99), heat=(3e5, 383.0, 0.9))]
+HALF_HOT = ("region hot block INF 4e-3 INF INF INF INF units box\ngroup hot region hot\n"
+            "fix_modify body temperature hot 700")
+
 # --- cases: name, dimension, kernel, materials, words of pair_style, keywords of Body, more lines -----------
 
 CASES = []
 
 
 def case(name, dim, kernel, materials, style="", heat=False, more="", meets=None, coeffs="", newton="off", units="si",
-         sort=0, speed=100.0, tight=1e-10, **settings):
+         sort=0, speed=100.0, tight=1e-10, fix="", **settings):
     CASES.append(dict(name=name, dim=dim, kernel=kernel, materials=materials, style=style, heat=heat, more=more,
                       meets=meets, coeffs=coeffs, newton=newton, units=units, sort=sort, speed=speed, tight=tight,
-                      settings=settings))
+                      fix=fix, settings=settings))
 
 
 for dim in (2, 3):
@@ -122,10 +133,15 @@ for dim in (2, 3):
          more="fix lists all adapt/neigh asph density every 1")
     case("johnson/cook with heat", dim, "hyperbolic", HOT, heat=True)
     case("johnson/cook with heat, newton on", dim, "quintic", HOT, heat=True, newton="on",
-         more="region hot block INF 4e-3 INF INF INF INF units box\ngroup hot region hot\n"
-              "fix_modify body temperature hot 700")
+         more=HALF_HOT)
     case("all at once", dim, "wendland/c4", HOT, "xsph 0.3 balsara yes correction yes artstress 0.4 3", heat=True,
          xsph=0.3, balsara=True, correction=True, artstress=(0.4, 3))
+    case("thermal expansion", dim, "hyperbolic", WARM, heat=True, expands=True, compression=True, more=HALF_HOT)
+    case("thermal expansion, table", dim, "cubic", BENT, heat=True, expands=True, more=HALF_HOT,
+         fix="effects compression-heat off")
+    case("shock equation of state with heat", dim, "wendland/c2", HOT_SHOCK, speed=300.0, heat=True, compression=True,
+         dissipation=True, more=HALF_HOT)
+    case("viscosity heats", dim, "hyperbolic", HOT, "artstress 0 4", heat=True, artstress=(0, 4), dissipation=True)
     case("damage", dim, "hyperbolic", DAMAGED, heat=True, speed=300.0)
     case("bodies that do not meet", dim, "hyperbolic", PLASTIC, coeffs="pair_coeff 1 2 none", meets={(1, 2): ("none",)})
     case("bodies that share heat", dim, "hyperbolic", HOT, coeffs="pair_coeff 1 2 heat", heat=True,
@@ -135,6 +151,9 @@ for dim in (2, 3):
     case("bodies in contact with friction heat", dim, "hyperbolic", HOT, heat=True,
          meets={(1, 2): ("contact", 0.9, 1.0, 0.2)}, coeffs="pair_coeff 1 2 contact friction 0.9")
 case("plane stress, elastic", 2, "hyperbolic", ELASTIC, "plane stress", plane_stress=True)
+case("plane stress, thermal expansion", 2, "cubic", WARM, "plane stress", plane_stress=True, heat=True, expands=True,
+     compression=True)
+case("plane stress, damage", 2, "hyperbolic", DAMAGED, "plane stress", plane_stress=True, heat=True, speed=300.0)
 case("plane stress, plastic", 2, "cubic", PLASTIC, "plane stress", plane_stress=True)
 for units in UNITS:
     if units != "si":
@@ -207,13 +226,13 @@ class Case:
         self.script = SCRIPT.format(
             number=number, units=c["units"], dim=dim, bz="p" if dim == 2 else "f", newton=c["newton"],
             kernel=c["kernel"], ratio=ratio, dx=dx / length, style=c["style"], coeffs=coeffs + "\n" + c["coeffs"], T=T,
-            dt=self.dt / time, more=c["more"], attributes=" ".join(self.names), steps=STEPS,
+            dt=self.dt / time, more=c["more"], fix=c["fix"], attributes=" ".join(self.names), steps=STEPS,
             sort="2 %g" % (2 * dx) if c["sort"] else "0 0")
         self.data = data_file(x / length, v / length * time, kind, lo / length, hi / length)
         self.body = Body(dim, x, v, kind, {i + 1: m for i, m in enumerate(c["materials"])}, [self.period, 0, 0],
                          c["kernel"], ratio * dx, dx, temperature=T, heat=c["heat"], meets=c["meets"], **c["settings"])
         if "700" in c["more"]:
-            self.body.T[x[:, 0] <= 4e-3] = 700.0
+            self.body.T[x[:, 0] <= 4e-3] = self.body.unstrained[x[:, 0] <= 4e-3] = 700.0
 
     def compare(self, frames):
         """The largest deviation of every quantity, over all steps."""

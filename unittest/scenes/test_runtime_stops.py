@@ -69,9 +69,10 @@ CASES = [
     ("heat taken out without end", LARGE, "", "fix sink one sph/tm/heat source -1e20",
      ["particle 30", "temperature", "not positive", "heat sink"]),
     # a step that falls: heat conduction of a table, which a hot particle makes fast; a constant one is refused for it
-    ("a step that falls to nothing", LARGE, "", CONDUCTOR + "fix_modify body temperature one 600",
+    ("a step that falls to nothing", LARGE, "conduction explicit", CONDUCTOR + "fix_modify body temperature one 600",
      ["the time step has fallen to", "of what it was", "limited by heat conduction at particle 30"]),
-    ("a constant step that conduction outgrows", LARGE, "dt 2e-8", CONDUCTOR + "fix_modify body temperature one 600",
+    ("a constant step that conduction outgrows", LARGE, "dt 2e-8 conduction explicit",
+     CONDUCTOR + "fix_modify body temperature one 600",
      ["Fix sph/tm dt 2e-08 is not stable: heat conduction allows"]),
 ]
 

@@ -27,7 +27,7 @@ run             0
 velocity        all set v_p v_s NULL units box
 compute         d all sph/tm/atom density stress/xx stress/xy
 thermo          {every}
-thermo_style    custom step time f_body[1] f_body[2] f_body[7] f_body[9]
+thermo_style    custom step time f_body[1] f_body[2] f_body[7] f_body[9] f_body[13]
 thermo_modify   format float %.16g
 run             {steps}
 write_dump      all custom end.dump id x y vx vy c_d[*] modify format float %.17g
@@ -64,7 +64,8 @@ for dim, options in ((2, ""), (2, "form f14"), (2, "correction yes"), (2, "xsph 
 
 # --- energy, nothing artificial: the sum of the book over many periods of a wave of 64 particles. The
 # strain is 1e-4: at 1e-3 the tensile instability of the bare hyperbolic kernel feeds on the wave. The amplitude
-# decays by (omega dt)^4/8 per step (doc/theory.rst): 16 times slower than with 32 particles per wave
+# decays by (omega dt)^4/8 per step (doc/theory.rst): 16 times slower than with 32 particles per wave. The
+# sum falls by just that: the elastic energy is what the stress stores, and hides no loss
 for dim, share, kernel, periods in ((2, 0.4, "hyperbolic 1.2", 50), (2, 0.4, "wendland/c2 1.5", 50),
                                     (3, 0.4, "hyperbolic 1.2", 10), (2, 0.6, "hyperbolic 1.2", 10)):
     dt = share * LIMIT * float(kernel.split()[1]) / 1.2
@@ -72,8 +73,6 @@ for dim, share, kernel, periods in ((2, 0.4, "hyperbolic 1.2", 50), (2, 0.4, "we
     t = wave(dt, steps, dim, kernel, length=0.64, width=0.06, shear=0.0, amplitude=0.01, every=4).thermo[-1]
     kinetic, elastic, total = t["f_body[1]"], t["f_body[2]"], t["f_body[1]"] + t["f_body[2]"]
     label = "%dD %s, %s of the limit, %d periods" % (dim, kernel.split()[0], share, periods)
-    checks.below(label + ": drift of the sum", abs(t["f_body[9]"] - t["f_body[9]"][0]).max() / kinetic[0], 0.01)
-    checks.below("   loss of kinetic + elastic", abs(total - total[0]).max() / total[0], 0.01)
     checks.below("   artificial work", abs(t["f_body[7]"]).max(), 0.0)
     # the kinetic energy beats at twice the frequency of the wave; its mean over the first and the last periods
     beat = kinetic / total - 0.5
@@ -84,6 +83,11 @@ for dim, share, kernel, periods in ((2, 0.4, "hyperbolic 1.2", 50), (2, 0.4, "we
     means = [np.interp(np.linspace(u, w, 20001), t["Time"], kinetic).mean()
              for u, w in ((at[0], at[m]), (at[-1 - m], at[-1]))]
     decay = np.log(means[0] / means[1]) / (at[-1] - at[m]) * dt
+    # what the sum loses is this decay over all steps, half of it by the stress
+    lost = 1 - np.exp(-0.25 * (omega * dt)**4 * t["Step"][-1])
+    checks.near(label + ": loss of the sum", 1 - t["f_body[9]"][-1] / t["f_body[9]"][0], lost, relative=0.03)
+    checks.near("   loss of kinetic + elastic", 1 - total[-1] / total[0], lost, relative=0.03)
+    checks.note("   work of the stress that is not stored, over the loss", "%.3f" % (t["f_body[13]"][-1] / (lost * total[0])))
     checks.near("   decay of the kinetic energy per step", decay, 0.25 * (omega * dt)**4, relative=0.1)
     checks.note("   frequency over that of the continuum", "%.4f" % (omega * 0.64 / C / (2 * np.pi)))
 

@@ -14,7 +14,7 @@ from unit_styles import UNITS
 DX = 1e-4
 CARD = "materials.sphtm al6082-t6"
 INLINE = ("density {rho} elastic {E} 0.33 strength johnson/cook {A} {B} 1.008 0.00747 1.31 293 855 {rate0} "
-          "heat {k} {cp} 0.9")
+          "heat {k} {cp} 0.9 expansion 2.34e-5")
 SCRIPT = """
 pair_coeff 1 1 {material} emissivity 0.7
 region base block INF INF INF {base} INF INF units box

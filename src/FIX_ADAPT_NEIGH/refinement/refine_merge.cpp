@@ -147,7 +147,7 @@ void RefineMerge::make()
 {
   const Atom *atom = parts.host()->atom;
   const double ahead = parts.state().time_step().ahead();
-  const int temperature = cloud.column(TM_F_TEMP);
+  const int temperature = cloud.column(TM_F_TEMP), energy = cloud.column(TM_F_ENERGY);
   for (Merge &m : merges) {
     double *x = atom->x[m.i];
     const double *v = atom->v[m.i];
@@ -157,6 +157,7 @@ void RefineMerge::make()
     if (temperature >= 0) {
       double *T = m.row.data() + temperature;
       T[0] += tm_heat_rise(parts.model().materials() + atom->type[m.i], T[0], m.heat / m.row[TM_CLOUD_MASS]);
+      if (energy >= 0) m.row[energy] += m.heat / m.row[TM_CLOUD_MASS];
     }
     remap.write_row(m.i, m.row.data());
     levels.merged(m.i);

@@ -13,8 +13,9 @@ namespace SPHTM_NS {
 double Remap::elastic_energy(const double *row, int type) const
 {
   const tm_material *m = parts.model().materials() + type;
-  const int damage = cloud.column(TM_F_DAMAGE);
-  return row[TM_CLOUD_MASS] * tm_stored_energy(m, row[cloud.column(TM_F_RHO)],
+  const int damage = cloud.column(TM_F_DAMAGE), unstrained = cloud.column(TM_F_UNSTRAINED);
+  const double growth = unstrained < 0 ? 1.0 : tm_thermal_growth(m, row[unstrained], row[cloud.column(TM_F_TEMP)]);
+  return row[TM_CLOUD_MASS] * tm_stored_energy(m, growth * row[cloud.column(TM_F_RHO)],
                                                tm_sym_load(row + cloud.column(TM_F_STRESS)),
                                                damage >= 0 && row[damage + 1] > 0.5);
 }
@@ -32,9 +33,9 @@ void Remap::add_content(tm_content &c, double sign, const double *row, const dou
 struct Spread {
   int field, first, groups, width;
 };
-static const Spread SPREADS[] = {{TM_F_RHO, 0, 1, 1},      {TM_F_STRESS, 0, 1, 6}, {TM_F_PSTRAIN, 0, 3, 1},
-                                 {TM_F_TEMP, 0, 1, 1},     {TM_F_ENERGY, 0, 1, 1}, {TM_F_DAMAGE, 0, 1, 1},
-                                 {TM_F_THICKNESS, 0, 1, 1}};
+static const Spread SPREADS[] = {{TM_F_RHO, 0, 1, 1},       {TM_F_STRESS, 0, 1, 6},    {TM_F_PSTRAIN, 0, 3, 1},
+                                 {TM_F_TEMP, 0, 1, 1},      {TM_F_ENERGY, 0, 1, 1},    {TM_F_DAMAGE, 0, 1, 1},
+                                 {TM_F_THICKNESS, 0, 1, 1}, {TM_F_UNSTRAINED, 0, 1, 1}};
 
 // of the same material, torn or not as i
 std::vector<int> Remap::kin(int i)

@@ -3,6 +3,7 @@
 #include "contact_settings.h"
 #include "model.h"
 #include "tm_eos.h"
+#include "tm_time_step.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +31,7 @@ void ContactLaws::make(const ContactSettings &set, const Model &model, double T,
 {
   const double dp = model.settings_in_use().spacing;
   laws.assign(model.types() + 1, tm_contact_law{});
-  dt_limit = 1e300;
+  dt_limit = heat_limit = 1e300;
   fastest = 0.0;
   for (int t = 1; t <= model.types(); t++) {
     const tm_material &m = model.materials()[t];
@@ -43,6 +44,17 @@ void ContactLaws::make(const ContactSettings &set, const Model &model, double T,
       w.share = 0.5;
     }
     if (!w.active) continue;
+    const double conducts = model.time_scale();    // heat in the time of the process
+    if (w.conductance > 0.0) w.conductance *= conducts;
+    if (!set.body_type) w.tool_effusivity *= sqrt(conducts);
+    const double h = m.heat ? tm_contact_conductance(&w, tm_conductivity(&m, T)) : 0.0;
+    // A particle at the surface takes the heat of a step alone: that is accurate for a tenth of its time constant, and
+    // goes on as it was where one evaluation of the conduction bears a longer step
+    if (h > 0.0)
+      heat_limit = std::min(heat_limit,
+                            std::max(0.1 * m.rho0 * tm_capacity(&m, T) * dp / h,
+                                     tm_conduction_time_step(&m, m.rho0, T, model.settings_in_use().h,
+                                                             model.largest_conductivity(), model.fastest_heat_rate())));
     fastest = std::max(fastest, tm_eos_sound_speed(&m, m.rho0, 0.0));
     const double mass = m.rho0 * pow(dp, dimension);
     // 0.35: stability of the half-step prediction, 0.78 without and 0.70 with damping, of 2

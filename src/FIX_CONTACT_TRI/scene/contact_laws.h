@@ -20,12 +20,13 @@ class ContactLaws {
   const tm_contact_law *host_read() const { return laws.data(); }    // index type
   const tm_contact_law *loop_read() { return loop_laws.loop_read(); }
   double stable_dt() const { return dt_limit; }     // of the contact springs
+  double heat_dt() const { return heat_limit; }     // of the exchange of heat with the tool, for its accuracy
   double sound_speed() const { return fastest; }    // of the fastest solid, 0: there is none
 
  private:
   std::vector<tm_contact_law> laws;
   LoopArray<tm_contact_law> loop_laws;
-  double dt_limit = 0.0, fastest = 0.0;
+  double dt_limit = 0.0, heat_limit = 1e300, fastest = 0.0;
 };
 
 }    // namespace SPHTM_NS

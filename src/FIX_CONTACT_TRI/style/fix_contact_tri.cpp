@@ -117,6 +117,8 @@ void FixContactTri::limit_time_step()
   // sqrt(m/k): m follows the volume of a particle, k its area
   const double smallest = model->smallest_spacing();
   state->time_step().limit(laws.stable_dt() * sqrt(smallest / spacing), TM_DT_CONTACT, this);
+  if (state->has(TM_FX_CONDUCTION) && state->time_step().has_stages())
+    state->time_step().limit(laws.heat_dt() * (smallest / spacing) * (smallest / spacing), TM_DT_CONDUCTION, this);
   // no point of the tool moves by more than a fifth of the smallest spacing in a step
   const double speed = motion.top_speed(tool.mesh().lo, tool.mesh().hi);
   checks.speed(speed, laws.sound_speed());

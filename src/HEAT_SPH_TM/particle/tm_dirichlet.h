@@ -21,6 +21,7 @@ TM_FN tm_real tm_dirichlet(int i, const tm_dirichlet_args *a)
   const tm_real cp = tm_capacity(s->material + s->type[i], 0.5 * (t[0] + a->temperature));
   t[0] = a->temperature;
   t[tm_column(1)] = t[tm_column(2)] = 0.0;
+  if (s->field[TM_F_ENERGY]) *tm_field_row(s, TM_F_ENERGY, i) += cp * rise;
   return tm_particle_mass(s, i) * cp * rise;
 }
 

@@ -101,7 +101,7 @@ void FixSPHTMHeat::read_keywords(Keywords &k)
                known.empty() ? "none" : utils::join_words(known, ", "));
 }
 
-int FixSPHTMHeat::setmask() { return mode == TEMPERATURE ? END_OF_STEP : POST_FORCE; }
+int FixSPHTMHeat::setmask() { return POST_FORCE | (mode == TEMPERATURE ? END_OF_STEP : 0); }
 
 /* ---------------------------------------------------------------------- */
 
@@ -186,10 +186,11 @@ void FixSPHTMHeat::end_of_step()
 {
   const auto timed = state->clock().timed(this);
   const double heat = set_temperature(temperature_now());
-  power = heat / state->time_step().now();
-  energy += heat;
+  const double supply = held >= 0 ? state->source().held.supply(held) : 0.0;    // during the stages of conduction
+  power = (heat + supply) / state->time_step().now();
+  energy += heat + supply;
   state->energy().add(EnergyBalance::HEAT, heat);
-  state->energy().add(EnergyBalance::HEAT_EXCHANGED, heat);
+  state->energy().add(EnergyBalance::HEAT_EXCHANGED, heat + supply);
 }
 
 /* ---------------------------------------------------------------------- surface flux and source */
@@ -201,12 +202,12 @@ tm_surface_flux_args FixSPHTMHeat::flux_args()
   a.mode = modes[mode];
   const bool varies = strength.varies() || T_inf.varies();
   if (varies) modify->clearstep_compute();
-  a.strength = strength.now() * scene->model().units().energy;
+  a.strength = strength.now() * scene->model().units().energy * scene->model().time_scale();
   a.T_inf = T_inf.now();
   if (varies) modify->addstep_compute(update->ntimestep + 1);
   if (mode == RADIATION) {
     const StyleUnits &u = *find_style_units(update->unit_style);
-    a.strength = STEFAN_BOLTZMANN * u.time * u.time * u.time / u.mass;
+    a.strength = STEFAN_BOLTZMANN * u.time * u.time * u.time / u.mass * scene->model().time_scale();
   }
   a.emissivity = emissivity;
   a.surface = surface;
@@ -246,6 +247,15 @@ void FixSPHTMHeat::add_flux()
 void FixSPHTMHeat::post_force(int)
 {
   const auto timed = state->clock().timed(this);
+  if (mode == TEMPERATURE) {
+    held = -1;
+    if (!state->time_step().conducts_in_stages()) return;
+    held = state->source().held.hold(groupbit, temperature_now());
+    if (held < 0)
+      error->all(FLERR, "Fix sph/tm/heat temperature: at most {} of these fixes where conduction takes stages",
+                 (int) TM_HELD_MOST);
+    return;
+  }
   add_flux();
   energy += power * state->time_step().now();
   state->energy().add(EnergyBalance::HEAT_EXCHANGED, power * state->time_step().now());

@@ -40,6 +40,7 @@ class FixSPHTMHeat : public Fix {
   tm_surface surface = {0.0, 0.0};
   double known_area = 0.0;    // > 0: scale the surface found to this total
   bool facing = false;
+  int held = -1;    // number of the prescribed temperature in a step with stages of conduction
   tm_vec3 direction = {0.0, 0.0, 0.0};
 
   // of this rank

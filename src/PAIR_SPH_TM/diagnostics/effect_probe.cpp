@@ -96,7 +96,8 @@ std::map<unsigned, double> EffectProbe::shares(int rounds)
   for (const unsigned bit : effects_in_loops()) {
     if (!(all & bit)) continue;
     unsigned with = all;
-    if (bit == TM_FX_HEAT) with &= ~unsigned(TM_FX_CONDUCTION);
+    if (bit == TM_FX_HEAT)
+      with &= ~unsigned(TM_FX_CONDUCTION | TM_FX_EXPANSION | TM_FX_COMPRESSION_HEAT | TM_FX_ARTIFICIAL_HEAT);
     if (bit == TM_FX_VISCOSITY) with &= ~unsigned(TM_FX_BALSARA);
     sets[bit] = {with, with & ~bit};
     least[with] = least[with & ~bit] = 1e300;

@@ -102,6 +102,7 @@ void warn_of_units(LAMMPS *lmp, const char *style, const tm_material &m)
     if (m.capacity.n) check.expect("capacity", CAPACITY, largest(m.capacity), 10.0, 1e5);
   }
   check.expect("conductivity", CONDUCTIVITY, largest(m.conductivity), 0.0, 1e4);
+  check.expect("expansion", PER_TEMPERATURE, largest(m.expansion), 0.0, 1e-3);
 }
 
 }    // namespace SPHTM_NS

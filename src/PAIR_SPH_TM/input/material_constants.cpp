@@ -100,6 +100,7 @@ static const std::vector<Constant> CONSTANTS = {
     {"capacity", nullptr, &M::capacity, CAPACITY, POSITIVE},
     {"taylor_quinney", &M::taylor_quinney, nullptr, PLAIN, SHARE},
     {"emissivity", &M::emissivity, nullptr, PLAIN, SHARE},
+    {"expansion", nullptr, &M::expansion, PER_TEMPERATURE, NOT_NEGATIVE},
 };
 
 static const std::vector<Group> GROUPS = {
@@ -116,6 +117,7 @@ static const std::vector<Group> GROUPS = {
     {"damage", "none", &M::damage, TM_DAMAGE_NONE, {}},
     {"heat", nullptr, &M::heat, 1, {"conductivity", "capacity", "taylor_quinney"}},
     {"emissivity", nullptr, nullptr, 0, {"emissivity"}},
+    {"expansion", nullptr, nullptr, 0, {"expansion"}},
     {"body", "solid", &M::body, TM_BODY_SOLID, {}},
     {"body", "heat", &M::body, TM_BODY_HEAT, {}},
 };

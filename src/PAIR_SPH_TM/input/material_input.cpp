@@ -61,6 +61,7 @@ class MaterialReader {
   void change(Words &w);
   void apply_changes();
   void check_damage();
+  void check_expansion();
 };
 
 double MaterialReader::number(Words &w, const std::string &what, Range range)
@@ -224,6 +225,21 @@ void MaterialReader::check_damage()
                    what, m.d5);
 }
 
+// with a shock equation of state the internal energy expands: 3 alpha = gamma c_p/c0^2
+void MaterialReader::check_expansion()
+{
+  if (!ever.count("expansion")) return;
+  if (!m.heat) error->all(FLERR, "{}: expansion needs 'heat k cp chi'", where);
+  if (m.eos != TM_EOS_SHOCK || lmp->comm->me) return;
+  const auto first = [](const tm_table &t) { return t.n ? t.y[0] : t.value; };
+  const double alpha = m.eos_gamma * first(m.capacity) / (3.0 * m.eos_c0 * m.eos_c0), given = first(m.expansion);
+  if (fabs(alpha - given) > 0.25 * given)
+    error->warning(FLERR,
+                   "{}: with eos shock thermal expansion is gamma cp/(3 c0^2) = {:.4g}; the expansion {:.4g} is not "
+                   "read",
+                   where, alpha, given);
+}
+
 // what follows from the constants, and what must hold between them
 tm_material MaterialReader::finish(const std::string &source)
 {
@@ -245,6 +261,7 @@ tm_material MaterialReader::finish(const std::string &source)
                "{}: damage johnson/cook with d4 or d5 needs the reference rate and the "
                "temperatures of strength johnson/cook; use 0 for both",
                where);
+  check_expansion();
   check_damage();
   m.shear = m.young / (2.0 * (1.0 + m.poisson));
   m.bulk = m.young / (3.0 * (1.0 - 2.0 * m.poisson));

@@ -60,7 +60,7 @@ void ModelRestart::write(FILE *fp, const Model &model, const std::string &fix_id
   write_checked(fp, &head, sizeof(head));
   for (int i = 1; i <= model.types(); i++) {
     MaterialRecord m = {};
-    m.material = model.materials()[i];
+    m.material = model.given_materials()[i];
     copy_text(m.title, model.material_name(i));
     write_checked(fp, &m, sizeof(m));
     for (int j = 1; j <= model.types(); j++) {
@@ -216,7 +216,8 @@ void ModelRestart::compare(const Model &model)
   };
   say("", changes(then->settings, model.settings_in_use()));
   for (int i = 1; i <= model.types(); i++) {
-    say(fmt::format(": type {} ({})", i, model.material_name(i)), changes(then->material[i], model.materials()[i]));
+    say(fmt::format(": type {} ({})", i, model.material_name(i)),
+        changes(then->material[i], model.given_materials()[i]));
     for (int j = i + 1; j <= model.types(); j++) {
       const PairLaw &a = then->laws[i * (model.types() + 1) + j], &b = model.law(i, j);
       if (a.meeting == b.meeting && a.conductance == b.conductance &&

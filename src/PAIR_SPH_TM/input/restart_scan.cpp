@@ -109,7 +109,7 @@ std::string Scan::fix_state(const std::string &id, const std::string &style)
   std::vector<char> state(n);
   if (!read(state.data(), n)) return CUT;
   const bool ours = style == "sph/tm" || style == "adapt/neigh" || style == "contact/tri" || style == "sph/tm/heat" ||
-                    style == "sph/tm/drive";
+                    style == "sph/tm/drive" || style == "sph/tm/relax";
   if (!ours) return "";
   BlockHead head;
   if (n < (int) sizeof(head)) return fmt::format("values of fix {} are missing", id);

@@ -6,6 +6,7 @@
 #define SPHTM_PAIR_LOOPS_H
 
 #include "loop_table.h"
+#include "tm_conduct.h"
 #include "tm_drift.h"
 #include "tm_fracture.h"
 #include "tm_hourglass.h"
@@ -54,6 +55,11 @@ TM_FN tm_tally_result tm_tally_nothing(void)
   LOOP(EACH, thermal, tm_rates_args, if (a.rows.thermal[i]) tm_thermal(i, &a, effects))                \
   LOOP(EACH, add, AddLoop, a.to[i] += a.from[i])                                                       \
   LOOP(RANGE_SUM, update, tm_update_args, tm_update_result, tm_step)                                   \
+  /* conduction in stages, before the update of a step that is longer than it bears */                 \
+  LOOP(SUM, conduct_room, tm_conduct_args, int, tm_conduct_room, tm_conduct_room(i, &a))               \
+  LOOP(SUM, conduct_row, tm_conduct_args, tm_real, tm_conduct_rate, tm_conduct_row(i, &a, effects))    \
+  LOOP(EACH, conduct_stage, tm_conduct_args, tm_conduct_stage(i, &a))                                  \
+  LOOP(SUM, conduct_end, tm_conduct_args, tm_conduct_result, tm_conduct_result, tm_conduct_end(i, &a)) \
   /* set-up and output */                                                                              \
   LOOP(EACH, initial_of_new, tm_initial_args, tm_initial_of_new(i, &a))                                \
   LOOP(SUM, initial_limits, InitialLimitsLoop, tm_update_result, tm_step,                              \

@@ -12,8 +12,10 @@
    power is - f_i ddelta_i/dt. All forces are equal and opposite pair by pair; those of springs and dampers are central, so
    that they keep the angular momentum too, and friction acts between centers, about a spacing apart, so it has a
    couple of that arm. Damping is critical at DFAC = 1 for the reduced mass of the particle and those under it.
-   The friction of both sides together brings the sliding to rest within a step at most. Its heat is shared by
-   effusivity sqrt(k rho c_p).
+   Up to its limit friction takes TM_BODY_STOP of the sliding of flat faces in a step, and less of sliding that differs
+   from particle to particle, since it is divided over neighbors: more than 1, so that an uneven load slides at its limit
+   everywhere, less than 2, where a body at rest would begin to swing. Its heat is shared by effusivity
+   sqrt(k rho c_p).
 
    Three passes, since a particle needs of its neighbors in contact what they have found: tm_body_ahead() writes what
    friction needs, tm_body_touch() the side of each particle, tm_body_contact() adds up the pairs; ghosts get the first
@@ -55,6 +57,8 @@ TM_FN void tm_body_ahead(int i, const tm_ahead_args *a, unsigned effects)
                            ? s->field[TM_F_PSTRAIN][tm_row(i, tm_field_columns(TM_F_PSTRAIN)) + tm_column(2)]
                            : 0.0;
 }
+
+#define TM_BODY_STOP 1.5
 
 /* Columns of a side: f ddelta/dpsi; friction over psi x y z; heat of friction for the other body over psi. */
 enum { TM_SIDE_NORMAL = 0, TM_SIDE_FRICTION = 1, TM_SIDE_HEAT = 4, TM_BODY_SIDE = 5 };
@@ -247,7 +251,7 @@ TM_FN void tm_body_touch_one(int i, int side, tm_vec3 vi, const tm_rates_args *a
   const tm_vec3 end = tm_vec_sub(tm_body_end(i, b, dim3), o.end); /* F15 (14) */
   const tm_real limit = tm_body_friction_limit(i, f * slope * steep, &o, a, b, dim3);
   const tm_vec3 friction = tm_contact_friction(tm_contact_tangential(end, tm_vec_scale(1.0 / steep, o.normal)),
-                                               0.5 * mass, b->dt, limit); /* F15 (13) */
+                                               0.5 * TM_BODY_STOP * mass, b->dt, limit); /* F15 (13) */
   const tm_real power = -tm_vec_dot(friction, tm_vec_sub(vi, o.v));
   mine[TM_SIDE_FRICTION] = friction.x / o.psi;
   mine[TM_SIDE_FRICTION + 1] = friction.y / o.psi;

@@ -2,11 +2,12 @@
 
    Each particle keeps where it was, X, and the sum of the bonds to its nearest neighbors there,
      B = sum of X_j - X_i over |X_j - X_i| < 1.5 spacings.
-   Of the bonds whose neighbors are within the support radius still, F maps reference to present positions best,
+   Of the bonds whose neighbors are within the support radius still, F maps reference to present positions best (where it
+   tells less than all but TM_FRACTURE_ROUGH of their square the neighborhood has flowed, and nothing can be said),
      F = (sum (x_j - x_i)(X_j - X_i)) (sum (X_j - X_i)(X_j - X_i))^-1,
    and B less their sum is the side on which neighbors were lost, direction u. The particle has come loose where
      |B - sum| is that of half a face of the lattice: flow loses neighbors on both sides, and then the sum is small;
-     there is no particle where by F one of those lost should be, F u times the spacing: past a slip plane there is one;
+     no particle is near in a cone about F u, where those lost should be: past a slip plane there are others;
      the spacing there, |F u|, is neither so large that neighbors no longer meet nor pressed together: a surface that
      grows takes particles in from below, and there the body is compressed across the surface.
    One whose kept bonds do not tell F is loose where there is none at all within the length of a bond.
@@ -26,8 +27,11 @@
 /* Least loss of bonds over the spacing; a face of the square lattice has 3, of the cubic one 5. */
 #define TM_FRACTURE_LOSS_2D 1.5
 #define TM_FRACTURE_LOSS_3D 2.5
-/* In the reference, over the spacing: how far from u no particle may be. */
-#define TM_FRACTURE_EMPTY 0.75
+/* The cone in which there is none, cosine of half its angle, and its length over the support radius. */
+#define TM_FRACTURE_CONE 0.5
+#define TM_FRACTURE_EMPTY 0.85
+/* Largest share of the square of the kept bonds that F does not tell. */
+#define TM_FRACTURE_ROUGH 0.03
 /* |F u|: pressed together below the first; above the second, over the support radius, neighbors hardly meet. */
 #define TM_FRACTURE_PRESSED 0.8
 #define TM_FRACTURE_STRETCHED 0.8
@@ -148,18 +152,13 @@ TM_FN void tm_fracture_bonds(int i, const tm_fracture_args *a)
   if (!bonds && f[tm_column(TM_R_STATE)] == TM_FRACTURE_WHOLE) f[tm_column(TM_R_STATE)] = TM_FRACTURE_LEFT_OUT;
 }
 
-/* No neighbor of i within the reference distance of u; back: present to reference, where it is known. */
-TM_FN int tm_fracture_is_empty(int i, const tm_fracture_args *a, const tm_mat3 *back, tm_vec3 u, tm_real dp)
+/* No neighbor of i within a distance and, where cosine > -1, within a cone about the unit vector e. */
+TM_FN int tm_fracture_is_empty(int i, const tm_fracture_args *a, tm_vec3 e, tm_real cosine, tm_real distance)
 {
-  const tm_real most = (back ? TM_FRACTURE_EMPTY : TM_FRACTURE_BOND) * dp;
   for (int k = 0; k < a->rows.mechanical[i]; k++) {
-    tm_vec3 d = tm_fracture_apart(i, a->rows.index[a->rows.first[i] + k * a->rows.stride], a);
-    if (back) {
-      d = tm_vec(back->xx * d.x + back->xy * d.y + back->xz * d.z, back->yx * d.x + back->yy * d.y + back->yz * d.z,
-                 back->zx * d.x + back->zy * d.y + back->zz * d.z);
-      d = tm_vec_axpy(d, -dp, u);
-    }
-    if (tm_vec_dot(d, d) < most * most) return 0;
+    const tm_vec3 d = tm_fracture_apart(i, a->rows.index[a->rows.first[i] + k * a->rows.stride], a);
+    const tm_real r = tm_vec_norm(d);
+    if (r < distance && tm_vec_dot(d, e) >= cosine * r) return 0;
   }
   return 1;
 }
@@ -169,6 +168,7 @@ typedef struct {
   tm_vec3 sum;
   tm_sym3 XX;
   tm_mat3 xX;
+  tm_real xx;
   int near_failed;
 } tm_fracture_kept;
 
@@ -178,6 +178,7 @@ TM_FN tm_fracture_kept tm_fracture_gather(int i, const tm_fracture_args *a, tm_r
   s.sum = tm_vec(0, 0, 0);
   s.XX = tm_sym(0, 0, 0, 0, 0, 0);
   s.xX = tm_mat_scale(0.0, tm_mat_identity());
+  s.xx = 0.0;
   s.near_failed = a->known[(ptrdiff_t) i * TM_FRACTURE_KNOWN + 3] > 0.5;
   for (int k = 0; k < a->rows.mechanical[i]; k++) {
     const int j = a->rows.index[a->rows.first[i] + k * a->rows.stride];
@@ -188,10 +189,18 @@ TM_FN tm_fracture_kept tm_fracture_gather(int i, const tm_fracture_args *a, tm_r
     const tm_real c[9] = {x.x * X.x, x.x * X.y, x.x * X.z, x.y * X.x, x.y * X.y,
                           x.y * X.z, x.z * X.x, x.z * X.y, x.z * X.z};
     s.sum = tm_vec_add(s.sum, X);
+    s.xx += tm_vec_dot(x, x);
     s.XX = tm_sym_add_dyad(s.XX, 1.0, X);
     s.xX = tm_mat_add(s.xX, tm_mat_load(c));
   }
   return s;
+}
+
+/* F : sum x X, the part of the square of the kept bonds that F tells. */
+TM_FN tm_real tm_fracture_told(const tm_mat3 *F, const tm_mat3 *b)
+{
+  return F->xx * b->xx + F->xy * b->xy + F->xz * b->xz + F->yx * b->yx + F->yy * b->yy + F->yz * b->yz + F->zx * b->zx +
+         F->zy * b->zy + F->zz * b->zz;
 }
 
 /* Whether particle i has come loose by now. */
@@ -204,19 +213,18 @@ TM_FN int tm_fracture_is_loose(int i, const tm_fracture_args *a, const tm_fractu
   const tm_real size = tm_vec_norm(lost);
   tm_sym3 M = tm_sym_scale(1.0 / (dp * dp), kept->XX);
   if (!a->dim3) M.zz = 1.0;
-  if (!(tm_sym_det(M) > TM_FRACTURE_LEAST)) return tm_fracture_is_empty(i, a, NULL, lost, dp);
+  if (!(tm_sym_det(M) > TM_FRACTURE_LEAST)) return tm_fracture_is_empty(i, a, lost, -1e300, TM_FRACTURE_BOND * dp);
   if (size < (a->dim3 ? TM_FRACTURE_LOSS_3D : TM_FRACTURE_LOSS_2D) * dp) return 0;
   const tm_vec3 u = tm_vec_scale(1.0 / size, lost);
   const tm_sym3 inverse = tm_sym_scale(1.0 / (dp * dp), tm_sym_inverse_bounded(M, a->dim3, 0.0));
   tm_mat3 F = tm_mat_mul(kept->xX, tm_mat_from_sym(inverse));
   if (!a->dim3) F.zz = 1.0;
+  if (kept->xx - tm_fracture_told(&F, &kept->xX) > TM_FRACTURE_ROUGH * kept->xx) return 0;
   const tm_vec3 to = tm_vec(F.xx * u.x + F.xy * u.y + F.xz * u.z, F.yx * u.x + F.yy * u.y + F.yz * u.z,
                             F.zx * u.x + F.zy * u.y + F.zz * u.z);
   const tm_real stretch = tm_vec_norm(to);
   if (stretch < TM_FRACTURE_PRESSED || stretch * dp > TM_FRACTURE_STRETCHED * reach) return 0;
-  int good = 0;
-  const tm_mat3 back = tm_mat_inverse(F, a->dim3, &good);
-  return good && tm_fracture_is_empty(i, a, &back, u, dp);
+  return tm_fracture_is_empty(i, a, tm_vec_scale(1.0 / stretch, to), TM_FRACTURE_CONE, TM_FRACTURE_EMPTY * reach);
 }
 
 TM_FN tm_fracture_result tm_fracture_look(int i, const tm_fracture_args *a)

@@ -17,7 +17,8 @@
    xi is the stiffness over that of longitudinal waves. What it has to withstand is the tension itself, so it follows the
    stress of the particle, xi = zeta (sigma_Mises + <-p>)/(rho c^2): nothing has to be chosen for rubber or for metal.
    Displacements are forgotten with plastic strain, over e = TM_HOURGLASS_STRAIN in uniaxial tension and less where
-   pressure keeps particles together (tm_hourglass_memory()), so that flow that few particles resolve is hardly hindered.
+   pressure keeps particles together (tm_hourglass_memory()), and what they resist with stays below a tenth of the flow stress
+   (tm_hourglass_limit()), so that flow that few particles resolve is hardly hindered.
    delta damps what alternates in time as well; both vanish with the square of the spacing where fields are smooth.
 
    Own construction; the idea of a penalty on what differs from the linear field is that of Ganzenmueller 2015
@@ -40,10 +41,21 @@
 /* Plastic strain over which displacements are forgotten in uniaxial tension, and the least share of it. */
 #define TM_HOURGLASS_STRAIN 0.0125
 #define TM_HOURGLASS_MEMORY 0.1
+/* Largest stress of hourglass control, over the flow stress, of a displacement of h. */
+#define TM_HOURGLASS_YIELD 0.1
 /* zeta, the largest xi that follows from it, and delta. */
 #define TM_HOURGLASS_ZETA 12.0
 #define TM_HOURGLASS_MOST 2.0
 #define TM_HOURGLASS_DAMPING 0.1
+/* Displacements of a material that flows: xi k |w| stays below TM_HOURGLASS_YIELD Y h. */
+TM_FN void tm_hourglass_limit(tm_real *field, tm_real stiffness, tm_real yield, tm_real h)
+{
+  const tm_real x = field[tm_column(TM_G_W)], y = field[tm_column(TM_G_W + 1)], z = field[tm_column(TM_G_W + 2)];
+  const tm_real resists = stiffness * sqrt(x * x + y * y + z * z), limit = TM_HOURGLASS_YIELD * yield * h;
+  if (!(yield > 0.0) || resists <= limit) return;
+  for (int d = 0; d < 3; d++) field[tm_column(TM_G_W + d)] *= limit / resists;
+}
+
 /* Least determinant of the second moment of the neighbors, over that of an even neighborhood: with less
    no linear field can be told. */
 #define TM_HOURGLASS_LEAST 0.02

@@ -24,6 +24,7 @@ TM_FN void tm_initial(int i, const tm_initial_args *a)
     t[0] = a->temperature;
     t[tm_column(1)] = t[tm_column(2)] = 0.0;
   }
+  if (a->fields & (1u << TM_F_UNSTRAINED)) *tm_field_row(s, TM_F_UNSTRAINED, i) = a->temperature;
   if (a->fields & (1u << TM_F_BALSARA)) *tm_field_row(s, TM_F_BALSARA, i) = 1.0;
   if (a->fields & (1u << TM_F_THICKNESS)) *tm_field_row(s, TM_F_THICKNESS, i) = 1.0;
   if (a->fields & (1u << TM_F_SIZE))

@@ -66,10 +66,11 @@ TM_FN tm_real tm_output_state(int i, const tm_output_args *a, int id, int column
 TM_FN tm_real tm_output_pressure(int i, const tm_output_args *a, const tm_material *m)
 {
   if (m->body != TM_BODY_SOLID) return 0.0;
-  if (a->effects & TM_FX_PLANE_STRESS) return tm_output_state(i, a, TM_F_STRESS, 2, 0.0);
+  const int failed = tm_output_state(i, a, TM_F_DAMAGE, 1, 0.0) > 0.5;
+  if ((a->effects & TM_FX_PLANE_STRESS) && !failed) return tm_output_state(i, a, TM_F_STRESS, 2, 0.0);
   const tm_real e = tm_output_state(i, a, TM_F_ENERGY, 0, 0.0);
-  return tm_damage_pressure(tm_eos_pressure(m, tm_output_state(i, a, TM_F_RHO, 0, 0.0), e),
-                            tm_output_state(i, a, TM_F_DAMAGE, 1, 0.0) > 0.5);
+  const tm_real growth = tm_particle_growth(&a->state, i, m, tm_output_state(i, a, TM_F_TEMP, 0, 0.0), a->effects);
+  return tm_damage_pressure(tm_eos_pressure(m, growth * tm_output_state(i, a, TM_F_RHO, 0, 0.0), e), failed);
 }
 
 TM_FN tm_real tm_output_area(int i, const tm_output_args *a)

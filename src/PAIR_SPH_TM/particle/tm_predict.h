@@ -92,17 +92,16 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
   dev = tm_sym_axpy(dev, w.older, tm_sym_from_row(h2 + tm_column(TM_H_S)));
 
   tm_real e = 0.0, p = 0.0, c = 0.0;
-  if (effects & TM_FX_ENERGY) e = *tm_field_row(s, TM_F_ENERGY, i);
+  if (effects & TM_FX_ENERGY) e = tm_predict_value(tm_field_row(s, TM_F_ENERGY, i), w);
+  const tm_real T = (effects & TM_FX_HEAT) ? tm_predict_value(tm_field_row(s, TM_F_TEMP, i), w) : 0.0;
   if (m->body == TM_BODY_SOLID) {
-    p = tm_eos_pressure(m, rho, e);
+    p = tm_eos_pressure(m, rho * tm_particle_growth(s, i, m, T, effects), e);
     c = tm_eos_sound_speed(m, rho, e);
   }
-  if (effects & TM_FX_DAMAGE) {
-    const int failed = tm_field_row(s, TM_F_DAMAGE, i)[tm_column(1)] > 0.5;
-    p = tm_damage_pressure(p, failed);
-    if (failed) dev = tm_sym(0, 0, 0, 0, 0, 0);
-  }
-  if (effects & TM_FX_PLANE_STRESS) p = dev.zz; /* sigma_zz = s_zz - p = 0 */
+  const int failed = (effects & TM_FX_DAMAGE) && tm_field_row(s, TM_F_DAMAGE, i)[tm_column(1)] > 0.5;
+  p = tm_damage_pressure(p, failed);
+  if (failed) dev = tm_sym(0, 0, 0, 0, 0, 0);
+  else if (effects & TM_FX_PLANE_STRESS) p = dev.zz; /* sigma_zz = s_zz - p = 0 */
 
   /* plane stress: sums run over areas, so density and stress count times the thickness */
   const tm_real lz = (effects & TM_FX_PLANE_STRESS) ? *tm_field_row(s, TM_F_THICKNESS, i) : 1.0;
@@ -133,8 +132,6 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
     tm_mat_to_record(tm_stab_record(&a->rec, i), TM_STAB_PK, tm_sym_mul(P, K));
   }
   if (effects & TM_FX_HEAT) {
-    const tm_real *t = tm_field_row(s, TM_F_TEMP, i);
-    const tm_real T = t[0] + w.last * t[tm_column(1)] + w.older * t[tm_column(2)];
     tm_real *rt = tm_heat_record(&a->rec, i);
     rt[tm_part(TM_REC_T)] = T;
     rt[tm_part(TM_REC_K)] = tm_conductivity(m, T);

@@ -4,8 +4,9 @@
      x(n+1)   = x(n+1/2) + dt/2 v(n+1),  x(n+1/2) = x(n) + dt/2 v(n)
      rho(n+1) = rho(n) - dt rho(n+1/2) tr L                                   F15 (2)
      s        : Jaumann rate (F14 (9)) to the trial stress, radial return (F14 (11)-(14))
-     T        : rho c_p dT/dt = conduction + chi Y deps_p/dt + sources         F15 (5)
-     e        : rho de/dt = sigma : L + artificial heating (shock equation of state only)
+     T        : rho c dT/dt = conduction + chi Y deps_p/dt + sources           F15 (5)
+                              + artificial heating - Gamma rho c T tr L        tm_thermoelastic.h
+     e        : rho de/dt = sigma : L + artificial heating + conduction + sources (shock equation of state only)
 
    The rates of this step and the last are kept for the prediction of the next half step. */
 #ifndef TM_UPDATE_H
@@ -63,7 +64,8 @@ typedef struct {
   int melted;    /* the first particle above its melting temperature, or INT_MAX */
   tm_real dt[3]; /* limits by sound, force, conduction (without safety factor) */
   /* energies of the step, with the ledger. stress_work: of the stress that acted, sigma(n+1/2) : L; failure: what was
-     stored in a particle that failed; thermal_pressure: work of the part of the pressure that the internal energy makes */
+     stored in a particle that failed; thermal_pressure: work of the part of the pressure that the internal energy makes;
+     heat: thermal energy gained, without that of the artificial terms */
   tm_real stress_work, plastic, plastic_heat, failure, thermal_pressure, artificial, kinetic_work, internal_work, heat;
 } tm_update_result;
 
@@ -104,13 +106,13 @@ typedef struct {
   tm_real p, rho, d_eps, yield;
 } tm_point;
 
-/* Density, pressure and deviator at the end of a step with velocity gradient L. */
+/* Density, pressure and deviator at the end of a step with velocity gradient L; growth: see tm_particle_growth. */
 TM_FN tm_point tm_constitutive(const tm_material *m, tm_real rho, tm_real rho_half, tm_sym3 s, tm_sym3 s_half,
-                               tm_mat3 L, tm_real e, tm_real eps_p, tm_real T, tm_real dt, int plastic)
+                               tm_mat3 L, tm_real e, tm_real growth, tm_real eps_p, tm_real T, tm_real dt, int plastic)
 {
   tm_point out;
   out.rho = rho - dt * rho_half * tm_mat_trace(L);
-  out.p = tm_eos_pressure(m, out.rho, e);
+  out.p = tm_eos_pressure(m, growth * out.rho, e);
   out.d_eps = 0.0;
   out.yield = 0.0;
   if (m->strength == TM_STRENGTH_NONE) {
@@ -129,18 +131,19 @@ TM_FN tm_point tm_constitutive(const tm_material *m, tm_real rho, tm_real rho_ha
 
 /* Plane stress: the thickness rate L.zz for which sigma_zz vanishes at the end of the step. */
 TM_FN tm_real tm_plane_stress_rate(const tm_material *m, tm_real rho, tm_real rho_half, tm_sym3 s, tm_sym3 s_half,
-                                   tm_mat3 L, tm_real e, tm_real eps_p, tm_real T, tm_real dt, int plastic)
+                                   tm_mat3 L, tm_real e, tm_real growth, tm_real eps_p, tm_real T, tm_real dt,
+                                   int plastic)
 {
   const tm_real stiff = dt * (m->bulk + 4.0 / 3.0 * m->shear);
   const tm_real tol = 1e-10 * m->young * 1e-3;
   tm_real l0 = -(L.xx + L.yy) * m->poisson / (1.0 - m->poisson), f0, l1, f1;
   L.zz = l0;
-  tm_point q = tm_constitutive(m, rho, rho_half, s, s_half, L, e, eps_p, T, dt, plastic);
+  tm_point q = tm_constitutive(m, rho, rho_half, s, s_half, L, e, growth, eps_p, T, dt, plastic);
   f0 = q.s.zz - q.p;
   l1 = l0 - f0 / stiff;
   for (int it = 0; it < 25; it++) {
     L.zz = l1;
-    q = tm_constitutive(m, rho, rho_half, s, s_half, L, e, eps_p, T, dt, plastic);
+    q = tm_constitutive(m, rho, rho_half, s, s_half, L, e, growth, eps_p, T, dt, plastic);
     f1 = q.s.zz - q.p;
     if (fabs(f1) < tol || f1 == f0) break;
     const tm_real next = l1 - f1 * (l1 - l0) / (f1 - f0);
@@ -184,23 +187,59 @@ TM_FN tm_vec3 tm_update_motion(int i, const tm_update_args *a, unsigned effects,
   return acc;
 }
 
-/* Temperature at the end of the step; returns the heat taken up. */
-TM_FN tm_real tm_update_temperature(int i, const tm_update_args *a, const tm_material *m, tm_real rho,
-                                    tm_real plastic_power, unsigned effects)
+/* The part of the energy that artificial terms give to a particle which heats it. Artificial stress is no dissipation: it
+   gives as well as it takes, in tension. With it only what is taken under pressure counts. */
+TM_FN tm_real tm_artificial_heat(tm_real energy, tm_real p, unsigned effects)
 {
+  if (!(effects & TM_FX_ARTIFICIAL_HEAT)) return 0.0;
+  if (!(effects & TM_FX_ARTSTRESS)) return energy;
+  return p > 0.0 ? tm_max(energy, 0.0) : 0.0;
+}
+
+/* Energies that a particle takes up as heat in a step. */
+typedef struct {
+  tm_real heat;        /* all but that of the artificial terms */
+  tm_real compression; /* of this, by compression */
+  tm_real given;       /* of this, by conduction and sources */
+} tm_heat_taken;
+
+/* Temperature at the end of the step. compression: ratio of temperatures by compression; artificial: energy given by the
+   artificial terms. */
+TM_FN tm_heat_taken tm_update_temperature(int i, const tm_update_args *a, const tm_material *m, tm_real rho,
+                                          tm_real plastic_power, tm_real compression, tm_real artificial,
+                                          unsigned effects)
+{
+  tm_heat_taken out;
   tm_real *t = tm_field_row(&a->state, TM_F_TEMP, i);
   const tm_real mass = tm_particle_mass(&a->state, i);
-  tm_real power = plastic_power * m->taylor_quinney * mass / rho;
+  const tm_real plastic = plastic_power * m->taylor_quinney * mass / rho;
+  tm_real power = 0.0;
   if (effects & TM_FX_CONDUCTION) power += a->heat[i] * mass / tm_main_record(&a->rec, i)[tm_part(TM_REC_RHO)];
   if (a->source) {
     power += a->source[i];
     a->source[i] = 0.0;
   }
-  const tm_real rise = tm_heat_rise(m, t[0], a->dt * power / mass);
+  out.given = a->dt * power;
+  out.compression = 0.0;
+  tm_real rise = 0.0;
+  if (effects & TM_FX_COMPRESSION_HEAT) {
+    rise = (compression - 1.0) * t[0];
+    out.compression = mass * tm_capacity(m, t[0] + 0.5 * rise) * rise;
+  }
+  rise += tm_heat_rise(m, t[0] + rise, (a->dt * (plastic + power) + artificial) / mass);
   t[0] += rise;
   t[tm_column(2)] = t[tm_column(1)];
   t[tm_column(1)] = rise / a->dt;
-  return a->dt * power;
+  out.heat = a->dt * (plastic + power) + out.compression;
+  return out;
+}
+
+/* The internal energy e takes up a gain per mass; its rates of the last two steps follow. */
+TM_FN void tm_update_energy(tm_real *e, tm_real gain, tm_real dt)
+{
+  e[0] += gain;
+  e[tm_column(2)] = e[tm_column(1)];
+  e[tm_column(1)] = gain / dt;
 }
 
 /* Heating by artificial terms, power: of the pairs, and what the balance of the artificial stress takes
@@ -304,15 +343,22 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     const tm_predict_weights w = tm_predict_weights_at(0.5 * a->dt);
     const tm_real rho_half = lz ? rec[tm_part(TM_REC_RHO)] / *lz : rec[tm_part(TM_REC_RHO)];
     const tm_sym3 s_half = tm_sym_axpy(tm_sym_axpy(s0, w.last, tm_sym_load(rate + TM_H_S)), w.older, older);
-    const tm_real eps_p = pl ? pl[0] : 0.0, energy = e ? *e : 0.0;
+    const tm_real eps_p = pl ? pl[0] : 0.0, energy = e ? tm_predict_value(e, w) : 0.0;
     const int failed = dmg && dmg[tm_column(1)] > 0.5;
+    const tm_real T_half = (effects & TM_FX_EXPANSION) ? tm_predict_value(tm_field_row(s, TM_F_TEMP, i), w) : T;
+    const tm_real growth = tm_particle_growth(s, i, m, T_half, effects);
 
-    if (lz) L.zz = tm_plane_stress_rate(m, *rho, rho_half, s0, s_half, L, energy, eps_p, T, a->dt, pl != NULL);
-    tm_point q = tm_constitutive(m, *rho, rho_half, s0, s_half, L, energy, eps_p, T, a->dt, pl != NULL && !failed);
+    /* in plane stress what has failed keeps its thickness: with no deviator a free one would leave no pressure */
+    if (lz)
+      L.zz = failed
+                 ? 0.0
+                 : tm_plane_stress_rate(m, *rho, rho_half, s0, s_half, L, energy, growth, eps_p, T, a->dt, pl != NULL);
+    tm_point q =
+        tm_constitutive(m, *rho, rho_half, s0, s_half, L, energy, growth, eps_p, T, a->dt, pl != NULL && !failed);
     if (failed) q.s = tm_sym(0, 0, 0, 0, 0, 0);
 
     /* work of the stress that acted, per mass: sigma(n+1/2) : L */
-    const tm_real p_half = tm_eos_pressure(m, rho_half, energy);
+    const tm_real p_half = tm_eos_pressure(m, growth * rho_half, energy);
     const tm_sym3 sigma = tm_sym_add_iso(failed ? q.s : s_half, -tm_damage_pressure(p_half, failed));
     const tm_real work = a->dt / rho_half * tm_sym_ddot(sigma, tm_mat_symmetric(L));
     const tm_real plastic = q.yield * q.d_eps / q.rho;
@@ -320,6 +366,9 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     const tm_real inv_dt = 1.0 / a->dt;
     tm_update_history(h1, h2, rate, acc, (q.rho - *rho) * inv_dt, tm_sym_scale(inv_dt, tm_sym_axpy(q.s, -1.0, s0)),
                       dim3);
+    /* failed material that carries nothing opens and closes without heat */
+    const int heats = (effects & TM_FX_COMPRESSION_HEAT) && !(failed && q.p <= 0.0);
+    const tm_real compression = heats ? tm_compression_heat(tm_gruneisen_density(m, T), *rho, q.rho) : 1.0;
     *rho = q.rho;
     tm_sym_to_row(dev, q.s);
     if (lz) *lz += a->dt * *lz * L.zz;
@@ -329,35 +378,43 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       pl[tm_column(2)] = q.yield;
     }
     const tm_real artificial = a->artificial ? a->dt * tm_update_artificial(i, a, L, effects) : 0.0;
-    if (e) *e += work + artificial / mass;
     if (dmg && !failed) {
-      const tm_real p = tm_eos_pressure(m, q.rho, energy);
+      const tm_real p = tm_eos_pressure(m, growth * q.rho, energy);
       dmg[0] += tm_damage_increment(m, -p, tm_sym_mises(q.s), q.d_eps, q.d_eps * inv_dt, T);
       dmg[tm_column(1)] = tm_damage_failed(m, dmg[0], pl ? pl[0] : 0.0) ? 1.0 : 0.0;
     }
     if (effects & TM_FX_BALSARA) tm_update_balsara(i, s, L, rec[tm_part(TM_REC_C)], h);
-    if (effects & TM_FX_HOURGLASS)
-      tm_hourglass_step(tm_field_row(s, TM_F_HOURGLASS, i), a->hourglass_rate + 3 * (ptrdiff_t) i, L, a->dt,
-                        q.d_eps / tm_hourglass_memory(q.yield, q.p), failed || m->strength == TM_STRENGTH_NONE);
+    const tm_real sound = rec[tm_part(TM_REC_C)];
+    const tm_real xi =
+        (effects & TM_FX_HOURGLASS) ? tm_hourglass_stiffness(a->hourglass, q.s, q.p, q.rho * sound * sound) : 0.0;
+    if (effects & TM_FX_HOURGLASS) {
+      tm_real *w = tm_field_row(s, TM_F_HOURGLASS, i);
+      tm_hourglass_step(w, a->hourglass_rate + 3 * (ptrdiff_t) i, L, a->dt, q.d_eps / tm_hourglass_memory(q.yield, q.p),
+                        failed || m->strength == TM_STRENGTH_NONE);
+      tm_hourglass_limit(w, xi * q.rho * sound * sound, q.yield, h);
+    }
     if (effects & TM_FX_ONE_PASS)
       tm_update_correction(tm_field_row(s, TM_F_CORRECTION, i), a->moment + (ptrdiff_t) i * 6, L, 0.5 * a->dt);
-    if (effects & TM_FX_HEAT) out.heat = tm_update_temperature(i, a, m, q.rho, q.yield * q.d_eps * inv_dt, effects);
+    tm_heat_taken taken = {0.0, 0.0, 0.0};
+    if (effects & TM_FX_HEAT)
+      taken = tm_update_temperature(i, a, m, q.rho, q.yield * q.d_eps * inv_dt, compression,
+                                    tm_artificial_heat(artificial, p_half, effects), effects);
+    if (e) tm_update_energy(e, work + (artificial + taken.given) / mass, a->dt);
+    out.heat = taken.heat;
     if (effects & TM_FX_LEDGER) {
       out.plastic = mass * plastic;
       out.plastic_heat = (effects & TM_FX_HEAT) ? m->taylor_quinney * mass * plastic : 0.0;
       out.stress_work = mass * work;
       if (dmg && !failed && dmg[tm_column(1)] > 0.5)
         out.failure = mass * (tm_stored_energy(m, q.rho, q.s, 0) - tm_stored_energy(m, q.rho, q.s, 1));
-      if (e)
+      if (effects & (TM_FX_ENERGY | TM_FX_EXPANSION | TM_FX_COMPRESSION_HEAT))
         out.thermal_pressure =
             -mass * a->dt / rho_half * tm_mat_trace(L) *
-            (tm_damage_pressure(p_half, failed) - tm_damage_pressure(tm_eos_pressure(m, rho_half, 0.0), failed));
+                (tm_damage_pressure(p_half, failed) - tm_damage_pressure(tm_eos_pressure(m, rho_half, 0.0), failed)) -
+            taken.compression;
       out.artificial = artificial;
     }
 
-    const tm_real sound = rec[tm_part(TM_REC_C)];
-    const tm_real xi =
-        (effects & TM_FX_HOURGLASS) ? tm_hourglass_stiffness(a->hourglass, q.s, q.p, q.rho * sound * sound) : 0.0;
     out.dt[TM_DT_SOUND] = tm_sound_time_step(h, sound, a->visc_alpha, xi, effects);
     out.dt[TM_DT_FORCE] = tm_force_time_step(h, sqrt(tm_vec_dot(acc, acc)));
     const double *v = s->v + 3 * (ptrdiff_t) i;
@@ -365,7 +422,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     const tm_real others = (pl ? pl[0] : 0.0) + (e ? *e : 0.0) + (dmg ? dmg[0] + dmg[tm_column(1)] : 0.0);
     out.status = tm_update_status(a, m, &q, v2, rec[tm_part(TM_REC_C)], others, failed);
   } else if (effects & TM_FX_HEAT) {
-    out.heat = tm_update_temperature(i, a, m, m->rho0, 0.0, effects);
+    out.heat = tm_update_temperature(i, a, m, m->rho0, 0.0, 1.0, 0.0, effects).heat;
   }
   if (effects & TM_FX_HEAT) {
     const tm_real T = tm_field_row(s, TM_F_TEMP, i)[0];

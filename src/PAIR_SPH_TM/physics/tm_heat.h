@@ -29,8 +29,31 @@ TM_FN tm_real tm_table_at(const tm_table *a, tm_real T)
 /* k(T), power/(length temperature) */
 TM_FN tm_real tm_conductivity(const tm_material *m, tm_real T) { return tm_table_at(&m->conductivity, T); }
 
-/* c_p(T), energy/(mass temperature) */
-TM_FN tm_real tm_capacity(const tm_material *m, tm_real T) { return tm_table_at(&m->capacity, T); }
+/* Integral of a table over T from a to b: exact, piece by piece. */
+TM_FN tm_real tm_table_integral(const tm_table *table, tm_real a, tm_real b)
+{
+  if (table->n == 0) return table->value * (b - a);
+  const tm_real lo = tm_min(a, b), hi = tm_max(a, b);
+  tm_real sum = 0.0, from = lo;
+  for (int i = 0; i <= table->n && from < hi; i++) {
+    const tm_real to = i < table->n ? tm_min(hi, table->t[i]) : hi;
+    if (to <= from) continue;
+    sum += 0.5 * (tm_table_at(table, from) + tm_table_at(table, to)) * (to - from);
+    from = to;
+  }
+  return b < a ? -sum : sum;
+}
+
+/* What heat per mass and temperature is at the volume of the particle, energy/(mass temperature): the given c_p(T), or
+   the c_v that follows from it where compression heats, c_p - (3 alpha)^2 K T/rho0 (linear, tait; at least c_p/2) or
+   c_p times a constant (shock), see tm_thermoelastic.h. */
+TM_FN tm_real tm_capacity(const tm_material *m, tm_real T)
+{
+  const tm_real cp = tm_table_at(&m->capacity, T);
+  if (!(m->expansion_work > 0.0)) return cp * (1.0 - m->capacity_less);
+  const tm_real alpha = tm_table_at(&m->expansion, T);
+  return tm_max(0.5 * cp, cp - m->expansion_work * alpha * alpha * T);
+}
 
 /* sqrt(k rho c_p), power time^(1/2)/(area temperature). Two half-spaces that are brought together share the heat of
    friction by it, and meet at the mean of their temperatures weighted by it. */
@@ -87,13 +110,13 @@ TM_FN tm_real tm_radiation(tm_real sigma_sb, tm_real emissivity, tm_real T, tm_r
   return sigma_sb * emissivity * (b - a) * (b + a);
 }
 
-/* Rise of temperature by a heat per mass: heat = integral of c_p dT from T. With a table c_p is taken
+/* Rise of temperature by a heat per mass: heat = integral of the capacity from T. Where it varies it is taken
    in the middle of the rise, found by iteration: exact within a segment of the table, so that what
    is given to a particle can be found in it. */
 TM_FN tm_real tm_heat_rise(const tm_material *m, tm_real T, tm_real heat)
 {
   tm_real rise = heat / tm_capacity(m, T);
-  if (m->capacity.n)
+  if (m->capacity.n || m->expansion_work > 0.0)
     for (int it = 0; it < 3; it++) rise = heat / tm_capacity(m, T + 0.5 * rise);
   return rise;
 }

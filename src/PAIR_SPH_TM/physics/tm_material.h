@@ -123,6 +123,10 @@ typedef struct {
   tm_table capacity;      /* c_p(T), energy / (mass temperature) */
   tm_real taylor_quinney; /* share of plastic work that becomes heat, 0..1 */
   tm_real emissivity;     /* for radiation, 0..1 */
+  tm_table expansion;     /* alpha(T) = d(thermal strain)/dT, 1/temperature; not read with a shock equation of state */
+  /* derived, 0 where compression does not heat; see tm_capacity */
+  tm_real capacity_less;  /* shock: 1 - c_v/c_p */
+  tm_real expansion_work; /* linear, tait: 9 K/rho0 */
 } tm_material;
 
 #endif

@@ -11,13 +11,25 @@ struct Name {
   const char *name;
   unsigned bit;
 };
-const Name NAMES[] = {
-    {"viscosity", TM_FX_VISCOSITY},   {"artstress", TM_FX_ARTSTRESS},    {"heat", TM_FX_HEAT},
-    {"conduction", TM_FX_CONDUCTION}, {"plasticity", TM_FX_PLASTICITY},  {"damage", TM_FX_DAMAGE},
-    {"correction", TM_FX_CORRECTION}, {"balsara", TM_FX_BALSARA},        {"xsph", TM_FX_XSPH},
-    {"surface", TM_FX_SURFACE},       {"internal-energy", TM_FX_ENERGY}, {"bodies", TM_FX_BODIES},
-    {"energy", TM_FX_LEDGER},         {"smoothing", TM_FX_SMOOTHING},    {"hourglass", TM_FX_HOURGLASS},
-    {"fracture", TM_FX_FRACTURE}};
+const Name NAMES[] = {{"viscosity", TM_FX_VISCOSITY},
+                      {"artstress", TM_FX_ARTSTRESS},
+                      {"heat", TM_FX_HEAT},
+                      {"conduction", TM_FX_CONDUCTION},
+                      {"plasticity", TM_FX_PLASTICITY},
+                      {"damage", TM_FX_DAMAGE},
+                      {"correction", TM_FX_CORRECTION},
+                      {"balsara", TM_FX_BALSARA},
+                      {"xsph", TM_FX_XSPH},
+                      {"surface", TM_FX_SURFACE},
+                      {"internal-energy", TM_FX_ENERGY},
+                      {"bodies", TM_FX_BODIES},
+                      {"energy", TM_FX_LEDGER},
+                      {"smoothing", TM_FX_SMOOTHING},
+                      {"hourglass", TM_FX_HOURGLASS},
+                      {"fracture", TM_FX_FRACTURE},
+                      {"expansion", TM_FX_EXPANSION},
+                      {"compression-heat", TM_FX_COMPRESSION_HEAT},
+                      {"artificial-heat", TM_FX_ARTIFICIAL_HEAT}};
 }    // namespace
 
 unsigned effect_by_name(const std::string &name)
@@ -71,8 +83,8 @@ struct Reasons {
   const Model &model;
   std::map<unsigned, std::string> why;
   bool every_pair_stored;
-  bool mechanics = false, solid = false, softens = false;
-  std::string conducts = {};    // the first material that does
+  bool mechanics = false, solid = false, softens = false, shock = false;
+  std::string conducts = {}, expands = {}, compresses = {};    // the first material that does, or heats by compression
 
   void on(unsigned bit, const std::string &reason) { why.emplace(bit, reason); }
   bool has(unsigned bit) const { return why.count(bit) > 0; }
@@ -80,6 +92,8 @@ struct Reasons {
   void materials();
   void contacts();
   void settings();
+  void shocks();
+  void conversions();
 };
 
 void Reasons::materials()
@@ -99,8 +113,35 @@ void Reasons::materials()
                                                            : " heats by plastic work"));
     softens = softens || flow == TM_FLOW_THERMAL;
     if (m.damage != TM_DAMAGE_NONE) on(TM_FX_DAMAGE, of_type(t) + " has a damage law");
-    if (m.eos == TM_EOS_SHOCK) on(TM_FX_ENERGY, of_type(t) + " has a shock equation of state");
+    if (m.eos == TM_EOS_SHOCK) {
+      on(TM_FX_ENERGY, of_type(t) + " has a shock equation of state");
+      shock = true;
+      if (m.eos_gamma > 0.0 && compresses.empty()) compresses = of_type(t) + " has a shock equation of state";
+    } else if (m.expansion.n || m.expansion.value > 0.0) {
+      if (expands.empty()) expands = of_type(t) + " has a thermal expansion";
+    }
   }
+}
+
+// shocks heat, where all materials have heat constants
+void Reasons::shocks()
+{
+  for (int t = 1; t <= model.types(); t++)
+    if (!model.materials()[t].heat) return;
+  if (!compresses.empty()) on(TM_FX_HEAT, compresses + " and heats by compression");
+}
+
+// what changes temperatures, or follows from them, where they are a state
+void Reasons::conversions()
+{
+  const Settings &set = model.settings_in_use();
+  if (!has(TM_FX_HEAT)) return;
+  if (!expands.empty()) on(TM_FX_EXPANSION, expands);
+  const std::string of = compresses.empty() ? expands : compresses;
+  if (!of.empty()) on(TM_FX_COMPRESSION_HEAT, of);
+  if (!has(TM_FX_VISCOSITY)) return;
+  if (shock) on(TM_FX_ARTIFICIAL_HEAT, "shocks dissipate by viscosity");
+  else if (set.art_eps <= 0.0) on(TM_FX_ARTIFICIAL_HEAT, "viscosity dissipates");
 }
 
 // friction and conduction between bodies, where all materials have heat constants
@@ -148,6 +189,7 @@ void EffectPlan::derive(const Model &model, int dimension)
   Reasons r{model, {}, every_pair_stored};
   r.materials();
   r.contacts();
+  r.shocks();
   for (const auto &a : asked) r.on(a.first, a.second);
   r.settings();
   for (const auto &n : NAMES)
@@ -156,16 +198,23 @@ void EffectPlan::derive(const Model &model, int dimension)
 
   for (const auto &n : NAMES)
     if (forced_off & n.bit) r.why.erase(n.bit);
+  r.conversions();
+  for (const auto &n : NAMES)
+    if (forced_off & n.bit) r.why.erase(n.bit);
   if (r.has(TM_FX_HEAT) && !r.conducts.empty() && !(forced_off & TM_FX_CONDUCTION)) r.on(TM_FX_CONDUCTION, r.conducts);
 
   // forced on, but what it acts on is off
   contradiction.clear();
-  if ((forced_on & TM_FX_CONDUCTION) && !r.has(TM_FX_HEAT))
-    contradiction = "conduction is forced on, but heat is off; add 'effects heat on' and heat constants";
   if ((forced_on & TM_FX_BALSARA) && !r.has(TM_FX_VISCOSITY))
     contradiction = "balsara is forced on, but there is no viscosity for it to switch";
   if (r.has(TM_FX_CORRECTION) && set.form_f14) contradiction = "correction needs pair_style form f15";
-  if (!r.has(TM_FX_HEAT)) r.why.erase(TM_FX_CONDUCTION);
+  const unsigned of_heat[] = {TM_FX_CONDUCTION, TM_FX_EXPANSION, TM_FX_COMPRESSION_HEAT, TM_FX_ARTIFICIAL_HEAT};
+  for (const unsigned bit : of_heat) {
+    if (r.has(TM_FX_HEAT)) break;
+    if ((forced_on & bit) && contradiction.empty())
+      contradiction = effect_name(bit) + " is forced on, but heat is off; add 'effects heat on' and heat constants";
+    r.why.erase(bit);
+  }
   if (!r.has(TM_FX_VISCOSITY)) r.why.erase(TM_FX_BALSARA);
   heat_reason = r.has(TM_FX_HEAT) ? r.why[TM_FX_HEAT] : "";
 
@@ -197,7 +246,7 @@ void EffectPlan::write_report(const std::map<unsigned, std::string> &why)
   for (const auto &n : NAMES) {
     const auto it = why.find(n.bit);
     std::string line = "sph/tm effect " + std::string(n.name);
-    line.resize(30, ' ');
+    line.resize(32, ' ');
     line += it != why.end() ? "on   " + it->second
                             : std::string("off  ") + ((forced_off & n.bit) ? "forced off in fix sph/tm"
                                                                            : "nothing in the scene calls for it");

@@ -36,6 +36,7 @@ void Model::resize(int types)
   atom_types = types;
   const size_t n = (size_t) types + 1;
   material.assign(n, tm_material{});
+  given = material;
   names.assign(n, "");
   laws.assign(n * n, PairLaw());
 }
@@ -43,8 +44,22 @@ void Model::resize(int types)
 void Model::set_material(int type, const tm_material &m, const std::string &name)
 {
   unit = unit_scale(lmp);
-  material[type] = m;
+  material[type] = given[type] = m;
   names[type] = name;
+}
+
+void Model::set_time_scale(double s)
+{
+  times_as_fast = s;
+  for (size_t t = 0; t < material.size(); t++) {
+    tm_material &m = material[t];
+    m = given[t];
+    if (s == 1.0) continue;
+    m.conductivity.value *= s;
+    for (int k = 0; k < m.conductivity.n; k++) m.conductivity.y[k] *= s;
+    m.jc_rate0 *= s;
+    m.za_rate0 *= s;
+  }
 }
 
 void Model::set_law(int i, int j, const PairLaw &law)
@@ -101,15 +116,16 @@ void Model::make_tables(double temperature)
   most_sides = contact_sides(side);
   bool conducts = false;
   for (int k = 0; k < n * n; k++) {
-    conductance[k] = laws[k].conductance > 0.0 ? laws[k].conductance * lattice.interface * lattice.gradient : 0.0;
+    conductance[k] =
+        laws[k].conductance > 0.0 ? times_as_fast * laws[k].conductance * lattice.interface * lattice.gradient : 0.0;
     conducts = conducts || conductance[k] > 0.0;
     contact[k] = laws[k].contact;
   }
   for (int t = 1; t < n; t++) {
     const tm_material &m = material[t];
     young[t] = m.young;
-    effusivity[t] = m.heat ? tm_effusivity(tm_conductivity(&m, temperature), tm_capacity(&m, temperature), m.rho0)
-                           : 0.0;
+    effusivity[t] =
+        m.heat ? tm_effusivity(tm_conductivity(&m, temperature), tm_table_at(&m.capacity, temperature), m.rho0) : 0.0;
   }
   tables.material.assign(material.data(), n);
   tables.conductance.assign(conductance.data(), conducts ? n * n : 0);
@@ -120,6 +136,12 @@ void Model::make_tables(double temperature)
   std::vector<double> share(settings.art_balanced && settings.art_eps > 0.0 ? TM_GRADIENT_ENTRIES : 0);
   if (!share.empty()) tm_tensile_table(settings.kernel, domain->dimension, settings.art_n, share.data());
   tables.share.assign(share.data(), share.size());
+}
+
+void Model::set_compression_heat(bool heats, double temperature)
+{
+  for (tm_material &m : material) tm_set_compression_heat(&m, heats, temperature);
+  tables.material.assign(material.data(), material.size());
 }
 
 void Model::cover_sizes(double h, double dp)

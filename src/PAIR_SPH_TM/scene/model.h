@@ -57,6 +57,12 @@ class Model : protected LAMMPS_NS::Pointers {
   // before a run: units, sums of the lattice, surface measure; then, with the fix known, tables of the loops
   void prepare();
   void make_tables(double temperature);
+  // the run is so many times as fast as the process: conductivities, conductances and reference rates of strain are
+  // those of its time
+  void set_time_scale(double s);
+  double time_scale() const { return times_as_fast; }
+  // where compression heats: what is left of the heat capacity at constant volume, at this temperature
+  void set_compression_heat(bool heats, double temperature);
   // particles of different size (effect smoothing): smoothing lengths up to h are in the rows, the smallest particle
   // has the edge dp
   void cover_sizes(double h, double dp);
@@ -64,6 +70,7 @@ class Model : protected LAMMPS_NS::Pointers {
   const Settings &settings_in_use() const { return settings; }
   int types() const { return atom_types; }
   const tm_material *materials() const { return material.data(); }
+  const tm_material *given_materials() const { return given.data(); }    // without the time scale
   const char *material_name(int type) const { return names[type].c_str(); }
   const PairLaw &law(int i, int j) const { return laws[i * (atom_types + 1) + j]; }
   const UnitScale &units() const { return unit; }
@@ -111,7 +118,8 @@ class Model : protected LAMMPS_NS::Pointers {
   tm_body_surface of_bodies = {};
   int most_sides = 0;
   int atom_types = 0;
-  std::vector<tm_material> material;    // by type
+  std::vector<tm_material> material, given;    // by type
+  double times_as_fast = 1.0;
   std::vector<std::string> names;
   std::vector<PairLaw> laws;    // by type pair
   std::string file;

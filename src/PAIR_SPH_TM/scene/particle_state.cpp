@@ -41,13 +41,25 @@ void StartTemperatures::set_group(int bit, double T)
   start.n = n + 1;
 }
 
-void StartTemperatures::apply(int n, const int *mask, LoopArray<double> &field)
+int HeldTemperatures::hold(int bit, double T)
+{
+  if (all.n >= TM_HELD_MOST) return -1;
+  all.group[all.n] = bit;
+  all.temperature[all.n] = T;
+  supplied[all.n] = 0.0;
+  return all.n++;
+}
+
+void StartTemperatures::apply(int n, const int *mask, LoopArray<double> &field, LoopArray<double> &unstrained)
 {
   if (start.n == 0) return;
-  double *T = field.host_write();
+  double *T = field.host_write(), *Tu = unstrained.empty() ? nullptr : unstrained.host_write();
   for (int i = 0; i < n; i++)
     for (int g = 0; g < start.n; g++)
-      if (mask[i] & start.bit[g]) T[3 * (size_t) i] = start.of[g];
+      if (mask[i] & start.bit[g]) {
+        if (Tu) Tu[i] += start.of[g] - T[3 * (size_t) i];
+        T[3 * (size_t) i] = start.of[g];
+      }
   start.n = 0;
 }
 
@@ -90,6 +102,7 @@ void ParticleState::derive_effects()
 {
   const Model &m = *used_model;
   plan.derive(m, domain->dimension);
+  used_model->set_compression_heat(has(TM_FX_COMPRESSION_HEAT), temperatures.of_all());
   if (plan.effects & ~TM_FX_PRESENT)
     error->all(FLERR, "Fix sph/tm: this build of the plugin has no effect {} (CMake SPHTM_MINIMAL_EFFECTS)",
                effect_name(plan.effects & ~TM_FX_PRESENT));
@@ -181,7 +194,7 @@ tm_initial_args ParticleState::initial_args(const tm_state &s, unsigned mask) co
 void ParticleState::initialize_new()
 {
   PairLoops::of(backend).initial_of_new(backend, atom->nlocal, initial_args(arrays(), values.mask()), plan.effects);
-  if (has(TM_FX_HEAT)) temperatures.apply(atom->nlocal, atom->mask, values[TM_F_TEMP]);
+  if (has(TM_FX_HEAT)) temperatures.apply(atom->nlocal, atom->mask, values[TM_F_TEMP], values[TM_F_UNSTRAINED]);
 }
 
 void ParticleState::begin_setup()

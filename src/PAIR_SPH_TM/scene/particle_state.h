@@ -10,10 +10,12 @@
 #include "run_clock.h"
 #include "run_history.h"
 #include "step_audit.h"
+#include "tm_conduct.h"
 #include "tm_initial.h"
 #include "tm_start_temperature.h"
 #include "time_step.h"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,6 +35,20 @@ class StepOwner {
   ~StepOwner() = default;
 };
 
+// temperatures that fixes prescribe for the end of a step, for conduction in stages
+class HeldTemperatures {
+ public:
+  void forget() { all.n = 0; }
+  int hold(int group_bit, double T);                              // its number; -1: there are too many
+  double supply(int number) const { return supplied[number]; }    // heat it took in this step, on this rank
+  void take_supply(const tm_real *heat) { std::copy_n(heat, (int) TM_HELD_MOST, supplied); }
+  const tm_held &args() const { return all; }
+
+ private:
+  tm_held all = {};
+  double supplied[TM_HELD_MOST] = {};
+};
+
 // power (mass length^2/time^3) given to owned particles this step by contact and heat fixes; added to in post_force,
 // taken in final_integrate, which leaves 0
 class HeatSource : public LoopArray<double> {
@@ -40,6 +56,7 @@ class HeatSource : public LoopArray<double> {
   using LoopArray<double>::LoopArray;
   void grow(bool wanted, int nmax);
   void set_zero(Backend &, bool wanted, int nmax);
+  HeldTemperatures held;
 };
 
 // with what temperatures particles start, and stay at without the effect heat
@@ -49,7 +66,8 @@ class StartTemperatures {
   const tm_start_temperatures &all() const { return start; }
   void set_all(double T) { start.of_all = T; }
   void set_group(int bit, double T);                          // at the next set-up
-  void apply(int n, const int *mask, LoopArray<double> &);    // those of groups to the state, once
+  // those of groups to the state, once: temperatures and, unless empty, those without thermal strain, which go along
+  void apply(int n, const int *mask, LoopArray<double> &, LoopArray<double> &unstrained);
 
  private:
   tm_start_temperatures start = {293.15, 0, {}, {}};

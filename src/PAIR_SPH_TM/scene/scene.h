@@ -3,6 +3,7 @@
 #ifndef SPHTM_SCENE_H
 #define SPHTM_SCENE_H
 
+#include "conduction.h"
 #include "model.h"
 #include "neighbor_rows.h"
 #include "particle_state.h"
@@ -30,6 +31,7 @@ class Scene {
   Model &model() const { return *pair.model; }
   NeighborRows &rows() const { return *pair.rows; }
   StepResults &results() const { return *pair.results; }
+  Conduction &conduction() const { return *pair.conduction; }
   bool has_pair() const { return pair.model != nullptr; }
 
   // between runs: is what `known` holds that of this run, set up and with its pair style?
@@ -37,10 +39,14 @@ class Scene {
   // the same as an error in the name of the style: its values are not current
   void check_current(ParticleState *known, const std::string &style) const;
 
+  // how many times as fast as the process the run is, of fix sph/tm
+  void set_time_scale(double s) { times_as_fast = s; }
+  double time_scale() const { return times_as_fast; }
+
   // owners enter and leave
   void enter(ParticleState *s) { states.push_back(s); }
   void leave(ParticleState *s);
-  void enter(Model *m, NeighborRows *r, StepResults *s) { pair = {m, r, s}; }
+  void enter(Model *m, NeighborRows *r, StepResults *s, Conduction *c) { pair = {m, r, s, c}; }
   void leave(Model *m);
   void bind();    // pair style sph/tm, at its init: it works with this state
   bool is_bound() const { return bound && bound == state(); }
@@ -69,8 +75,10 @@ class Scene {
     Model *model = nullptr;
     NeighborRows *rows = nullptr;
     StepResults *results = nullptr;
+    Conduction *conduction = nullptr;
   } pair;
   const ParticleState *bound = nullptr;
+  double times_as_fast = 1.0;
   Adaptation adapt;
   std::vector<ContactProbe *> probes;
 };

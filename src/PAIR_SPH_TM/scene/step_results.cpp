@@ -50,7 +50,7 @@ void StepResults::resize(const ParticleState &state)
   hourglass_rate.make_room(state.has(TM_FX_HOURGLASS), own * 3);
   surface.make_room(state.has(TM_FX_SURFACE), own * 3);
   sides.make_room(state.has(TM_FX_BODIES), all * TM_BODY_SIDE * model.sides());
-  artificial.make_room(state.has(TM_FX_LEDGER) || state.has(TM_FX_ENERGY), own);
+  artificial.make_room(state.has(TM_FX_LEDGER) || state.has(TM_FX_ENERGY) || state.has(TM_FX_ARTIFICIAL_HEAT), own);
   force_internal.make_room(state.has(TM_FX_LEDGER), own * 3);
   take_up_ghosts();
   rec.correction = rec_correction.loop_write();
@@ -267,7 +267,9 @@ std::map<unsigned, double> StepResults::bytes_by_effect(unsigned effects) const
   bytes[TM_FX_SURFACE] = surface.bytes();
   bytes[TM_FX_BODIES] = sides.bytes() + ahead.bytes();
   bytes[TM_FX_LEDGER] = force_internal.bytes();
-  bytes[effects & TM_FX_LEDGER ? TM_FX_LEDGER : TM_FX_ENERGY] += artificial.bytes();
+  bytes[effects & TM_FX_LEDGER   ? TM_FX_LEDGER
+        : effects & TM_FX_ENERGY ? TM_FX_ENERGY
+                                 : TM_FX_ARTIFICIAL_HEAT] += artificial.bytes();
   return bytes;
 }
 

@@ -2,6 +2,7 @@
 
 #include "model.h"
 #include "particle_state.h"
+#include "tm_rkl.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -26,7 +27,11 @@ static const char *const CAUSES[TM_DT_CAUSES] = {"sound speed",       "accelerat
 
 TimeStep::TimeStep(LAMMPS *lmp, ParticleState &s) : Pointers(lmp), state(s) { clear(); }
 
-void TimeStep::clear() { std::fill(limits, limits + TM_DT_CAUSES, 1e300); }
+void TimeStep::clear()
+{
+  std::fill(limits, limits + TM_DT_CAUSES, 1e300);
+  my_conduction = 1e300;
+}
 
 void TimeStep::init()
 {
@@ -44,6 +49,13 @@ void TimeStep::restore(double now, double next, int cause)
 
 /* ---------------------------------------------------------------------- limits */
 
+// the longest step of conduction over that of one evaluation, which is half the one by the decay rate: see tm_rkl.h
+static double stages_bear(bool stages)
+{
+  constexpr int MOST_STAGES = 999;
+  return stages ? 2.0 * tm_rkl_range(MOST_STAGES) : 1.0;
+}
+
 void TimeStep::limit(double value, int cause, const Fix *by)
 {
   if (value >= limits[cause]) return;
@@ -53,7 +65,8 @@ void TimeStep::limit(double value, int cause, const Fix *by)
 
 void TimeStep::limit(const tm_real *of_particles)
 {
-  for (int k = 0; k < 3; k++) limit(of_particles[k], k);
+  for (int k = 0; k < 3; k++) limit((k == TM_DT_CONDUCTION ? stages_bear(has_stages()) : 1.0) * of_particles[k], k);
+  if (has_stages()) my_conduction = std::min(my_conduction, (double) of_particles[TM_DT_CONDUCTION]);
 }
 
 void TimeStep::limit_by_bodies()
@@ -86,11 +99,12 @@ double TimeStep::of_size(int i, double h)
   const tm_material *m = model.materials() + atom->type[i];
   const double rho = state.field(TM_F_RHO)[i], *e = state.field(TM_F_ENERGY), T = state.temperature(i);
   const Settings &set = model.settings_in_use();
-  double value = courant * tm_sound_time_step(h, tm_eos_sound_speed(m, rho, e ? e[i] : 0.0), set.visc_alpha,
-                                              set.hourglass, state.effects());
+  double value = courant * tm_sound_time_step(h, tm_eos_sound_speed(m, rho, e ? e[3 * (size_t) i] : 0.0),
+                                              set.visc_alpha, set.hourglass, state.effects());
   if (state.has(TM_FX_CONDUCTION))
     value =
-        std::min(value, tm_conduction_time_step(m, rho, T, h, model.largest_conductivity(), model.fastest_heat_rate()));
+        std::min(value, stages_bear(has_stages()) * tm_conduction_time_step(m, rho, T, h, model.largest_conductivity(),
+                                                                            model.fastest_heat_rate()));
   return value;
 }
 
@@ -105,6 +119,7 @@ void TimeStep::lower_next(double value)
 
 void TimeStep::begin_setup()
 {
+  in_stages = false;
   dt_ahead = 0.0;
   dt = fixed > 0.0 ? fixed : (dt_next > 0.0 ? dt_next : 0.0);
   if (dt == 0.0) dt = of_sound_speed();
@@ -119,6 +134,7 @@ void TimeStep::end_setup(bool first)
     check_fixed(all);
   }
   dt_largest = first ? 0.0 : dt_next;
+  MPI_Allreduce(&my_conduction, &of_conduction, 1, MPI_DOUBLE, MPI_MIN, world);
   if (first || dt_next <= 0.0) {
     reduce();
     if (first && comm->me == 0) {
@@ -128,6 +144,9 @@ void TimeStep::end_setup(bool first)
                      atom->natoms, state.start_temperatures().of_all());
       utils::logmesg(lmp, "sph/tm: time step {:.6g}, limited by {}; rate loops: {}\n", fixed > 0.0 ? fixed : dt_next,
                      CAUSES[dt_cause], state.loops().name());
+      if (fixed <= 0.0 && has_stages() && dt_cause == TM_DT_CONDUCTION && !limited_by[dt_cause])
+        utils::logmesg(lmp, "sph/tm: without mechanics the time step grows with the time: end the run at a time "
+                            "(fix halt), or give 'dt'\n");
     }
   } else {    // a run that goes on keeps its step, unless a tool became stiffer or faster
     dt_next = std::min({dt_next, limits[TM_DT_CONTACT], limits[TM_DT_MOTION]});
@@ -142,26 +161,47 @@ void TimeStep::begin_step()
   apply(dt, update->ntimestep - 1);    // this step is counted already
   clear();                             // those of the set-up are in use
   dt_ahead = 0.5 * dt;
+  in_stages = has_stages() && dt > (1.0 + 1e-9) * of_conduction;
 }
 
 void TimeStep::end_step()
 {
-  if (fixed <= 0.0) reduce();
-  else check_fixed(limits);
+  if (fixed <= 0.0) {
+    reduce();
+    return;
+  }
+  check_fixed(limits);
+  if (has_stages() && state.has(TM_FX_CONDUCTION))
+    MPI_Allreduce(&my_conduction, &of_conduction, 1, MPI_DOUBLE, MPI_MIN, world);
+}
+
+// With mechanics heat follows their step. Else the step grows from the one of a single evaluation, as long as its error
+// stays below the tolerance: of second order, so the error goes with the square of the step.
+double TimeStep::longest_conduction(bool mechanics) const
+{
+  if (mechanics || of_conduction >= 1e299) return 1e300;
+  if (dt_next <= 0.0) return of_conduction;
+  const double share = heat_error > 0.0 ? sqrt(heat_tolerance / heat_error) : 1e300;
+  return std::max(of_conduction, std::min(1.02, share) * dt);
 }
 
 void TimeStep::reduce()
 {
   limit_by_bodies();
-  double mine[TM_DT_CAUSES], all[TM_DT_CAUSES];
+  double mine[TM_DT_CAUSES + 1], all[TM_DT_CAUSES + 1];
   std::copy_n(limits, (int) TM_DT_CAUSES, mine);
+  mine[TM_DT_CAUSES] = my_conduction;
   mine[TM_DT_SOUND] *= courant;
   mine[TM_DT_FORCE] *= courant;
   mine[TM_DT_MAXIMUM] = most > 0.0 ? most : 1e300;
   {
     const auto timed = state.clock().timed(RunClock::COMMUNICATION);
-    MPI_Allreduce(mine, all, TM_DT_CAUSES, MPI_DOUBLE, MPI_MIN, world);
+    MPI_Allreduce(mine, all, TM_DT_CAUSES + 1, MPI_DOUBLE, MPI_MIN, world);
   }
+  of_conduction = all[TM_DT_CAUSES];
+  if (has_stages())
+    all[TM_DT_CONDUCTION] = std::min(all[TM_DT_CONDUCTION], longest_conduction(all[TM_DT_SOUND] < 1e299));
+  heat_error = -1.0;
   dt_cause = (int) (std::min_element(all, all + TM_DT_CAUSES) - all);
   double next = all[dt_cause];
   if (next >= 1e300) next = update->dt;

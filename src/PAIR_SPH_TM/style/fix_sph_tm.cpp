@@ -47,6 +47,7 @@ FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg, Backend &loops, std::uniqu
   extvector = 0;
   dynamic_group_allow = 0;
 
+  scene->set_time_scale(1.0);
   read_keywords(Keywords(lmp, "Fix sph/tm", narg - 3, arg + 3));
   maxexchange = state.fields().columns();
   lost = (int *) state.loops().allocate_result(sizeof(int));
@@ -131,6 +132,7 @@ void FixSPHTM::initial_integrate(int)
   state.history().begin();
   scene->results().begin_step();
   state.time_step().begin_step();
+  state.source().held.forget();
   const auto timed = state.clock().timed(RunClock::DRIFT);
   if (source_of_setup) state.source().set_zero(state.loops(), state.has(TM_FX_HEAT), atom->nmax);
   source_of_setup = false;
@@ -160,6 +162,10 @@ void FixSPHTM::post_neighbor()
 // the state at n+1
 void FixSPHTM::final_integrate()
 {
+  if (state.time_step().conducts_in_stages()) {
+    const auto timed = state.clock().timed(RunClock::THERMAL);
+    scene->conduction().advance(state);
+  }
   const tm_update_result sum = [this] {
     const auto timed = state.clock().timed(RunClock::UPDATE);
     tm_update_args args = update_args(state, scene->results());

@@ -47,7 +47,10 @@ bool FixSPHTM::read_setting(Keywords &k)
   if (k.is("courant")) step.set_courant(k.within(0.0, 1.0));
   else if (k.is("dt")) step.set_fixed(k.take("auto") ? 0.0 : k.positive());
   else if (k.is("dt/max")) step.set_most(k.positive());
-  else if (k.is("lost")) stop_on_lost = !k.second("error", "ignore");
+  else if (k.is("conduction")) {
+    const bool stages = k.second("explicit", "rkl2");
+    step.set_conduction(stages, stages && k.number_ahead() ? k.positive() : TimeStep::HEAT_TOLERANCE);
+  } else if (k.is("lost")) stop_on_lost = !k.second("error", "ignore");
   else if (k.is("temperature/max")) stops.set_hottest(k.positive());
   else if (k.is("density/max")) {
     const double densest = k.positive();
@@ -63,6 +66,7 @@ void FixSPHTM::read_keywords(Keywords &&k)
   while (k.next()) {
     if (k.is("temperature")) state.start_temperatures().set_all(k.positive());
     else if (read_setting(k)) continue;
+    else if (k.is("time/scale")) scene->set_time_scale(k.positive());
     else if (k.is("state")) begin_anew = k.second("keep", "new");
     else if (k.is("energy")) {
       if (k.yes()) state.effect_plan().force(TM_FX_LEDGER, true);
@@ -76,8 +80,8 @@ void FixSPHTM::read_keywords(Keywords &&k)
       size_vector = EnergyReport::ENTRIES + (meter ? AccuracyMeter::CAUSES + 1 : 0);
     } else if (k.is("effects")) read_effect(lmp, k, state.effect_plan());
     else
-      k.unknown("temperature, temperature/max, density/max, courant, dt, dt/max, energy, "
-                "energy/drift, lost, state, table, "
+      k.unknown("temperature, temperature/max, density/max, courant, dt, dt/max, conduction, energy, "
+                "energy/drift, lost, state, time/scale, table, "
                 "audit, effects");
   }
   if (const unsigned both = state.effect_plan().contradicting())

@@ -24,7 +24,8 @@ using namespace SPHTM_NS;
 
 PairSPHTM::PairSPHTM(LAMMPS *lmp, Backend &where) :
     Pair(lmp), backend(where), loops(PairLoops::of(where)), scene(Scene::of(lmp)), model(lmp, where),
-    rows(new NeighborRows(lmp, this, where, model)), results(lmp, where, model), restart(new ModelRestart(lmp))
+    rows(new NeighborRows(lmp, this, where, model)), results(lmp, where, model), conduction(lmp, this, where, results),
+    restart(new ModelRestart(lmp))
 {
   restartinfo = 1;
   single_enable = 0;
@@ -34,7 +35,7 @@ PairSPHTM::PairSPHTM(LAMMPS *lmp, Backend &where) :
   centroidstressflag = CENTROID_NOTAVAIL;
   // the most a record can hold: Comm::init() sizes its buffers by it, before the effects are known
   comm_forward = TM_REC - 3 + TM_REC_STRESS + TM_REC_HEAT + TM_REC_SIZE + TM_REC_STAB;
-  scene->enter(&model, rows.get(), &results);
+  scene->enter(&model, rows.get(), &results, &conduction);
 }
 
 PairSPHTM::~PairSPHTM()
@@ -101,6 +102,7 @@ void PairSPHTM::init_style()
   set_skin(lmp, model);
   check_bins(lmp, model);
   rows->init(*state, scene->adaptation().rows);
+  model.set_time_scale(scene->time_scale());
   model.make_tables(state->start_temperatures().of_all());
   if (!rows->source()) neighbor->add_request(this, NeighConst::REQ_FULL);
 }
@@ -184,6 +186,7 @@ void PairSPHTM::compute(int eflag, int vflag)
   state->owner().begin_forces();
   const bool renewed = neighbor->ago == 0;
   RowSource *source = rows->source();
+  state->time_step().set_stages_possible(!source || !source->has_tl());
   if (!source && (renewed || !rows->cover(atom->nlocal))) {
     const auto timed = state->clock().timed(RunClock::ROWS);
     rows->build(list, state->has(TM_FX_CONDUCTION));
@@ -201,7 +204,9 @@ void PairSPHTM::compute(int eflag, int vflag)
   rates(s, args);
   tm_rates_args others = args;
   if (source) others.rows = source->others();
-  if (state->has(TM_FX_CONDUCTION) && model.has_thermal_pairs()) {
+  conduction.set_rows(args.rows, others.rows);
+  const bool counts = !state->time_step().conducts_in_stages() || state->has(TM_FX_SURFACE);
+  if (counts && state->has(TM_FX_CONDUCTION) && model.has_thermal_pairs()) {
     const auto timed = state->clock().timed(RunClock::THERMAL);
     loops.thermal(backend, atom->nlocal, others, state->effects());
   }

@@ -43,6 +43,7 @@ class PairSPHTM : public Pair {
   SPHTM_NS::Model model;
   std::unique_ptr<SPHTM_NS::NeighborRows> rows;
   SPHTM_NS::StepResults results;
+  SPHTM_NS::Conduction conduction;
   SPHTM_NS::ParticleState *state = nullptr;    // of fix sph/tm, from init_style on
   virtual void take_ghost_positions();         // into their records
 

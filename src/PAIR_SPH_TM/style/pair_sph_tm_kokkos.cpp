@@ -19,7 +19,7 @@ using namespace SPHTM_NS;
 PairSPHTMKokkos::PairSPHTMKokkos(LAMMPS *lmp) : PairSPHTM(lmp, kokkos_backend())
 {
   rows = std::make_unique<NeighborRowsKokkos>(lmp, this, backend, model);
-  scene->enter(&model, rows.get(), &results);
+  scene->enter(&model, rows.get(), &results, &conduction);
   kokkosable = 1;
   fuse_force_clear_flag = 1;
   atomKK = (AtomKokkos *) atom;
