@@ -26,9 +26,9 @@ checks.below("rms of the same", rms, 0.025)
 checks.note("profile, all the way to the notch", "%.3f" % whole)
 with open(os.path.join(EXAMPLE, "ligament.csv")) as f:
     wanted = float(f.read().split("mean strain: ")[1].split()[0])
-checks.near("mean stress of the ligament over E times strain", stiffness, wanted, relative=0.08)
+checks.near("mean stress of the ligament over E times strain", stiffness, wanted, relative=0.07)
 (bad, _, _), _, _, _ = errors(options="artstress 0.3 4 correction yes viscosity 0.3 0")
-checks.above("counter-case, artificial stress: profile off by", bad, 0.2)
+checks.above("counter-case, artificial stress: profile off by", bad, 0.3)
 # Refined where the stress is high: the force stays. At this spacing the border of the two sizes costs more than the fine
 # particles gain: 0.098 when this was written, 0.031 at the spacing of the scene.
 (off, off_rms, _), refined, end, _ = errors(adapt=scene.REFINE % scene.WIDE)
