@@ -14,10 +14,10 @@ from sphtm_scene import read_dump                                               
 L, W = 0.05, 12.5e-3
 # S13: edge of the square 0.5 of the spacing; the keyword takes smoothing lengths, 1.2 spacings
 REFINE = "refine square epsilon 0.41667 alpha 0.6 velocity linear when f_strain[1] above 0.04 every 200"
-BARE, SOFT = "viscosity 1 1 artstress 0 4", "viscosity 0.5 0.5 correction yes artstress "
-RESISTED = "viscosity 1 1 artstress 0.3 4 balanced hourglass 0.02"
-ELASTIC = {"options": SOFT + "0 4", "sag": 0}
-ELASTIC_RESISTED = {"options": SOFT + "0.3 4 balanced hourglass 0.02", "sag": 0}
+BARE = "viscosity 1 1 hourglass 0 correction no"
+RESISTED = "artstress 0.3 4 balanced hourglass 0.02"
+DEFAULT = "stabilize hourglass"    # of the pair style
+ELASTIC, ELASTIC_RESISTED = {"options": "hourglass 0", "sag": 0}, {"options": DEFAULT, "sag": 0}
 
 
 def bent(options, **more):
@@ -26,7 +26,8 @@ def bent(options, **more):
 
 ROWS = {"elastic": ELASTIC, "elastic_resisted": ELASTIC_RESISTED,
         "unrefined_bare": bent(BARE), "refined_bare": bent(BARE, adapt=REFINE),
-        "unrefined": bent(RESISTED), "refined": bent(RESISTED, adapt=REFINE)}
+        "unrefined": bent(RESISTED), "refined": bent(RESISTED, adapt=REFINE),
+        "unrefined_default": bent(DEFAULT), "refined_default": bent(DEFAULT, adapt=REFINE)}
 
 
 def elastic_profile(result, rows, at=0.5):

@@ -38,7 +38,8 @@ dump_modify     d sort id format float %.17g
 run             0 post no
 """
 OUT = " ".join("f_body[%d]" % k for k in range(16, 17 + len(NAMES)))
-ALL_ON = "correction yes xsph 0.5"
+ALL_ON = "artstress 0.3 4 hourglass auto correction yes xsph 0.5"
+NONE = "viscosity 0 0 hourglass 0 correction no"    # no artificial term
 DX = 1e-3
 checks = Checks()
 
@@ -88,8 +89,7 @@ checks.true("exactly 0 with threshold 0", share[0] == 0.0)
 checks.true("grows with the threshold", all(np.diff(share) >= 0) and 0 < share[2] < share[3] < share[4], str(share))
 
 # each cause
-off = "viscosity 0 0 artstress 0 4"
-m = meter(scene(options=off, fix="effects conduction off"))
+m = meter(scene(options=NONE, fix="effects conduction off"))
 for name in "viscosity artstress correction xsph conduction smoothing".split():
     checks.above("seen where it is off: " + name, m[name].max(), 1e-4)
 for name in "rows", "precision":
@@ -99,7 +99,7 @@ m = meter(full)
 checks.above("lengths that do not follow the density", m["smoothing"].max(), 1e-5)
 for name in "rows precision viscosity artstress correction xsph conduction".split():
     checks.true("in use, no difference: " + name, not m[name].any(), str(m[name].max()))
-for name, options in (("viscosity", "viscosity 0 0"), ("artstress", "artstress 0 4"), ("xsph", ""), ("correction", "")):
+for name, options in (("viscosity", "viscosity 0 0"), ("artstress", ""), ("xsph", ""), ("correction", "correction no")):
     m = meter(scene(options=options))
     checks.above("off alone: " + name, m[name].max(), 1e-4)
 m = meter(scene(options="precision mixed"))
@@ -115,15 +115,15 @@ on = meter(scene(options="viscosity 0.7 0.7 artstress 0.3 4 hourglass 0.02 xsph 
 for name in ON:
     checks.above("added, " + name, on[name].max(), 1e-4)
 checks.true("rows are not stale with hourglass control", not on["rows"].any(), str(on["rows"]))
-m = meter(scene(options="viscosity 0 0 artstress 0 4"))
+m = meter(scene(options=NONE))
 for name in ON:
     checks.true("nothing is added: " + name, not m[name].any(), str(m[name]))
 # the same difference, seen from the run without: what it would add. At the first audit both runs are at the same place,
 # so it is the run of one step
 one = dict(steps=1, audit="audit 1 1000")
-with_it, without = (meter(scene(options="viscosity 0 0 artstress %g 4" % eps, **one)) for eps in (0.3, 0))
+with_it, without = (meter(scene(options=NONE + " artstress %g 4" % eps, **one)) for eps in (0.3, 0))
 checks.note("artificial stress that is on, that is off", "%.4g %.4g" % (with_it["on artstress"][-1], without["artstress"][-1]))
-twice = [meter(scene(options="viscosity %g %g artstress 0 4" % (a, a), **one))["on viscosity"][-1] for a in (1e-3, 2e-3)]
+twice = [meter(scene(options="viscosity %g %g" % (a, a), **one))["on viscosity"][-1] for a in (1e-3, 2e-3)]
 checks.near("viscosity: twice the coefficient adds twice as much", twice[1] / twice[0], 2, relative=0.02)
 balanced = scene(options="viscosity 0 0 artstress 0.3 4 balanced")
 checks.above("balanced artificial stress adds too", meter(balanced)["on artstress"].max(), 1e-5)
@@ -133,19 +133,20 @@ checks.true("the table has a line for what is on", "artificial: artstress" in ba
 # the table at the end
 text = full.output.split("audits: ")[-1]
 checks.true("the table names what differs", "smoothing length" in text and "no viscosity" not in text, text)
-text = scene(options=off, lists="threshold 1e-3").output.split("audits: ")[-1]
+text = scene(options=NONE, lists="threshold 1e-3").output.split("audits: ")[-1]
 for line in ("stale rows", "no viscosity", "no artstress", "no correction", "no xsph", "all of them"):
     checks.true("a line for: " + line, line in text)
 
 # ranks, skin; the run itself stays what it is
 for name, arguments in (("2D", {}), ("3D", dict(dim=3, steps=40)), ("periodic", dict(periodic=True)),
-                        ("kept rows", dict(lists="threshold 1e-3"))):
-    one = meter(scene(options=off, **arguments))
+                        ("kept rows", dict(lists="threshold 1e-3")), ("default", dict(options=""))):
+    arguments = dict({"options": NONE}, **arguments)
+    one = meter(scene(**arguments))
     several = [("2 ranks", dict(ranks=2)), ("another skin", dict(skin="neighbor 8e-4 bin"))]
     if name == "2D":
         several.append(("4 ranks", dict(ranks=4, processors="processors 2 2 1")))
     for what, change in several:
-        m = meter(scene(options=off, **dict(arguments, **change)))
+        m = meter(scene(**dict(arguments, **change)))
         worst = max(np.abs(m[k] - one[k]).max() for k in NAMES)
         checks.below("%s, %s: largest difference" % (name, what), worst, 1e-9)
 

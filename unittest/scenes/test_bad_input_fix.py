@@ -100,6 +100,6 @@ wrong("energy/drift of nothing", fix("energy/drift -1"), F, "energy/drift")
 wrong("state of another kind", fix("state old"), F, "state", "keep", "new")
 fine("effects forced on that have no use", fix("effects damage on effects surface on effects xsph on"))
 fine("everything off",
-     dict(style("hyperbolic 1.2 spacing 1e-3 viscosity 0 0 artstress 0 4"), **fix("effects heat off")))
+     dict(style("hyperbolic 1.2 spacing 1e-3 viscosity 0 0 hourglass 0 correction no"), **fix("effects heat off")))
 
 run_all()

@@ -31,6 +31,7 @@ STEEL = "strength johnson/cook 792e6 510e6 0.26 0.014 1.03 298 1793 1"
 HEAT = "heat 38 477 0.9"
 ALL = ("viscosity artstress heat conduction plasticity damage correction balsara xsph surface internal-energy bodies energy "
        "smoothing hourglass fracture expansion compression-heat artificial-heat").split()
+NONE = "viscosity 0 0 hourglass 0 correction no"    # no artificial term
 STEP = "dt 5e-8 "    # the coefficient of the viscosity, on or off, is part of the automatic step
 checks = Checks()
 
@@ -65,30 +66,41 @@ def expect(name, result, on):
 
 
 # --- what each kind of scene turns on
-plain = {"viscosity", "artstress", "fracture"}
+plain = {"viscosity", "hourglass", "correction", "fracture"}
+old = {"viscosity", "artstress", "fracture"}
+heated = {"heat", "conduction", "artificial-heat"}
 elastic = scene("strength elastic")
 plastic = scene(YIELDS)
 johnson_cook = scene(STEEL + " " + HEAT)
 expect("elastic", elastic, plain)
 lines = expect("plastic", plastic, plain | {"plasticity"})
 checks.true("plastic: the reason names the type", "type 1" in lines["plasticity"][1], lines["plasticity"][1])
-expect("plastic, heat constants", scene(YIELDS + " " + HEAT), plain | {"plasticity", "heat", "conduction"})
+expect("plastic, heat constants", scene(YIELDS + " " + HEAT), plain | {"plasticity"} | heated)
 expect("plastic, heat constants, chi 0", scene(YIELDS + " heat 38 477 0"), plain | {"plasticity"})
 expect("Johnson-Cook, no heat constants", scene(STEEL), plain | {"plasticity"})
-lines = expect("Johnson-Cook", johnson_cook, plain | {"plasticity", "heat", "conduction"})
+lines = expect("Johnson-Cook", johnson_cook, plain | {"plasticity"} | heated)
 checks.true("Johnson-Cook: the reason of heat", "plastic work" in lines["heat"][1], lines["heat"][1])
-expect("no conductivity", scene(STEEL + " heat 0 477 0.9"), plain | {"plasticity", "heat"})
+expect("no conductivity", scene(STEEL + " heat 0 477 0.9"), plain | {"plasticity", "heat", "artificial-heat"})
 expect("damage, shock", scene(STEEL + " eos shock 4570 1.49 1.9 damage strain 1.0"),
        plain | {"plasticity", "damage", "internal-energy"})
 expect("thermal expansion", scene(YIELDS + " expansion 1.2e-5 " + HEAT),
-       plain | {"plasticity", "heat", "conduction", "expansion", "compression-heat"})
+       plain | {"plasticity", "expansion", "compression-heat"} | heated)
 expect("shock, heat constants", scene("strength elastic eos shock 4570 1.49 1.9 " + HEAT),
-       plain | {"heat", "conduction", "internal-energy", "compression-heat", "artificial-heat"})
-expect("heat, no artificial stress", scene(YIELDS + " " + HEAT, "artstress 0 4"),
-       {"viscosity", "plasticity", "heat", "conduction", "artificial-heat"})
-expect("all settings", scene("strength elastic", "balsara yes xsph 0.1 correction yes hourglass 0.02", "energy yes"),
-       plain | {"balsara", "xsph", "correction", "energy", "hourglass"})
-expect("nothing artificial", scene("strength elastic", "viscosity 0 0 artstress 0 4"), {"fracture"})
+       plain | {"internal-energy", "compression-heat"} | heated)
+expect("heat, artificial stress", scene(YIELDS + " " + HEAT, "stabilize artstress"),
+       old | {"plasticity", "heat", "conduction"})
+expect("all settings",
+       scene("strength elastic", "balsara yes xsph 0.1 artstress 0.3 4 correction yes hourglass auto", "energy yes"),
+       plain | {"artstress", "balsara", "xsph", "energy"})
+for options in "stabilize artstress", "artstress 0.3 4", "form f14":
+    expect(options, scene("strength elastic", options), old)
+expect("nothing artificial", scene("strength elastic", NONE), {"fracture"})
+a, b, c = (end(scene(YIELDS, options, STEP)) for options in
+           ("stabilize artstress", "artstress 0.3 4", "viscosity 1 1 artstress 0.3 4 hourglass 0 correction no"))
+checks.true("stabilize artstress: the results of its single settings, every digit", a == b == c)
+a, b = (end(scene(YIELDS, options, STEP)) for options in
+        ("", "viscosity 0 1 balsara no artstress 0 4 hourglass auto correction yes xsph 0 stabilize hourglass"))
+checks.true("the default: the results of its single settings, every digit", a == b)
 
 # --- forced off: a warning where the scene needs it, and the results of a scene that never asks
 for effect, scene_with, scene_without, warns in (
@@ -97,11 +109,14 @@ for effect, scene_with, scene_without, warns in (
         ("plasticity", (YIELDS, ""), ("strength elastic", ""), True),
         ("damage", (STEEL + " damage strain 0.01", ""), (STEEL, ""), True),
         ("viscosity", (YIELDS, ""), (YIELDS, "viscosity 0 0"), False),
-        ("artstress", (YIELDS, ""), (YIELDS, "artstress 0 4"), False),
+        ("artstress", (YIELDS, "stabilize artstress"), (YIELDS, "stabilize artstress artstress 0 4"), False),
+        ("artstress", (YIELDS, "artstress 0.3 4 hourglass auto correction yes"), (YIELDS, "viscosity 1 1"), False),
         ("balsara", (YIELDS, "balsara yes"), (YIELDS, ""), False),
         ("xsph", (YIELDS, "xsph 0.1"), (YIELDS, ""), False),
-        ("correction", (YIELDS, "correction yes"), (YIELDS, ""), False),
-        ("hourglass", (YIELDS, "hourglass 0.02"), (YIELDS, ""), False)):
+        ("correction", (YIELDS, ""), (YIELDS, "correction no"), False),
+        ("correction", (YIELDS, "hourglass 0"), (YIELDS, "hourglass 0 correction no"), False),
+        ("hourglass", (YIELDS, ""), (YIELDS, "hourglass 0"), False),
+        ("hourglass", (YIELDS, "hourglass 0.02 correction no"), (YIELDS, "hourglass 0 correction no"), False)):
     asked = scene(*scene_with, STEP)
     off = scene(*scene_with, STEP + "effects %s off" % effect)
     without = scene(*scene_without, STEP)
@@ -111,6 +126,10 @@ for effect, scene_with, scene_without, warns in (
                 any(effect + " is forced off" in w for w in off.warnings()) == warns, "; ".join(off.warnings()))
     checks.true(effect + " off: the results of a scene without, every digit", end(off) == end(without))
     checks.true(effect + " on: other results, so the scene has a use for it", end(asked) != end(without))
+
+counted, off = scene(YIELDS, "", STEP), scene(YIELDS, "", STEP + "effects fracture off")
+checks.true("fracture off: the line", effects(off)["fracture"] == (False, "forced off in fix sph/tm"))
+checks.true("fracture is counted: the same results, every digit", end(counted) == end(off))
 
 # --- forced on: no results change where there is nothing to act on; contradictions are refused
 for effect, material in (("heat", "strength elastic heat 0 477 0.9"), ("conduction", "strength elastic " + HEAT),
@@ -135,29 +154,34 @@ for fix, words in (("effects conduction on", "heat is off"), ("effects warmth on
     checks.true(fix + ": refused", refused.status != 0 and words in refused.errors(), refused.errors())
 
 # --- memory: what is off takes none. 20 000 particles; a column of doubles is atom->nmax * 8 bytes
-bare_elastic = scene("strength elastic", "viscosity 0 0 artstress 0 4", text=BIG)
+bare_elastic = scene("strength elastic", NONE, text=BIG)
 for name, columns, arguments in (
         # at least the columns of the state (tm_fields.h) and of the records and rates
-        ("artstress", 6, ("strength elastic", "viscosity 0 0")),
-        ("plasticity", 3, (YIELDS, "viscosity 0 0 artstress 0 4")),
-        ("heat", 3, (YIELDS + " heat 0 477 0.9", "viscosity 0 0 artstress 0 4")),
-        ("damage", 2, (YIELDS + " damage strain 1", "viscosity 0 0 artstress 0 4")),
-        ("correction", 9 + 6, ("strength elastic", "viscosity 0 0 artstress 0 4 correction yes")),
-        ("balsara", 1, ("strength elastic", "viscosity 1 1 artstress 0 4 balsara yes")),
-        ("xsph", 3, ("strength elastic", "viscosity 0 0 artstress 0 4 xsph 0.1")),
-        ("hourglass", 6 + 4 + 3, ("strength elastic", "viscosity 0 0 artstress 0 4 hourglass 0.02")),
-        ("expansion", 1, (YIELDS + " heat 0 477 0.9 expansion 1e-5", "viscosity 0 0 artstress 0 4")),
-        ("artificial-heat", 1, (YIELDS + " heat 0 477 0.9", "viscosity 1 1 artstress 0 4")),
-        ("surface", 3, ("strength elastic", "viscosity 0 0 artstress 0 4", "effects surface on")),
-        ("internal-energy", 1, ("strength elastic eos shock 4570 1.49 1.9", "viscosity 0 0 artstress 0 4"))):
+        ("artstress", 6, ("strength elastic", "viscosity 0 0 artstress 0.3 4")),
+        ("plasticity", 3, (YIELDS, NONE)),
+        ("heat", 3, (YIELDS + " heat 0 477 0.9", NONE)),
+        ("damage", 2, (YIELDS + " damage strain 1", NONE)),
+        ("correction", 9 + 6, ("strength elastic", "viscosity 0 0 hourglass 0 correction yes")),
+        ("balsara", 1, ("strength elastic", "viscosity 1 1 hourglass 0 correction no balsara yes")),
+        ("xsph", 3, ("strength elastic", NONE + " xsph 0.1")),
+        ("hourglass", 6 + 4 + 3, ("strength elastic", "viscosity 0 0 correction no hourglass 0.02")),
+        ("expansion", 1, (YIELDS + " heat 0 477 0.9 expansion 1e-5", NONE)),
+        ("artificial-heat", 1, (YIELDS + " heat 0 477 0.9", "viscosity 1 1 hourglass 0 correction no")),
+        ("surface", 3, ("strength elastic", NONE, "effects surface on")),
+        ("internal-energy", 1, ("strength elastic eos shock 4570 1.49 1.9", NONE))):
     on = scene(*arguments, text=BIG)
     off = scene(*arguments[:2], "effects %s off" % name, text=BIG)
     per_column = 20000 * 8 / 2.0**20
     bare = bare_elastic
     if name in ("heat", "damage"):
-        bare = scene(YIELDS, "viscosity 0 0 artstress 0 4", text=BIG)
+        bare = scene(YIELDS, NONE, text=BIG)
     if name in ("expansion", "artificial-heat"):
-        bare = scene(YIELDS + " heat 0 477 0.9", "viscosity 0 0 artstress 0 4", text=BIG)
+        bare = scene(YIELDS + " heat 0 477 0.9", NONE, text=BIG)
     checks.near(name + " off: megabytes, those of a scene without", memory(off), memory(bare), absolute=0.0011)
     checks.above(name + " on: megabytes more", memory(on) - memory(off), 0.99 * columns * per_column)
+# the state of both in one pass, and the reference of what counts numerical fracture
+both = scene("strength elastic", "viscosity 0 0", text=BIG)
+checks.above("hourglass and correction on: megabytes more", memory(both) - memory(bare_elastic), 0.99 * (6 + 10) * per_column)
+uncounted = scene("strength elastic", NONE, "effects fracture off", text=BIG)
+checks.above("fracture on: megabytes more", memory(bare_elastic) - memory(uncounted), 0.99 * 7 * per_column)
 checks.end()
