@@ -45,4 +45,4 @@ thermo_style    custom step atoms time dt v_px v_py v_lz f_ad[1] f_body[1] f_bod
 thermo_modify   lost error norm no
 """,
     steps="steps", settings={"options": "", "omega": 1500, "split": 450, "steps": 12000},
-    bad={"options": "stabilize artstress"}, judge=judge, limit=0.01)
+    bad={"options": "stabilize artstress"}, judge=judge, limit=1e-3)

@@ -36,6 +36,6 @@ fix             wall all contact/tri file plane.stl scale 0.05 move 0 0 $(-0.05*
 thermo          50
 thermo_style    custom step time dt f_wall[3] f_wall[13] f_body[1] f_body[2] f_body[3] f_body[4] f_body[7] f_body[9]
 """,
-        steps=steps, meshes={"plane.stl": "plane --size 1 1 --cells 2 2"}, prepare=prepare, judge=judge, limit=0.03,
+        steps=steps, meshes={"plane.stl": "plane --size 1 1 --cells 2 2"}, prepare=prepare, judge=judge, limit=0.003,
         settings={"speed": speed, "box": box, "rings": 4, "dx": 0.000724131595, "options": ""},
         bad={"options": "viscosity 0.3 0.3 balsara yes artstress 0.3 4 correction yes"})

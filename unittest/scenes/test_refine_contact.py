@@ -39,7 +39,7 @@ def press(counts, angle, pattern, steps=110):
 
 def main():
     checks = Checks()
-    for counts, kind, angles in (((12, 8, 1), "square", (0, 25, 45)), ((4, 4, 4), "cube", (0, 25))):
+    for counts, kind, angles in (((12, 8, 1), "square", (0, 25, 45)), ((4, 6, 4), "cube", (0, 25))):
         for angle in angles:
             name = "%s on a plane at %g degrees" % (kind, angle)
             t, drift = press(counts, angle, kind + " epsilon 0.41666667")

@@ -23,12 +23,12 @@ OFHC = ("density 8960 elastic 124e9 0.34 strength johnson/cook 90e6 292e6 0.31 0
 LINEAR = (3.2e-3, 32.4e-3, 8930, {})
 # name, rings, (radius, length in m, density, options), {quantity: (reference in mm, error allowed, or what is found in its
 # place, mm)}
-SHOTS = [("linear hardening, 4 rings", 4, LINEAR, {"length": (21.4, 0.03), "radius": (7.22, "6.76")}),
+SHOTS = [("linear hardening, 4 rings", 4, LINEAR, {"length": (21.4, 0.03), "radius": (7.22, "6.81")}),
          ("linear hardening, 6 rings", 6, LINEAR, {"length": (21.4, 0.03), "radius": (7.22, 0.03)}),
          ("OFHC 210 m/s", 4, (3.81e-3, 23.47e-3, 8960, {"speed": 210, "end": 75e-6, "material": OFHC}),
-          {"length": (14.80, 0.04), "radius": (8.40, "7.13")}),
+          {"length": (14.80, 0.04), "radius": (8.40, "7.19")}),
          ("OFHC 225 m/s", 4, (3.9e-3, 34.5e-3, 8960, {"speed": 225, "end": 100e-6, "material": OFHC}),
-          {"length": (22.25, "20.66"), "radius": (8.02, 0.03)})]
+          {"length": (22.25, "20.64"), "radius": (8.02, 0.03)})]
 
 
 def main():
