@@ -43,8 +43,9 @@ checks.above("refined: split", found["split"], 30)
 checks.above("half of the beam is shortened", sum(e < 0 for e in strain.values()) / len(strain), 0.3)
 checks.below("refined: of those split, shortened in the unrefined beam", found["split_shortened"] / found["split"], 0.05)
 checks.above("refined: neighbors in the stretched half, the 3 % with the fewest", found["neighbors_fewest"], 14)
+# split particles (alpha 0.6) beside whole ones with the default: courant 0.4 and 0.6 are too large a step, it blows up
 for row, widest in ("unrefined_default", 0.2), ("refined_default", GAP):
-    result = run(SCRIPT, dict(down, **scene.ROWS[row]))
+    result = run(SCRIPT, dict(down, courant=0.3, **scene.ROWS[row]))
     _, tip = scene.at_sag(result, 1.0)
     checks.below(row + ": the end is down, mm", 1e3 * tip, -25)
     checks.below(row + ": gap, spacings", scene.opens(result, read_dump(result.path("elastic.dump"))[-1], ROWS)["widest_gap"],
