@@ -30,7 +30,7 @@ set             group q type 2
 group           work union p q
 group           rest subtract all work
 delete_atoms    group rest compress no
-pair_style      sph/tm hyperbolic 1.2 spacing 1e-3 viscosity 0.5 0.5
+pair_style      sph/tm hyperbolic 1.2 spacing 1e-3
 pair_coeff      1 1 density 7850 elastic 210e9 0.3
 pair_coeff      2 2 density 7850 elastic 210e9 0.3
 pair_coeff      1 2 contact penalty {penalty}

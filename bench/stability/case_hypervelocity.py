@@ -37,7 +37,7 @@ region          plate block -1e-3 1e-3 -0.03 0.03 INF INF units box
 create_atoms    1 region ball
 create_atoms    2 region plate
 group           ball type 1
-pair_style      sph/tm hyperbolic 1.2 spacing {dx} viscosity {alpha} {alpha} artstress {eps} 4
+pair_style      sph/tm hyperbolic 1.2 spacing {dx} {options}
 pair_coeff      1 1 density 2785 elastic 73.4e9 0.33 eos shock 5328 1.338 2.0 strength plastic 300e6 0
 pair_coeff      2 2 density 2785 elastic 73.4e9 0.33 eos shock 5328 1.338 2.0 strength plastic 300e6 0
 pair_coeff      1 2 bond
@@ -49,5 +49,5 @@ thermo          200
 thermo_style    custom step time dt f_body[1] f_body[2] f_body[3] f_body[7] f_body[9]
 thermo_modify   lost ignore
 """,
-    steps="steps", settings={"dx": 2.5e-4, "alpha": 1.0, "eps": 0.3, "steps": 1300}, bad={"alpha": 0.0},
+    steps="steps", settings={"dx": 2.5e-4, "options": "", "steps": 1430}, bad={"options": "viscosity 0 0"},
     judge=lambda r: abs(hole(r) - 19.5e-3) / 19.5e-3, limit=0.1)

@@ -16,7 +16,7 @@ CASE = Case(
     criterion="change of the energy sum over the kinetic energy, deepest penetration in spacings; the block comes back",
     counter="contact 400 times as stiff, with the constant step of the sound speed",
     setup=lattice_block("0 0.016 0 0.010", "-0.02 0.04 -0.01 0.05") + """
-pair_style      sph/tm hyperbolic 1.2 spacing 1e-3 artstress 0 4
+pair_style      sph/tm hyperbolic 1.2 spacing 1e-3
 pair_coeff      1 1 density 2700 elastic 70e9 0.3
 velocity        all set 0 -20 0 units box
 """,

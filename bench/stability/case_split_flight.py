@@ -18,9 +18,9 @@ def judge(r):
 CASE = Case(
     title="split in free flight",
     criterion="change of momentum, angular momentum and energy sum over those of the start, in two turns",
-    counter="plain gradients instead of corrected ones",
+    counter="plain gradients and artificial stress instead of corrected ones and hourglass control",
     setup=lattice_block("0 0.016 0 0.010", "-0.03 0.05 -0.03 0.05") + """
-pair_style      sph/tm hyperbolic 1.2 spacing 1e-3 artstress 0 4 correction {correction}
+pair_style      sph/tm hyperbolic 1.2 spacing 1e-3 {options}
 pair_coeff      * * materials.sphtm rubber
 variable        vx atom 2-{omega}*(y-0.005)
 variable        vy atom 1+{omega}*(x-0.008)
@@ -44,5 +44,5 @@ thermo          100
 thermo_style    custom step atoms time dt v_px v_py v_lz f_ad[1] f_body[1] f_body[2] f_body[7] f_body[9]
 thermo_modify   lost error norm no
 """,
-    steps="steps", settings={"correction": "yes", "omega": 1500, "split": 450, "steps": 12000},
-    bad={"correction": "no"}, judge=judge, limit=0.01)
+    steps="steps", settings={"options": "", "omega": 1500, "split": 450, "steps": 12000},
+    bad={"options": "stabilize artstress"}, judge=judge, limit=0.01)

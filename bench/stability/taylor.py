@@ -26,7 +26,7 @@ def taylor(speed, steps, box=1):
         setup=SPACE + """
 read_data       bar.data
 change_box      all x scale {box} y scale {box}
-pair_style      sph/tm hyperbolic 1.2 spacing {dx} viscosity 0.3 0.3 balsara yes artstress {eps} 4 correction yes
+pair_style      sph/tm hyperbolic 1.2 spacing {dx} {options}
 pair_coeff      1 1 density 8930 elastic 117e9 0.35 strength plastic 400e6 100e6
 velocity        all set 0 0 -{speed} units box
 """,
@@ -37,4 +37,5 @@ thermo          50
 thermo_style    custom step time dt f_wall[3] f_wall[13] f_body[1] f_body[2] f_body[3] f_body[4] f_body[7] f_body[9]
 """,
         steps=steps, meshes={"plane.stl": "plane --size 1 1 --cells 2 2"}, prepare=prepare, judge=judge, limit=0.03,
-        settings={"speed": speed, "box": box, "rings": 4, "dx": 0.000724131595, "eps": 0.0}, bad={"eps": 0.3})
+        settings={"speed": speed, "box": box, "rings": 4, "dx": 0.000724131595, "options": ""},
+        bad={"options": "viscosity 0.3 0.3 balsara yes artstress 0.3 4 correction yes"})

@@ -11,7 +11,7 @@ from study import Study                                                         
 # 1e-5_searched: a strain of 2e-4, as the swinging makes it, is enough for a search; 1e-5_plain: no corrected gradients
 ROWS = {"skin": None, "every_step": "threshold 0", "once": "threshold inf", "1e-4": "threshold 1e-4",
         "1e-5": "threshold 1e-5", "1e-5_searched": "threshold 1e-5 stretch 2e-4", "1e-5_plain": "threshold 1e-5"}
-PLAIN = "artstress 0 4"
+PLAIN = "stabilize artstress artstress 0 4"
 
 
 def measure(result):

@@ -20,7 +20,7 @@ SHOTS = {"linear": (3.2e-3, 32.4e-3, 8930, {}, (21.4, 7.22)),
          "ofhc210": (3.81e-3, 23.47e-3, 8960, {"speed": 210, "end": 75e-6, "material": OFHC}, (14.80, 8.40)),
          "ofhc225": (3.9e-3, 34.5e-3, 8960, {"speed": 225, "end": 100e-6, "material": OFHC}, (22.25, 8.02))}
 RINGS = {"linear": (4, 5, 6), "ofhc190": (4, 5, 7), "ofhc210": (4, 5, 7), "ofhc225": (4, 5)}
-HOURGLASS = "viscosity 0.3 0.3 balsara yes artstress 0 4 correction yes hourglass 0.01"
+WITHOUT = "viscosity 0.3 0.3 balsara yes hourglass 0"
 
 
 def files_of(shot, rings):
@@ -38,7 +38,7 @@ def files_of(shot, rings):
 
 
 def main():
-    sizes = {"small": {"rings": 4}, "default": {}, "hourglass": {"options": HOURGLASS}}
+    sizes = {"small": {"rings": 4}, "default": {}, "no_hourglass": {"options": WITHOUT}}
     study = Study(__file__, sizes, __doc__)
     rows = {}
     for shot, (r, l, rho, variables, reference) in SHOTS.items():
@@ -57,9 +57,9 @@ def main():
                          "length_off": length / reference[0] - 1, "radius_off": radius / reference[1] - 1,
                          "energy_drift": float(np.ptp(t["f_body[9]"]) / t["f_body[1]"][0]),
                          "artificial": float(t["f_body[7]"][-1] / t["f_body[1]"][0]), "processor": result.processor}
-    wanted = ["linear_6"] if study.options.size == "hourglass" else ["%s_%d" % (s, n) for s in RINGS for n in RINGS[s]]
+    wanted = ["linear_6"] if study.options.size == "no_hourglass" else ["%s_%d" % (s, n) for s in RINGS for n in RINGS[s]]
     whole = all("length" in rows.get(row, {}) for row in wanted) and study.options.size != "small"
-    name = "taylor_bar" + (".hourglass" if study.options.size == "hourglass" else "")
+    name = "taylor_bar" + (".no_hourglass" if study.options.size == "no_hourglass" else "")
     study.end({"rows": rows}, {name: {row: rows[row] for row in wanted}} if whole else None)
 
 

@@ -10,8 +10,8 @@ from study import Study                                                         
 
 ROWS = {"skin": {}, "every_step": {"adapt": "threshold 0"}, "margin": {"adapt": "threshold 0 margin 0.15"},
         "1e-4": {"adapt": "threshold 1e-4"}, "1e-5": {"adapt": "threshold 1e-5"}, "once": {"adapt": "threshold inf"},
-        "artificial_stress": {"options": "correction yes"}, "neither": {"options": "correction yes artstress 0 4"},
-        "plain": {"options": "correction no"}}
+        "artificial_stress": {"options": "stabilize artstress correction yes"}, "neither": {"options": "hourglass 0"},
+        "plain": {"options": "stabilize artstress"}}
 STRAIN = (0.281, 0.286)    # F14: finite elements and SPH
 
 

@@ -331,8 +331,7 @@ STAGE(tally)
   tm_tally_args a;
   const tm_state s = cloud_state(w);
   a.rec = cloud_records(w);
-  a.type = w->type;
-  a.material = w->material;
+  a.state = s;
   a.to_energy = 1.0;
   a.per_particle = w->tally;
   const tm_tally_result r = tm_tally(i, &a, w->effects);

@@ -18,16 +18,26 @@ ROOT = 0.25    # weight of the older rate in the prediction of the half step, do
 
 
 class Body:
-    def __init__(self, dim, x, v, kind, materials, box, kernel, h, spacing, viscosity=(1.0, 1.0), artstress=(0.3, 4),
-                 component=False, xsph=0.0, form="f15", correction=False, balsara=False, plane_stress=False,
+    """viscosity, artstress, correction, hourglass (a number or "auto"): None takes the default of the pair style, which
+    with tensile (stabilize artstress), with an artificial stress and with the form F14 is that of Fraser 2014."""
+
+    def __init__(self, dim, x, v, kind, materials, box, kernel, h, spacing, viscosity=None, artstress=None,
+                 component=False, xsph=0.0, form="f15", correction=None, balsara=False, plane_stress=False,
                  temperature=293.15, heat=False, meets=None, load=(0.0, 0.0, 0.0), balanced=False, follow=None,
-                 every=1, expands=False, compression=False, dissipation=False):
+                 every=1, hourglass=None, tensile=False, expands=False, compression=False, dissipation=None):
+        tensile = tensile or form == "f14" or bool(artstress and artstress[0] > 0)
+        viscosity = viscosity or ((1.0, 1.0) if tensile else (0.0, 1.0))
+        artstress = artstress or ((0.3, 4) if tensile else (0.0, 4))
+        correction = not tensile if correction is None else correction
+        hourglass = (0.0 if tensile else "auto") if hourglass is None else hourglass
+        if dissipation is None:
+            dissipation = artstress[0] == 0 or any(m.eos[0] == "shock" for m in materials.values())
         self.__dict__.update(dim=dim, x=np.array(x, float), v=np.array(v, float), kind=kind, box=np.asarray(box, float),
                              kernel=kernel, h=h, spacing=spacing, viscosity=viscosity, artstress=artstress,
                              component=component, xsph=xsph, form=form, correction=correction, balsara=balsara,
                              plane_stress=plane_stress, heat=heat, meets=meets or {}, T0=temperature, load=load,
-                             balanced=balanced, follow=follow, every=every, steps=0, expands=expands,
-                             dissipation=dissipation)
+                             balanced=balanced, follow=follow, every=every, steps=0, hourglass=hourglass,
+                             one_pass=correction and hourglass != 0.0, expands=expands, dissipation=dissipation)
         n = self.n = len(x)
         self.mat = [materials[k] for k in kind]
         self.m = np.array([m.rho0 for m in self.mat]) * spacing ** dim
@@ -40,6 +50,8 @@ class Body:
         self.failed = np.zeros(n, bool)
         self.lz = np.ones(n)
         self.switch, self.u = np.ones(n), np.zeros((n, 3))
+        self.w, self.w_rate = np.zeros((n, 3)), np.zeros((n, 3))    # of hourglass control: displacement and its last rate
+        self.known = None    # with one pass: correction and velocity gradient of the last force point, time since then
         self.own_h, self.target = np.full(n, float(h)), None    # follow: None, still, psi, density
         self.old = None    # rates of the last two steps
 
@@ -65,7 +77,7 @@ class Body:
             elif self.plane_stress:
                 p = s[2, 2]
             sigma[i] = s - p * np.eye(3)
-        q.update(sigma=sigma, c=c)
+        q.update(sigma=sigma, c=c, stress=sigma)
         if self.plane_stress:    # sums over areas: density and stress count times the thickness
             q["rho3"] = q["rho"]
             q["rho"] = q["rho"] * self.lz
@@ -183,6 +195,68 @@ class Body:
         value, vector = np.linalg.eigh(M)
         return np.einsum("iab,ib,icb->iac", vector, 1 / np.maximum(value, 0.1), vector)
 
+    def turned_moments(self, M, ahead):
+        """The correction of the gradients: that of the last force point, turned by the spin since then; at the set-up its
+        own."""
+        if ahead == 0.0 or not self.one_pass:
+            return self.inverse_moments(M)
+        K, L, since = self.known
+        angle = 0.25 * (ahead + since) * np.stack([L[:, 2, 1] - L[:, 1, 2], L[:, 0, 2] - L[:, 2, 0],
+                                                   L[:, 1, 0] - L[:, 0, 1]], 1)
+        A = np.zeros((self.n, 3, 3))    # Cayley: R = (1 - A)^-1 (1 + A), A x = angle/2 x x
+        A[:, 2, 1], A[:, 0, 2], A[:, 1, 0] = angle.T
+        A -= A.transpose(0, 2, 1)
+        R = np.linalg.solve(np.eye(3) - A, np.eye(3) + A)
+        return R @ K @ R.transpose(0, 2, 1)
+
+    def residual(self, d, vij, gm, W, same, r, L):
+        """By how much the velocity of a particle is off the linear field of its neighbors: with the corrected gradient of
+        the pass, weights -m_j W'/r; else from a fit of constant and gradient, weights m_j/rho_j W."""
+        if self.one_pass:
+            g = np.einsum("ija,ija->ij", gm, d) / r ** 2 * self.m
+            off = np.einsum("ij,ija->ia", g, vij) - np.einsum("iab,ij,ijb->ia", L, g, d)
+            return off / np.sum(g, axis=1)[:, None]
+        out, dim = np.zeros((self.n, 3)), self.dim
+        for i in range(self.n):
+            near = same[i] & (W[i] > 0)
+            root = np.sqrt(self.m[near] / self.q["rho"][near] * W[i, near])[:, None]
+            lines = root * np.hstack([np.ones((near.sum(), 1)), -d[i, near, :dim] / self.spacing])
+            fit = np.linalg.lstsq(lines, root * -vij[i, near], rcond=None)[0]    # of v_j - v_i
+            out[i] = -fit[0]
+        return out
+
+    def hourglass_force(self, d, r, gm, ahead):
+        """Force per m_j of pairs against differences of displacements: xi w at the force point, and damping."""
+        q, rho = self.q, self.q["rho"]
+        k = rho * q["c"] ** 2
+        p = -np.trace(q["stress"], axis1=1, axis2=2) / 3
+        s = q["stress"] + p[:, None, None] * np.eye(3)
+        tension = np.sqrt(1.5 * np.sum(s ** 2, axis=(1, 2))) + np.maximum(-p, 0)
+        xi = np.minimum(2.0, 12.0 * tension / k) if self.hourglass == "auto" else np.full(self.n, self.hourglass)
+        xi = np.where(self.failed | [m.strength[0] == "none" for m in self.mat], 0.0, xi)
+        W = xi[:, None] * (self.w + ahead * self.w_rate) + (0.1 * self.own_h / q["c"])[:, None] * self.w_rate
+        per = 4 / (rho[:, None] + rho[None]) ** 2 if self.one_pass else 1 / (rho[:, None] * rho[None])
+        across = np.einsum("ija,ija->ij", W[:, None] - W[None], d) / r ** 2
+        return (np.minimum(k[:, None], k[None]) * per * across)[..., None] * gm
+
+    def hourglass_step(self, i, L, dt, d_eps, y, p, s, rho, failed):
+        m = self.mat[i]
+        if failed or m.strength[0] == "none":
+            self.w[i] = self.w_rate[i] = 0.0
+            return
+        rate = self.out["residual"][i]
+        spin = 0.5 * np.array([L[2, 1] - L[1, 2], L[0, 2] - L[2, 0], L[1, 0] - L[0, 1]])
+        memory = 0.0125 * min(max(2 / 3 - p / y if y > 0 else 1.0, 0.1), 1.0)
+        self.w[i] = (self.w[i] + dt * (np.cross(spin, self.w[i]) + rate)) / (1 + d_eps / memory)
+        self.w_rate[i] = rate
+        xi = self.hourglass
+        if xi == "auto":
+            mises = np.sqrt(1.5 * np.sum(s ** 2))
+            xi = min(2.0, 12.0 * (mises + max(-p, 0)) / (rho * self.q["c"][i] ** 2))
+        resists, most = xi * rho * self.q["c"][i] ** 2 * np.linalg.norm(self.w[i]), 0.1 * y * self.own_h[i]
+        if y > 0 and resists > most:
+            self.w[i] *= most / resists
+
     def rates(self, ahead=0.0, dt=1.0):
         """Everything that one pass over the neighbours gives, at the force point."""
         q = self.q = self.point(ahead)
@@ -218,7 +292,7 @@ class Body:
             back = tensile_share(self.kernel, dim, self.h / self.spacing, self.artstress[1]) * R
             P = P - (back * rho[:, None, None] ** 2 if f14 else back)
         if self.correction:
-            K = self.inverse_moments(out["M"])
+            K = self.turned_moments(out["M"].copy(), ahead)
             out["L"] = np.einsum("iab,ibc->iac", out["L"], K)
             P = np.einsum("iab,ibc->iac", P, K)
         pair = P[:, None] + P[None]
@@ -241,6 +315,9 @@ class Body:
         if self.balsara:
             pi = pi * 0.5 * (self.switch[:, None] + self.switch[None])
         art -= pi[..., None] * gm
+        if self.hourglass:
+            art += self.hourglass_force(d, r, gm, ahead)
+            out["residual"] = self.residual(d, vij, gm, W, same, r, out["L"])
         out["acc"] = acc + np.einsum("j,ija->ia", m, art)
         out["acc"] = out["acc"] + np.asarray(self.load) / m[:, None]
         out["source"] = np.zeros(n)
@@ -273,6 +350,8 @@ class Body:
                       for i, m in enumerate(self.mat)])
         r = {"v": o["acc"], "rho": -rho * np.trace(o["L"], axis1=1, axis2=2), "s": s, "T": np.zeros(self.n), "e": np.zeros(self.n)}
         self.old = (r, r)
+        if self.one_pass:
+            self.known = self.inverse_moments(o["M"].copy()), o["L"], 0.0
         if self.follow == "psi":
             self.target = np.array([self.nodes(i) for i in range(self.n)])
 
@@ -301,6 +380,7 @@ class Body:
         o = self.rates(0.5 * dt, dt)
         q, n = self.q, self.n
         half = q["x"]
+        self.failed_before = self.failed.copy()
         v = self.v + dt * o["acc"]
         x = half + 0.5 * dt * v
         if self.xsph:
@@ -360,10 +440,14 @@ class Body:
                     heat += dt * given
                 self.T[i] = warmed(m, m.compressed(T, self.rho[i], rho), heat / self.m[i])
                 rate["T"][i] = (self.T[i] - T) / dt
+            if self.hourglass:
+                self.hourglass_step(i, G, dt, d_eps, y, p, s, rho, self.failed_before[i])
             self.rho[i], self.s[i] = rho, s
             self.eps[i] += d_eps
             self.eps_rate[i] = d_eps / dt
             self.lz[i] += dt * self.lz[i] * lzz
+        if self.one_pass:
+            self.known = self.inverse_moments(o["M"].copy()), L, 0.5 * dt
         self.x, self.v = x, v
         self.old = (rate, self.old[0])
         self.steps += 1

@@ -35,8 +35,8 @@ PLASTIC = "density 2700 elastic 70e9 0.33 strength plastic 100e6 1e9"
 CASES = {
     "3D plastic": dict(dim=3, style="hyperbolic 1.2", keywords="", material=PLASTIC, steps=60),
     "2D thermo-mechanical": dict(dim=2, style="cubic 1.3", keywords="xsph 0.2", material=STEEL, steps=120),
-    "3D corrected": dict(dim=3, style="wendland/c2 1.4", keywords="correction yes balsara yes hourglass 0.05", material=STEEL,
-                         steps=40),
+    "3D artificial stress": dict(dim=3, style="wendland/c2 1.4", keywords="stabilize artstress correction yes balsara yes",
+                                 material=STEEL, steps=40),
 }
 
 

@@ -104,15 +104,24 @@ def case(name, dim, kernel, materials, style="", heat=False, more="", meets=None
 for dim in (2, 3):
     for k in ("hyperbolic", "cubic", "quintic", "wendland/c2", "wendland/c4"):
         case("elastic %s" % k, dim, k, ELASTIC)
-    case("no viscosity, no artificial stress", dim, "hyperbolic", ELASTIC, "viscosity 0 0 artstress 0 4",
-         viscosity=(0, 0), artstress=(0, 4))
-    case("viscosity only, 1.5 2.5", dim, "cubic", ELASTIC, "viscosity 1.5 2.5 artstress 0 4",
-         viscosity=(1.5, 2.5), artstress=(0, 4))
+        case("elastic %s, artificial stress" % k, dim, k, ELASTIC, "stabilize artstress", tensile=True)
+    case("nothing artificial", dim, "hyperbolic", ELASTIC, "viscosity 0 0 hourglass 0 correction no", viscosity=(0, 0),
+         hourglass=0.0, correction=False)
+    case("viscosity only, 1.5 2.5", dim, "cubic", ELASTIC, "viscosity 1.5 2.5 hourglass 0 correction no",
+         viscosity=(1.5, 2.5), hourglass=0.0, correction=False)
+    case("correction only", dim, "hyperbolic", PLASTIC, "viscosity 0 0 hourglass 0", viscosity=(0, 0), hourglass=0.0)
+    case("hourglass control, stiffness 0.3", dim, "hyperbolic", PLASTIC, "hourglass 0.3", hourglass=0.3)
+    case("hourglass control without correction", dim, "cubic", PLASTIC, "correction no", correction=False)
+    case("hourglass control without correction, stiffness 0.05", dim, "hyperbolic", HOT, "hourglass 0.05 correction no",
+         heat=True, hourglass=0.05, correction=False)
+    case("hourglass control, elastic, stiffness 0.05, stretched", dim, "quintic", ELASTIC, "hourglass 0.05", hourglass=0.05,
+         speed=300.0)
     case("artificial stress only, n 6", dim, "cubic", TAIT, "viscosity 0 0 artstress 0.5 6",
          viscosity=(0, 0), artstress=(0.5, 6))
     case("artificial stress per component", dim, "hyperbolic", ELASTIC, "artstress 0.3 6 component",
          artstress=(0.3, 6), component=True)
-    case("fluid", dim, "wendland/c2", FLUID, artstress=(0, 4))
+    case("fluid", dim, "wendland/c2", FLUID)
+    case("fluid, artificial stress", dim, "wendland/c2", FLUID, "stabilize artstress", tensile=True, artstress=(0, 4))
     case("form f14, plastic", dim, "cubic", PLASTIC, "form f14", form="f14")
     case("form f14, artificial stress balanced", dim, "cubic", PLASTIC, "form f14 artstress 0.3 4 balanced", form="f14",
          balanced=True)
@@ -120,29 +129,34 @@ for dim in (2, 3):
     case("shock equation of state", dim, "wendland/c2", SHOCK, speed=300.0)
     case("xsph", dim, "hyperbolic", ELASTIC, "xsph 0.5", xsph=0.5)
     case("balsara", dim, "hyperbolic", PLASTIC, "balsara yes", balsara=True)
-    case("correction", dim, "hyperbolic", PLASTIC, "correction yes", correction=True)
+    case("artificial stress and correction", dim, "hyperbolic", PLASTIC, "stabilize artstress correction yes", tensile=True,
+         correction=True)
     case("artificial stress balanced", dim, "hyperbolic", PLASTIC, "artstress 0.5 4 balanced", artstress=(0.5, 4),
          balanced=True)
     case("balanced, shock", dim, "cubic", SHOCK, "artstress 0.4 3 component balanced correction yes", speed=300.0,
          artstress=(0.4, 3), component=True, balanced=True, correction=True)
     case("smoothing lengths follow", dim, "hyperbolic", PLASTIC, "artstress 0.3 4 balanced", balanced=True,
-         follow="psi", more="fix lists all adapt/neigh asph psi every 1")
-    case("smoothing lengths follow, correction", dim, "cubic", HOT, "correction yes", correction=True, follow="psi",
-         heat=True, more="fix lists all adapt/neigh asph psi every 1")
+         artstress=(0.3, 4), follow="psi", more="fix lists all adapt/neigh asph psi every 1")
+    case("smoothing lengths follow, hourglass control", dim, "cubic", HOT, follow="psi", heat=True,
+         more="fix lists all adapt/neigh asph psi every 1")
     case("smoothing lengths follow the density", dim, "wendland/c2", ELASTIC, follow="density",
          more="fix lists all adapt/neigh asph density every 1")
     case("johnson/cook with heat", dim, "hyperbolic", HOT, heat=True)
+    case("johnson/cook with heat, artificial stress", dim, "hyperbolic", HOT, "stabilize artstress", heat=True, tensile=True)
     case("johnson/cook with heat, newton on", dim, "quintic", HOT, heat=True, newton="on",
          more=HALF_HOT)
-    case("all at once", dim, "wendland/c4", HOT, "xsph 0.3 balsara yes correction yes artstress 0.4 3", heat=True,
-         xsph=0.3, balsara=True, correction=True, artstress=(0.4, 3))
+    case("all at once", dim, "wendland/c4", HOT, "xsph 0.3 balsara yes correction yes hourglass 0.05 artstress 0.4 3",
+         heat=True, xsph=0.3, balsara=True, correction=True, hourglass=0.05, artstress=(0.4, 3))
     case("thermal expansion", dim, "hyperbolic", WARM, heat=True, expands=True, compression=True, more=HALF_HOT)
     case("thermal expansion, table", dim, "cubic", BENT, heat=True, expands=True, more=HALF_HOT,
          fix="effects compression-heat off")
     case("shock equation of state with heat", dim, "wendland/c2", HOT_SHOCK, speed=300.0, heat=True, compression=True,
-         dissipation=True, more=HALF_HOT)
-    case("viscosity heats", dim, "hyperbolic", HOT, "artstress 0 4", heat=True, artstress=(0, 4), dissipation=True)
+         more=HALF_HOT)
+    case("viscosity heats", dim, "hyperbolic", HOT, "viscosity 1 1 hourglass 0", heat=True, viscosity=(1, 1), hourglass=0.0)
+    case("artificial terms do not heat", dim, "hyperbolic", HOT, heat=True, dissipation=False,
+         fix="effects artificial-heat off")
     case("damage", dim, "hyperbolic", DAMAGED, heat=True, speed=300.0)
+    case("damage, artificial stress", dim, "hyperbolic", DAMAGED, "stabilize artstress", heat=True, speed=300.0, tensile=True)
     case("bodies that do not meet", dim, "hyperbolic", PLASTIC, coeffs="pair_coeff 1 2 none", meets={(1, 2): ("none",)})
     case("bodies that share heat", dim, "hyperbolic", HOT, coeffs="pair_coeff 1 2 heat", heat=True,
          meets={(1, 2): ("heat", None)})

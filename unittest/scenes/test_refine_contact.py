@@ -31,7 +31,7 @@ def press(counts, angle, pattern, steps=110):
     folder = new_folder()
     mesh(folder, "plate.stl", "block --size 0.05 0.002 0.05")
     box = [(-0.03, 0.03), (-0.03, 0.03), (-0.02, 0.02) if dim == 3 else (-0.5 * DX, 0.5 * DX)]
-    script = header(DX, dim, style="artstress 0 4") + SCRIPT.format(
+    script = header(DX, dim) + SCRIPT.format(
         angle=angle, pattern=pattern, foot=2 * counts[0] * counts[2], steps=steps)
     t = run(script, folder=folder, files={"data.scene": particles(x, box, v=v)}).thermo[0]
     return t, abs(t["f_body[9]"] - t["f_body[9]"][0]) / t["f_body[1]"][0]

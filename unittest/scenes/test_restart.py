@@ -1,7 +1,7 @@
 """A restarted run continues bit for bit, and so does a run that is cut into two.
 
-A Johnson-Cook block with heat, conduction, damage, Balsara switch, XSPH and gradient correction is ploughed by
-a moving, rubbing tool: every state field that exists travels through the restart file. Compared exactly, all
+A Johnson-Cook block with heat, conduction, damage, hourglass control, gradient correction, and also Balsara switch and XSPH,
+is plowed by a moving, rubbing tool: every state field that exists travels through the restart file. Compared exactly, all
 digits, on one and on two ranks. Counter-run: a restart that loses one field must be noticed."""
 import os
 import subprocess
@@ -63,10 +63,10 @@ def difference(a, b):
 
 def main():
     checks = Checks()
-    for options, ranks in (("", 1), ("balsara yes xsph 0.1 correction yes hourglass 0.05", 1), ("", 2)):
+    for options, ranks in (("", 1), ("viscosity 1 1 balsara yes xsph 0.1 hourglass 0.05", 1), ("stabilize artstress", 1), ("", 2)):
         whole, again = scene(options, ranks)
         one = text(whole, "whole.dump")
-        label = f"{options or 'plain'}, {ranks} rank{'s' if ranks > 1 else ''}"
+        label = f"{options or 'default'}, {ranks} rank{'s' if ranks > 1 else ''}"
         plastic = max(float(l.split()[8]) for l in one)
         checks.true(f"{label}: the scene deforms (plastic strain {plastic:.3f})", plastic > 0.1)
         checks.true(f"{label}: particles that differ after the restart: {difference(one, text(again, 'again.dump'))}",

@@ -16,7 +16,7 @@ from sphtm_scene import SOURCE, Checks, lattice_block, new_folder, run
 FLIPS, CUTS = (int(a) for a in (sys.argv[1:] + ["500", "50"][len(sys.argv) - 1:])[:2])
 HEAD = lattice_block("0 0.008 0 0.006", "-0.02 0.02 -0.02 0.02", types=2, more="atom_modify     map array\n") + """
 group           low id 1:8
-pair_style      sph/tm hyperbolic 1.2 spacing 1e-3 hourglass 0.02
+pair_style      sph/tm hyperbolic 1.2 spacing 1e-3
 pair_coeff      1 1 density 7830 elastic 200e9 0.29 strength johnson/cook 792e6 510e6 0.26 0.014 1.03 298 1793 1 &
                 heat 38 477 0.9
 pair_coeff      2 2 density 7830 elastic 200e9 0.29 heat 38 477 0.9

@@ -1,7 +1,8 @@
-"""Two colliding rubber rings (Gray, Monaghan, Swift 2001): they rebound in one piece with the artificial stress, and
-break without it. Plane strain, radii 0.03 to 0.04 m, particles on circles 1 mm apart, each ring at 0.059 times the bulk
-speed of sound. At 0.12 times they break with the artificial stress too."""
+"""Two colliding rubber rings (Gray, Monaghan, Swift 2001): they rebound in one piece, and break without hourglass
+control. Plane strain, radii 0.03 to 0.04 m, particles on circles 1 mm apart, each ring at 0.059 and at 0.12 times the bulk
+speed of sound, as bodies in contact and, at 0.12, as one continuum."""
 import os
+import re
 import sys
 
 import numpy as np
@@ -13,6 +14,10 @@ from make_rings import make_rings
 
 SCRIPT = os.path.join(SOURCE, "examples", "rings", "in.rings")
 SPACING, BOND = 1e-3, 1.5
+# speed over that of sound; meeting; speed back over that of approach: with total-Lagrangian pairs (fix adapt/neigh threshold
+# inf, contact) 0.806 at 0.059, which bear no larger speed; what is found at 0.12; drift of the energy sum over the kinetic
+# energy. A ring keeps a fifth to a quarter of the energy as vibration.
+CASES = ((0.059, "contact", 0.806, 0.008), (0.12, "contact", 0.789, 0.02), (0.12, "bond", 0.754, 0.02))
 
 
 def pieces(frame):
@@ -39,24 +44,27 @@ def main():
     checks = Checks()
     folder = new_folder()
     make_rings(os.path.join(folder, "rings.data"))
-    whole = run(SCRIPT, folder=folder)
-    table, end = whole.thermo[-1], whole.dump("end.dump")[-1]
-    size = pieces(end)
-    rings = [np.sum(end["type"] == t) for t in (1, 2)]
-    scale = abs(table["v_pl"][0])
-    checks.true("no numerical fracture", sum(size) == sum(rings) and len(size) in (1, 2), "pieces %s" % size)
-    checks.above("rebound: speed back over speed of approach", -table["v_pl"][-1] / table["v_pl"][0], 0.3)
-    checks.below("momentum in x, over that of one ring", np.max(np.abs(table["v_px"])) / scale, 1e-12)
-    checks.below("momentum in y", np.max(np.abs(table["v_py"])) / scale, 1e-12)
-    checks.note("energy sum, drift over kinetic energy", "%.2e" % (np.ptp(table["f_body[9]"]) / table["f_body[1]"][0]))
-    checks.note("artificial work over kinetic energy", "%.3f" % (table["f_body[7]"][-1] / table["f_body[1]"][0]))
-    plain = run(SCRIPT, {"eps": 0}, folder=folder, expect_error=True)
-    if plain.errors():    # fragments fly out of the box
-        checks.true("without artificial stress the rings break", "leaves the box" in plain.errors(),
-                    plain.errors()[:120])
+    for speed, meet, back, drift in CASES:
+        name = "%g c0, %s: " % (speed, meet)
+        whole = run(SCRIPT, {"speed": speed, "meet": meet}, folder=folder)
+        table, end = whole.thermo[-1], whole.dump("end.dump")[-1]
+        size = pieces(end)
+        rings = [np.sum(end["type"] == t) for t in (1, 2)]
+        scale, kinetic = abs(table["v_pl"][0]), table["f_body[1]"][0]
+        checks.true(name + "no numerical fracture", sum(size) == sum(rings) and len(size) in (1, 2), "pieces %s" % size)
+        checks.near(name + "speed back over speed of approach", -table["v_pl"][-1] / scale, back, relative=0.02)
+        checks.below(name + "momentum in x, over that of one ring", np.max(np.abs(table["v_px"])) / scale, 1e-12)
+        checks.below(name + "momentum in y", np.max(np.abs(table["v_py"])) / scale, 1e-12)
+        checks.below(name + "energy sum, drift over kinetic energy", np.ptp(table["f_body[9]"]) / kinetic, drift)
+        checks.above(name + "least artificial work over kinetic energy", table["f_body[7]"].min() / kinetic, -1e-3)
+        checks.note(name + "artificial work over kinetic energy", "%.3f" % (table["f_body[7]"][-1] / kinetic))
+    plain = run(SCRIPT, {"options": "hourglass 0"}, folder=folder, expect_error=True)
+    if plain.errors():    # fragments fly out of the box, or a check of the state or of the energies stops
+        checks.true("without hourglass control the rings break", "leaves the box" in plain.errors() or
+                    re.search(r"Fix sph/tm\b.* stops at step [1-9]", plain.errors()), plain.errors()[:150])
     else:
         broken = pieces(plain.dump("end.dump")[-1])
-        checks.true("without artificial stress the rings break", len(broken) > 2, "pieces %s" % broken)
+        checks.true("without hourglass control the rings break", len(broken) > 2, "pieces %s" % broken)
     checks.end()
 
 

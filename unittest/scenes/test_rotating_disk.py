@@ -1,5 +1,6 @@
 """An elastic disk after five turns (examples/rotating_disk), with lists of LAMMPS, with rows searched once, and with a
-threshold, where the swinging of the disk searches none or some of the rows: angular momentum and radius within 0.1 %. Counter-case: without corrected gradients the spin is lost in the first turn."""
+threshold, where the swinging of the disk searches none or some of the rows: angular momentum within 0.01 %, radius within
+0.1 %. Counter-case: without corrected gradients the spin is lost in the first turn."""
 import os
 import sys
 
@@ -15,11 +16,11 @@ for row, variables in (("lists of LAMMPS", {}), ("searched once", {"adapt": "thr
                        ("threshold 1e-5", {"adapt": "threshold 1e-5"}),
                        ("threshold 1e-5, some searched", {"adapt": "threshold 1e-5 stretch 2e-4"})):
     m = scene.measure(run(SCRIPT, dict(variables, n=6, rim=0.04)))
-    checks.above(row + ": turns", m["turns"], 4.999)
-    checks.below(row + ": angular momentum, largest change", m["spin"], 1e-3)
+    checks.above(row + ": turns", m["turns"], 5)
+    checks.below(row + ": angular momentum, largest change", m["spin"], 1e-4)
     checks.below(row + ": radius, largest change", m["radius"], 1e-3)
     if "adapt" in variables:
         checks.true(row + ": searches of a particle", (m["searches"] > 20) == ("some" in row), "%.1f" % m["searches"])
-loose = scene.measure(run(SCRIPT, {"n": 6, "rim": 0.04, "turns": 0.5, "options": "artstress 0 4"}))
+loose = scene.measure(run(SCRIPT, {"n": 6, "rim": 0.04, "turns": 0.5, "options": "stabilize artstress artstress 0 4"}))
 checks.above("counter-case, plain sums: angular momentum changes by", loose["spin"], 0.1)
 checks.end()

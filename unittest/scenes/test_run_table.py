@@ -15,7 +15,7 @@ thermo_style    custom step time {output}
 run             {steps}
 """
 JC = "strength johnson/cook 792e6 510e6 0.26 0.014 1.03 298 1793 1 heat 38 477 0.9"
-BARE = "viscosity 0 0 artstress 0 4"
+BARE = "viscosity 0 0 hourglass 0 correction no"
 checks = Checks()
 
 
@@ -35,9 +35,9 @@ def table(result):
 
 full = scene(JC, fix="energy yes", more="fix warm all sph/tm/heat convection 100 300")
 lines = table(full)
-on = {"viscosity", "artstress", "heat", "conduction", "plasticity", "surface", "energy"}
+on = {"viscosity", "correction", "hourglass", "fracture", "heat", "conduction", "plasticity", "surface", "energy"}
 ALL = ("viscosity artstress heat conduction plasticity damage correction balsara xsph surface internal-energy bodies "
-       "energy hourglass").split()
+       "energy hourglass fracture").split()
 checks.true("a line for every effect that is on, none for others", {e for e in lines if e in ALL} == on,
             " ".join(lines))
 checks.true("a line for the other fix", "fix warm sph/tm/heat" in lines)
@@ -48,11 +48,16 @@ checks.near("ns per particle and step", lines["all"][2], lines["all"][0] * 1e9 /
 loop = float(re.search(r"Loop time of (\S+)", full.output)[1])
 checks.near("the whole is LAMMPS's loop time", lines["all"][0], loop, relative=0.1, absolute=0.05)
 # columns of tm_fields.h, records and rates: 8 bytes each; a record array may be an eighth larger, and holds ghosts
-for effect, columns in (("viscosity", 0), ("artstress", 6), ("heat", 3 + 2 + 1), ("conduction", 1), ("plasticity", 3),
-                        ("surface", 3), ("energy", 3 + 1), ("mechanics", 1 + 6 + 20 + 16 + 9)):
-    checks.true("bytes of " + effect, 8 * columns <= lines[effect][3] <= 9.5 * columns, "%g" % lines[effect][3])
+old = table(scene(JC, options="stabilize artstress"))
+for label, rows, columns in (
+        ("", lines, dict(viscosity=0, correction=10 + 16 + 6 + 6, hourglass=6 + 3, fracture=7, heat=3 + 2 + 1, conduction=1,
+                         plasticity=3, surface=3, energy=3 + 1, mechanics=1 + 6 + 20 + 16 + 9)),
+        (", stabilize artstress", old, dict(artstress=6, mechanics=1 + 6 + 20 + 16 + 9))):
+    for effect, n in columns.items():
+        checks.true("bytes of " + effect + label, 8 * n <= rows[effect][3] <= 9.5 * n, "%g" % rows[effect][3])
+checks.true("stabilize artstress: no line of the other", not {"correction", "hourglass"} & set(old), " ".join(old))
 
-bare = table(scene(options=BARE))
+bare = table(scene(options=BARE, fix="effects fracture off"))
 checks.true("all effects off: no line of an effect", bare and not set(ALL) & set(bare), " ".join(bare))
 checks.true("table no: none", not table(scene(fix="table no")))
 checks.true("a run of 5 steps: none", not table(scene(steps=5)))

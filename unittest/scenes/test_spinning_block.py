@@ -38,15 +38,15 @@ run             1000000
 
 def main():
     checks = Checks()
-    t = run(SCRIPT, {"tip": 0.05, "style": "correction yes"}).thermo[-1]
+    t = run(SCRIPT, {"tip": 0.05, "style": ""}).thermo[-1]
     lz = t["v_lz"] / t["v_lz"][0] - 1
     checks.above("turns", t["v_turn"][-1], 9.9)
-    checks.below("angular momentum, largest change", np.max(np.abs(lz)), 0.01)
+    checks.below("angular momentum, largest change", np.max(np.abs(lz)), 1e-6)
     checks.below("linear momentum over that of the corners", np.max(np.abs(t["v_px"])), 1e-10)
-    checks.below("energy sum, drift over kinetic energy", np.ptp(t["f_body[9]"]) / t["f_body[1]"][0], 0.01)
+    checks.below("energy sum, drift over kinetic energy", np.ptp(t["f_body[9]"]) / t["f_body[1]"][0], 1e-4)
     checks.note("artificial work over kinetic energy", "%.4f" % (t["f_body[7]"][-1] / t["f_body[1]"][0]))
-    checks.note("kinetic energy left", "%.4f" % (t["f_body[1]"][-1] / t["f_body[1]"][0]))
-    plain = run(SCRIPT, {"tip": 0.05, "style": "correction no"}).thermo[-1]
+    checks.above("kinetic energy left", t["f_body[1]"][-1] / t["f_body[1]"][0], 0.99)
+    plain = run(SCRIPT, {"tip": 0.05, "style": "stabilize artstress"}).thermo[-1]
     checks.below("plain gradients: angular momentum left", plain["v_lz"][-1] / plain["v_lz"][0], 0.5)
     checks.end()
 

@@ -41,7 +41,7 @@ CASES = [    # strength, law, temperature at the start
      zerilli_armstrong(65e6, 0, 890e6, 0.0028, 0.000115, 0, 1), 400.0)]
 
 SCENE = "clear\n" + lattice_block("0 11e-3 0 11e-3", "-8e-3 19e-3 -8e-3 19e-3") + """
-pair_style sph/tm cubic 1.3 spacing 1e-3 viscosity 0 0 artstress 0 4 correction yes
+pair_style sph/tm cubic 1.3 spacing 1e-3
 pair_coeff 1 1 density {rho} elastic {E} {nu} strength {strength} heat 0 {cp} {chi}
 variable vx atom {rate}*(x-5.5e-3)
 variable vy atom -{rate}*(y-5.5e-3)

@@ -13,9 +13,8 @@ namespace SPHTM_NS {
 double Remap::elastic_energy(const double *row, int type) const
 {
   const tm_material *m = parts.model().materials() + type;
-  const int damage = cloud.column(TM_F_DAMAGE), unstrained = cloud.column(TM_F_UNSTRAINED);
-  const double growth = unstrained < 0 ? 1.0 : tm_thermal_growth(m, row[unstrained], row[cloud.column(TM_F_TEMP)]);
-  return row[TM_CLOUD_MASS] * tm_stored_energy(m, growth * row[cloud.column(TM_F_RHO)],
+  const int damage = cloud.column(TM_F_DAMAGE);
+  return row[TM_CLOUD_MASS] * tm_stored_energy(m, row[cloud.column(TM_F_RHO)],
                                                tm_sym_load(row + cloud.column(TM_F_STRESS)),
                                                damage >= 0 && row[damage + 1] > 0.5);
 }

@@ -111,8 +111,7 @@ double FixSPHTMRelax::elastic_energy()
   const tm_rates_args &rates = scene->results().rate_args();
   tm_tally_args a;
   a.rec = rates.rec;
-  a.type = state->arrays().type;
-  a.material = scene->model().loop_tables().material.loop_read();
+  a.state = state->arrays();
   a.to_energy = 1.0;
   a.per_particle = nullptr;
   const double mine = PairLoops::of(state->loops()).tally(state->loops(), atom->nlocal, a, state->effects()).value[0];

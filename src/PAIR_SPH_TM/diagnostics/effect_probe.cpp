@@ -99,8 +99,10 @@ std::map<unsigned, double> EffectProbe::shares(int rounds)
     if (bit == TM_FX_HEAT)
       with &= ~unsigned(TM_FX_CONDUCTION | TM_FX_EXPANSION | TM_FX_COMPRESSION_HEAT | TM_FX_ARTIFICIAL_HEAT);
     if (bit == TM_FX_VISCOSITY) with &= ~unsigned(TM_FX_BALSARA);
-    sets[bit] = {with, with & ~bit};
-    least[with] = least[with & ~bit] = 1e300;
+    unsigned without = with & ~bit;
+    if (bit == TM_FX_CORRECTION) without &= ~(unsigned(TM_FX_ONE_PASS) | TM_FX_HOURGLASS);    // of one pass
+    sets[bit] = {with, without};
+    least[with] = least[without] = 1e300;
   }
   for (int k = 0; k < rounds; k++)
     for (auto &l : least) l.second = std::min(l.second, step(l.first));

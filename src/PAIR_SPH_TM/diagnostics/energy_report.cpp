@@ -34,10 +34,10 @@ void EnergyReport::sum()
   mine[KINETIC] = loops.kinetic_energy(state.loops(), atom->nlocal, arrays, state.effects());
   const double stored =
       state.has(TM_FX_LEDGER) ? loops.stored_energy(state.loops(), atom->nlocal, arrays, state.effects()) : 0.0;
-  mine[ELASTIC] = stored + b.of(E::THERMAL_PRESSURE);
+  mine[ELASTIC] = stored + b.of(E::THERMAL_PRESSURE) - b.of(E::COMPRESSION);
   mine[PLASTIC] = b.of(E::PLASTIC) - b.of(E::PLASTIC_HEAT) + b.of(E::FAILURE);
   mine[FAILURE] = b.of(E::FAILURE);
-  mine[UNEXPLAINED] = b.of(E::STRESS_WORK) - b.of(E::PLASTIC) - b.of(E::FAILURE) - mine[ELASTIC];
+  mine[UNEXPLAINED] = b.of(E::STRESS_WORK) - b.of(E::PLASTIC) - b.of(E::FAILURE) - stored - b.of(E::THERMAL_PRESSURE);
   mine[HEAT] = b.of(E::HEAT) - b.of(E::HEAT_EXCHANGED);
   mine[CONTACT] = b.spring() + b.of(E::CONTACT_DAMPING);
   mine[FRICTION] = b.of(E::FRICTION);

@@ -64,9 +64,11 @@ typedef struct {
   int melted;    /* the first particle above its melting temperature, or INT_MAX */
   tm_real dt[3]; /* limits by sound, force, conduction (without safety factor) */
   /* energies of the step, with the ledger. stress_work: of the stress that acted, sigma(n+1/2) : L; failure: what was
-     stored in a particle that failed; thermal_pressure: work of the part of the pressure that the internal energy makes;
+     stored in a particle that failed; thermal_pressure: work of the part of the pressure that heat makes; compression:
+     stored energy that compression turns into heat;
      heat: thermal energy gained, without that of the artificial terms */
-  tm_real stress_work, plastic, plastic_heat, failure, thermal_pressure, artificial, kinetic_work, internal_work, heat;
+  tm_real stress_work, plastic, plastic_heat, failure, thermal_pressure, compression, artificial, kinetic_work,
+      internal_work, heat;
 } tm_update_result;
 
 TM_FN tm_update_result tm_update_nothing(void)
@@ -75,7 +77,7 @@ TM_FN tm_update_result tm_update_nothing(void)
   r.status = TM_OK;
   r.particle = r.melted = INT_MAX;
   r.dt[0] = r.dt[1] = r.dt[2] = TM_DT_NO_LIMIT;
-  r.stress_work = r.plastic = r.plastic_heat = r.failure = r.thermal_pressure = r.artificial = 0.0;
+  r.stress_work = r.plastic = r.plastic_heat = r.failure = r.thermal_pressure = r.compression = r.artificial = 0.0;
   r.kinetic_work = r.internal_work = r.heat = 0.0;
   return r;
 }
@@ -95,6 +97,7 @@ TM_FN void tm_update_sum(tm_update_result *sum, const tm_update_result *r, int l
   sum->plastic_heat += r->plastic_heat;
   sum->failure += r->failure;
   sum->thermal_pressure += r->thermal_pressure;
+  sum->compression += r->compression;
   sum->artificial += r->artificial;
   sum->kinetic_work += r->kinetic_work;
   sum->internal_work += r->internal_work;
@@ -407,11 +410,11 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       out.stress_work = mass * work;
       if (dmg && !failed && dmg[tm_column(1)] > 0.5)
         out.failure = mass * (tm_stored_energy(m, q.rho, q.s, 0) - tm_stored_energy(m, q.rho, q.s, 1));
-      if (effects & (TM_FX_ENERGY | TM_FX_EXPANSION | TM_FX_COMPRESSION_HEAT))
+      if (effects & (TM_FX_ENERGY | TM_FX_EXPANSION))
         out.thermal_pressure =
             -mass * a->dt / rho_half * tm_mat_trace(L) *
-                (tm_damage_pressure(p_half, failed) - tm_damage_pressure(tm_eos_pressure(m, rho_half, 0.0), failed)) -
-            taken.compression;
+            (tm_damage_pressure(p_half, failed) - tm_damage_pressure(tm_eos_pressure(m, rho_half, 0.0), failed));
+      out.compression = taken.compression;
       out.artificial = artificial;
     }
 

@@ -16,6 +16,7 @@ class EnergyBalance {
     PLASTIC_HEAT,
     FAILURE,             // stored in particles when they failed
     THERMAL_PRESSURE,    // work of the pressure that the internal energy makes (shock equation of state)
+    COMPRESSION,         // what compression turned from stored energy into heat
     ARTIFICIAL,
     HEAT,
     KINETIC_WORK,
@@ -38,6 +39,7 @@ class EnergyBalance {
     add(PLASTIC_HEAT, r.plastic_heat);
     add(FAILURE, r.failure);
     add(THERMAL_PRESSURE, r.thermal_pressure);
+    add(COMPRESSION, r.compression);
     add(ARTIFICIAL, r.artificial);
     add(KINETIC_WORK, r.kinetic_work);
     add(INTERNAL_WORK, r.internal_work);
