@@ -43,7 +43,7 @@ checks.above("refined: split", found["split"], 30)
 checks.above("half of the beam is shortened", sum(e < 0 for e in strain.values()) / len(strain), 0.3)
 checks.below("refined: of those split, shortened in the unrefined beam", found["split_shortened"] / found["split"], 0.05)
 checks.above("refined: neighbors in the stretched half, the 3 % with the fewest", found["neighbors_fewest"], 14)
-# With the default the unrefined beam has a sixth of that gap. Refined it blows up (courant 0.4 and 0.6) or has a gap of 0.84
+# With the default the unrefined beam has a seventh of the bare one's gap. Refined it blows up (courant 0.4 and 0.6) or has a gap of 0.84
 # (courant 0.3): child particles beside whole ones, in passes of their own (hourglass 0, or correction no) they hold.
 result = run(SCRIPT, dict(down, **scene.ROWS["unrefined_default"]))
 _, tip = scene.at_sag(result, 1.0)
