@@ -27,6 +27,14 @@ wrong("artstress exponent 0", style("hyperbolic 1.2 spacing 1e-3 artstress 0.3 0
 wrong("artstress exponent 2.5", style("hyperbolic 1.2 spacing 1e-3 artstress 0.3 2.5"), "2.5", "integer")
 wrong("artstress with a wrong form", style("hyperbolic 1.2 spacing 1e-3 artstress 0.3 4 principle"), S, "principle")
 wrong("hourglass 2", style("hyperbolic 1.2 spacing 1e-3 hourglass 2"), S, "hourglass", "0 to 1", "2")
+for bad in ("-0.1", "automatic", "nan"):
+    wrong("hourglass " + bad, style("hyperbolic 1.2 spacing 1e-3 hourglass " + bad), *([] if bad == "automatic" else [S]), bad)
+wrong("hourglass without value", style("hyperbolic 1.2 spacing 1e-3 hourglass"), S, "hourglass")
+wrong("stabilize nothing", style("hyperbolic 1.2 spacing 1e-3 stabilize nothing"), S, "stabilize", "hourglass or artstress",
+      "nothing")
+wrong("stabilize without value", style("hyperbolic 1.2 spacing 1e-3 stabilize"), S, "stabilize")
+for good in ("stabilize artstress", "stabilize hourglass", "hourglass auto", "hourglass 0.02 correction no", "hourglass 0", "form f14"):
+    fine(good, style("hyperbolic 1.2 spacing 1e-3 " + good))
 wrong("xsph 1.5", style("hyperbolic 1.2 spacing 1e-3 xsph 1.5"), S, "xsph", "0 to 1", "1.5")
 wrong("precision single", style("hyperbolic 1.2 spacing 1e-3 precision single"), S, "precision", "double or mixed",
       "single")

@@ -49,5 +49,5 @@ checks.below("passive force over that of the coarse run", passive / coarse_passi
 checks.above("passive over cutting force", passive / cutting, 0.1)
 checks.above("a chip stands above the surface, spacings", (y.max() - TOP) / DX, 1.0)
 checks.below("deepest penetration of the tool, spacings", result.columns("force.dat")[:, 5].max(), 0.1)
-checks.below("energy sum, drift over the work", np.abs(thermo["f_body[9]"]).max() / (cutting * 1e3 * CUT), 1e-2)
+checks.below("energy sum, drift over the work", np.abs(thermo["f_body[9]"]).max() / (cutting * 1e3 * CUT), 1e-3)
 checks.end()

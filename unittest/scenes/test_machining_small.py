@@ -66,7 +66,7 @@ def chip(checks, label, h, f):
 def forces(checks, label, h):
     """On the tool: against its motion along -x, so along +x."""
     area = DEPTH * WIDTH
-    between(checks, label + ": cutting force over chip section (N/mm^2)", steady(h, "fx") / area * 1e-6, 400, 1100)
+    between(checks, label + ": cutting force over chip section (N/mm^2)", steady(h, "fx") / area * 1e-6, 550, 950)
     checks.true(label + ": pushes against the motion at all times", h["fx"][h["cut"] > 0.1e-3].min() > 0.0)
     checks.true(label + ": thrust is small at 17.5 degrees rake", abs(steady(h, "fy")) < 0.2 * steady(h, "fx"))
     checks.true(label + ": no force along the edge", abs(steady(h, "fz")) < 0.02 * steady(h, "fx"))
@@ -87,7 +87,7 @@ for label, h, f in (("heat", hot, hot_frame), ("no heat", cold, cold_frame)):
     chip(checks, label, h, f)
     forces(checks, label, h)
 
-between(checks, "heat lowers the cutting force: ratio", steady(hot, "fx") / steady(cold, "fx"), 0.8, 0.99)
+between(checks, "heat lowers the cutting force: ratio", steady(hot, "fx") / steady(cold, "fx"), 0.8, 0.92)
 between(checks, "hottest particle (K)", hot["T_max"][-1], 450.0, 855.0)
 checks.true("without heat the temperature stays", cold["T_max"].max() == 293.0 == cold["T_max"].min())
 checks.true("friction heats the tool", steady(hot, "tool_heat") > 0.0)
