@@ -72,7 +72,7 @@ static void path(void)
         const tm_mat3 L = tm_mat_load(l);
         const double dt = 1.0 / steps, half = rho * (1 - 0.5 * dt * tm_mat_trace(L));
         const tm_sym3 s_half = tm_sym_axpy(s, 0.5 * dt, tm_jaumann_rate(s, L, m.shear));
-        const tm_point q = tm_constitutive(&m, rho, half, s, s_half, L, 0, 0, 300, dt, 0);
+        const tm_point q = tm_constitutive(&m, rho, half, s, s_half, L, 0, 1, 0, 300, dt, 0);
         work += dt / half * tm_sym_ddot(tm_sym_add_iso(s_half, -tm_eos_pressure(&m, half, 0)), tm_mat_symmetric(L));
         rho = q.rho;
         s = q.s;

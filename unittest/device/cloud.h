@@ -149,7 +149,7 @@ TM_FN tm_update_args cloud_update(cloud *w)
 TM_FN void cloud_put_limits(double *out, const tm_update_result *r)
 {
   for (int k = 0; k < 3; k++) out[k] = 1.0 / r->dt[k];
-  out[3] = r->elastic; out[4] = r->plastic; out[5] = r->plastic_heat; out[6] = r->artificial;
+  out[3] = r->stress_work; out[4] = r->plastic; out[5] = r->plastic_heat; out[6] = r->artificial;
   out[7] = r->kinetic_work; out[8] = r->internal_work; out[9] = r->heat; out[10] = r->status;
   out[11] = r->melted < INT_MAX;
 }
