@@ -63,7 +63,7 @@ unsigned AccuracyMeter::missing() const
   for (int t = 1; t <= atom->ntypes; t++)
     solid = solid || (model.materials()[t].body == TM_BODY_SOLID && model.materials()[t].strength != TM_STRENGTH_NONE);
   unsigned can = unsigned(TM_FX_VISCOSITY) | TM_FX_XSPH;
-  if (solid) can |= TM_FX_ARTSTRESS;
+  if (solid && !state.has(TM_FX_HOURGLASS)) can |= TM_FX_ARTSTRESS;    // the one or the other
   if (!model.settings_in_use().form_f14) can |= TM_FX_CORRECTION;
   if (state.has(TM_FX_HEAT) && model.largest_conductivity() > 0.0) can |= TM_FX_CONDUCTION;
   return can & TM_FX_PRESENT & ~state.effects();

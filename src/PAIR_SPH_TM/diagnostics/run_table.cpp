@@ -55,7 +55,8 @@ std::map<unsigned, double> RunTable::bytes_by_effect()
 {
   std::map<unsigned, double> bytes = scene.results().bytes_by_effect(state.effects());
   for (int id = 0; id < TM_F_COUNT; id++) {
-    const unsigned of = tm_field_table[id].effects;
+    const unsigned field = tm_field_table[id].effects;
+    const unsigned of = field == TM_FX_ONE_PASS ? unsigned(TM_FX_CORRECTION) : field;
     if (!state.fields()[id].empty())
       bytes[effect_name(of).empty() ? 0u : of] += (double) atom->nlocal * tm_field_table[id].columns * sizeof(tm_real);
   }

@@ -27,7 +27,7 @@ typedef struct {
   int art_component;       /* nonzero: F14 (18) per component instead of principal axes */
   const tm_real *share;    /* tm_tensile_table where the artificial stress is balanced, else NULL */
   tm_real hourglass;       /* xi of hourglass control, below 0: from the stress */
-  tm_real h;               /* smoothing length, of particles without a size of their own */
+  tm_real h;               /* smallest smoothing length: the time of damping by hourglass control is that over c */
   tm_real *correction;     /* 6, K at the force point, with one pass */
   tm_real ratio;           /* h over spacing, of particles without a size of their own */
 } tm_predict_args;
@@ -53,11 +53,13 @@ TM_FN void tm_predict_hourglass(int i, const tm_predict_args *a, tm_sym3 dev, tm
   const tm_state *s = &a->state;
   const tm_material *m = s->material + s->type[i];
   const tm_real *r = tm_main_record(&a->rec, i), c = r[tm_part(TM_REC_C)];
-  const tm_real k = r[tm_part(TM_REC_RHO)] * c * c;
+  const tm_real k = r[tm_part(TM_REC_RHO)] * c * c; /* in plane stress times the thickness */
+  const tm_real lz = (effects & TM_FX_PLANE_STRESS) ? *tm_field_row(s, TM_F_THICKNESS, i) : 1.0;
   const int failed = (effects & TM_FX_DAMAGE) && tm_field_row(s, TM_F_DAMAGE, i)[tm_column(1)] > 0.5;
-  const tm_real xi =
-      k > 0.0 && m->strength != TM_STRENGTH_NONE && !failed ? tm_hourglass_stiffness(a->hourglass, dev, p, k) : 0.0;
-  const tm_real delay = k > 0.0 ? TM_HOURGLASS_DAMPING * tm_particle_h(s, i, a->h, effects) / c : 0.0;
+  const tm_real xi = k > 0.0 && m->strength != TM_STRENGTH_NONE && !failed
+                         ? tm_hourglass_stiffness(a->hourglass, dev, p, k / lz)
+                         : 0.0;
+  const tm_real delay = k > 0.0 ? TM_HOURGLASS_DAMPING * a->h / c : 0.0;
   const tm_vec3 W = tm_hourglass_displacement(tm_field_row(s, TM_F_HOURGLASS, i), a->dt_ahead, xi, delay);
   if (effects & TM_FX_ONE_PASS) {
     tm_real *out = tm_stab_record(&a->rec, i);

@@ -223,7 +223,8 @@ void EffectPlan::derive(const Model &model, int dimension)
   if (set.plane_stress) effects |= TM_FX_PLANE_STRESS;
   if (set.mixed) effects |= TM_FX_MIXED;
   for (const auto &w : r.why) effects |= w.first;
-  if ((effects & TM_FX_CORRECTION) && (effects & TM_FX_HOURGLASS) && !separate_passes) effects |= TM_FX_ONE_PASS;
+  if ((effects & TM_FX_CORRECTION) && (effects & TM_FX_HOURGLASS) && !(effects & TM_FX_ARTSTRESS) && !separate_passes)
+    effects |= TM_FX_ONE_PASS;
   write_report(r.why);
 }
 

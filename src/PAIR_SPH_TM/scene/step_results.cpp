@@ -79,7 +79,10 @@ tm_records StepResults::host_records()
   return r;
 }
 
-StepResults::Rates StepResults::host_rates() { return {gradient.host_read(), heat.host_read(), xsph_v.host_read(), correction.host_read()}; }
+StepResults::Rates StepResults::host_rates()
+{
+  return {gradient.host_read(), heat.host_read(), xsph_v.host_read(), correction.host_read()};
+}
 
 /* ---------------------------------------------------------------------- arguments of the loops */
 
@@ -95,7 +98,7 @@ tm_predict_args StepResults::predict_args(ParticleState &state, const tm_state &
   a.share = model.loop_tables().share.loop_read();
   a.ratio = set.ratio;
   a.hourglass = set.hourglass;
-  a.h = set.h;
+  a.h = state.has(TM_FX_SMOOTHING) ? set.ratio * model.smallest_spacing() : set.h;
   a.correction = correction.loop_write();
   a.gradient = model.loop_tables().gradient.loop_read();
   return a;
@@ -256,7 +259,7 @@ std::map<unsigned, double> StepResults::bytes_by_effect(unsigned effects) const
 {
   std::map<unsigned, double> bytes;
   bytes[0] = rec_main.bytes() + gradient.bytes();
-  for (auto *a : {&single_main, &single_more, &single_correction, &single_size}) bytes[0] += a->bytes();
+  for (auto *a : {&single_main, &single_more, &single_correction, &single_size, &single_stab}) bytes[0] += a->bytes();
   bytes[TM_FX_ARTSTRESS] = rec_stress.bytes();
   bytes[TM_FX_HEAT] = rec_heat.bytes();
   bytes[TM_FX_CONDUCTION] = heat.bytes();
