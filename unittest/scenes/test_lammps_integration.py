@@ -316,9 +316,10 @@ def surface_area():
 def memory():
     big = lattice_block("0 100e-3 0 100e-3", "-5e-3 105e-3 -5e-3 105e-3", types=2, more="atom_modify     map array\n")
     elastic = "pair_coeff * * density 2700 elastic 70e9 0.33"
-    cases = {"elastic": ("", elastic), "plastic": ("", elastic + " strength plastic 1e8 1e9"),
-             "plastic, with heat": ("", elastic + " strength plastic 1e8 1e9 heat 200 900 0.9"),
-             "plastic, with heat and correction": (" correction yes",
+    plain = " correction no hourglass 0"
+    cases = {"elastic": (plain, elastic), "plastic": (plain, elastic + " strength plastic 1e8 1e9"),
+             "plastic, with heat": (plain, elastic + " strength plastic 1e8 1e9 heat 200 900 0.9"),
+             "plastic, with heat and correction": (" correction yes hourglass 0",
                                                    elastic + " strength plastic 1e8 1e9 heat 200 900 0.9")}
     columns = {"elastic": 0, "plastic": 3, "plastic, with heat": 3 + 2 + 1, "plastic, with heat and correction": 9 * 2}
     last = None

@@ -100,7 +100,8 @@ def heat():
     for more, share in (("friction 0.3", 0.5), ("friction/table 300 0.3 900 0.2 share 0.25", 0.25)):
         folder = new_folder()
         mesh(folder, "tool.stl", "block --size 1 1 1")
-        result = scene(RUBS, x="4.9e-3", folder=folder, tool=more + " overlap allow", heat=" heat 0 900 0.9")
+        result = scene(RUBS, x="4.9e-3", folder=folder, tool=more + " overlap allow", heat=" heat 0 900 0.9",
+                       body="effects artificial-heat off")
         why = re.findall("^sph/tm effect heat +(.*)", result.output, re.M)
         checks.true(more + ": heat is on", "on   friction of fix contact/tri tool" in why, " | ".join(why))
         t = result.thermo[-1]
