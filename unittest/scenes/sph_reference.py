@@ -37,7 +37,7 @@ class Body:
                              component=component, xsph=xsph, form=form, correction=correction, balsara=balsara,
                              plane_stress=plane_stress, heat=heat, meets=meets or {}, T0=temperature, load=load,
                              balanced=balanced, follow=follow, every=every, steps=0, hourglass=hourglass,
-                             one_pass=correction and hourglass != 0.0, expands=expands, dissipation=dissipation)
+                             one_pass=correction and hourglass != 0.0 and artstress[0] == 0, expands=expands, dissipation=dissipation)
         n = self.n = len(x)
         self.mat = [materials[k] for k in kind]
         self.m = np.array([m.rho0 for m in self.mat]) * spacing ** dim
@@ -232,9 +232,9 @@ class Body:
         p = -np.trace(q["stress"], axis1=1, axis2=2) / 3
         s = q["stress"] + p[:, None, None] * np.eye(3)
         tension = np.sqrt(1.5 * np.sum(s ** 2, axis=(1, 2))) + np.maximum(-p, 0)
-        xi = np.minimum(2.0, 12.0 * tension / k) if self.hourglass == "auto" else np.full(self.n, self.hourglass)
+        xi = np.minimum(2.0, 12.0 * tension * self.lz / k) if self.hourglass == "auto" else np.full(self.n, self.hourglass)
         xi = np.where(self.failed | [m.strength[0] == "none" for m in self.mat], 0.0, xi)
-        W = xi[:, None] * (self.w + ahead * self.w_rate) + (0.1 * self.own_h / q["c"])[:, None] * self.w_rate
+        W = xi[:, None] * (self.w + ahead * self.w_rate) + (0.1 * self.h / q["c"])[:, None] * self.w_rate
         per = 4 / (rho[:, None] + rho[None]) ** 2 if self.one_pass else 1 / (rho[:, None] * rho[None])
         across = np.einsum("ija,ija->ij", W[:, None] - W[None], d) / r ** 2
         return (np.minimum(k[:, None], k[None]) * per * across)[..., None] * gm

@@ -34,6 +34,7 @@ struct LawRecord {
 struct TypesRecord {
   char fix[64];
   int types;
+  uint64_t fix_names;    // see fix_names_hash()
 };
 const char *const WHO = "Pair style sph/tm";
 
@@ -52,11 +53,12 @@ void ModelRestart::write_settings(FILE *fp, const Settings &set)
   write_checked(fp, &r, sizeof(r));
 }
 
-void ModelRestart::write(FILE *fp, const Model &model, const std::string &fix_id, int **setflag)
+void ModelRestart::write(FILE *fp, const Model &model, const std::string &fix_id, uint64_t fix_names, int **setflag)
 {
   TypesRecord head = {};
   copy_text(head.fix, fix_id);
   head.types = model.types();
+  head.fix_names = fix_names;
   write_checked(fp, &head, sizeof(head));
   for (int i = 1; i <= model.types(); i++) {
     MaterialRecord m = {};
@@ -97,7 +99,7 @@ void ModelRestart::read(FILE *fp, Model &model, int **setflag)
       written->laws[i * (head.types + 1) + j] = l.law;
     }
   }
-  refuse_damaged(comm->me == 0 ? scan_restart(fp, name_of_parts()) : "");
+  refuse_damaged(comm->me == 0 ? scan_restart(fp, name_of_parts(), head.fix_names) : "");
 }
 
 // of a file in parts its name with % where the one that is open has "base", or ""

@@ -19,7 +19,7 @@ class ModelRestart : protected LAMMPS_NS::Pointers {
 
   // on the first rank; behind the settings materials and laws, with the ID of fix sph/tm
   static void write_settings(FILE *, const Settings &);
-  static void write(FILE *, const Model &, const std::string &fix_id, int **setflag);
+  static void write(FILE *, const Model &, const std::string &fix_id, uint64_t fix_names, int **setflag);
   // on every rank
   const std::string &name_of_file(FILE *);    // that is open
   Settings read_settings(FILE *);

@@ -10,6 +10,7 @@
 #include "lmprestart.h"
 #include "modify.h"
 #include "platform.h"
+#include "utils.h"
 
 #include <cstring>
 #include <mpi.h>
@@ -61,16 +62,31 @@ void append_rows_hash(std::vector<double> &values, const RowsHash &h)
   append_bits(values, h.hash);
 }
 
+// of all fixes with a state in the file, in the order in which LAMMPS writes them: global states, then those of particles
+uint64_t fix_names_hash(LAMMPS *lmp)
+{
+  std::string names;
+  for (const bool of_particles : {false, true}) {
+    for (const Fix *fix : lmp->modify->get_fix_list())
+      if (of_particles ? fix->restart_peratom : fix->restart_global)
+        names += std::string(fix->id) + "\n" + utils::strip_style_suffix(fix->style, lmp) + "\n";
+    names += "\n";
+  }
+  return hash_bytes(names.data(), names.size());
+}
+
 namespace {
 
 class Scan {
  public:
-  Scan(FILE *f, const std::string &name) : fp(f), pattern(name) {}
+  Scan(FILE *f, const std::string &name, uint64_t hash) : fp(f), pattern(name), names_written(hash) {}
   std::string run();
 
  private:
   FILE *fp;
   const std::string pattern;
+  const uint64_t names_written;
+  std::string names;
   long left = 0;    // bytes
   RowsHash written, found;
   bool known = false;
@@ -133,12 +149,18 @@ std::string Scan::fixes()
   if (!read(count) || count < 0) return CUT;
   for (int k = 0; k < count; k++) {
     if (!read(id) || !read(style)) return CUT;
+    names += id + "\n" + style + "\n";
     const std::string fault = fix_state(id, style);
     if (!fault.empty()) return fault;
   }
+  names += "\n";
   if (!read(count) || count < 0) return CUT;
   for (int k = 0; k < count; k++)
     if (!read(id) || !read(style) || !read(size) || size < 0) return CUT;
+    else names += id + "\n" + style + "\n";
+  names += "\n";
+  if (names_written && hash_bytes(names.data(), names.size()) != names_written)
+    return "the names of fixes do not fit their checksum";
   return "";
 }
 
@@ -223,10 +245,10 @@ std::string Scan::run()
 
 }    // namespace
 
-std::string scan_restart(FILE *fp, const std::string &pattern)
+std::string scan_restart(FILE *fp, const std::string &pattern, uint64_t fix_names)
 {
   const long at = ftell(fp);
-  const std::string fault = Scan(fp, pattern).run();
+  const std::string fault = Scan(fp, pattern, fix_names).run();
   fseek(fp, at, SEEK_SET);
   return fault;
 }

@@ -36,8 +36,9 @@ constexpr int ROWS_HASH_VALUES = 4;
 void append_rows_hash(std::vector<double> &, const RowsHash &);
 
 // From the end of the pair style to the end of the file; the position is left where it was. "" or what is wrong.
-// pattern: of a file in parts its name with %, or ""
-std::string scan_restart(FILE *, const std::string &pattern);
+// pattern: of a file in parts its name with %, or ""; fix_names: as it was written, 0: not known
+std::string scan_restart(FILE *, const std::string &pattern, uint64_t fix_names);
+uint64_t fix_names_hash(LAMMPS_NS::LAMMPS *);
 
 }    // namespace SPHTM_NS
 

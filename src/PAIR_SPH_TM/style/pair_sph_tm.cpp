@@ -5,6 +5,7 @@
 #include "model_checks.h"
 #include "model_input.h"
 #include "model_restart.h"
+#include "restart_scan.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -324,7 +325,7 @@ void PairSPHTM::tally_virial_energy()
 void PairSPHTM::write_restart(FILE *fp)
 {
   write_restart_settings(fp);
-  ModelRestart::write(fp, model, scene->is_bound() ? state->id() : "", setflag);
+  ModelRestart::write(fp, model, scene->is_bound() ? state->id() : "", fix_names_hash(lmp), setflag);
 }
 
 void PairSPHTM::read_restart(FILE *fp)
