@@ -4,7 +4,7 @@ searched anew."""
 from sphtm_scene import Checks, lattice_block, run
 
 HEAD = lattice_block("0 8e-3 0 8e-3", "-5e-3 25e-3 -5e-3 15e-3") + """
-pair_style      sph/tm hyperbolic 1.2 spacing 1e-3 hourglass 0
+pair_style      sph/tm hyperbolic 1.2 spacing 1e-3 hourglass 0 correction no
 pair_coeff      1 1 density 2700 elastic 70e9 0.33 strength plastic 300e6 1e9
 region          corner block 0 2e-3 0 2e-3 INF INF units box
 region          right block 5e-3 10e-3 INF INF INF INF units box

@@ -99,7 +99,7 @@ m = meter(full)
 checks.above("lengths that do not follow the density", m["smoothing"].max(), 1e-5)
 for name in "rows precision viscosity artstress correction xsph conduction".split():
     checks.true("in use, no difference: " + name, not m[name].any(), str(m[name].max()))
-for name, options in (("viscosity", "viscosity 0 0"), ("artstress", ""), ("xsph", ""), ("correction", "correction no")):
+for name, options in (("viscosity", "viscosity 0 0"), ("artstress", "hourglass 0"), ("xsph", ""), ("correction", "correction no")):
     m = meter(scene(options=options))
     checks.above("off alone: " + name, m[name].max(), 1e-4)
 m = meter(scene(options="precision mixed"))

@@ -117,9 +117,9 @@ def main():
     checks = Checks()
     for dt in (0.25, 0.2, 0.16, 0.13, 0.08):
         on_a_block(checks, dt)
-    in_a_cube(checks, "auto", 40000, 0.01)
+    in_a_cube(checks, "auto", 48000, 0.01)
     in_a_cube(checks, "1.3e-4", 80000, 5e-3)
-    in_a_cube(checks, "auto", 40000, 0.01, damping=0.05)
+    in_a_cube(checks, "auto", 48000, 0.01, damping=0.05)
     rebound(checks)
     checks.end()
 

@@ -70,7 +70,7 @@ def books(c):
 fix             tool all contact/tri file tool.stl scale 1e-3 rotate axis 0 0 1 angle 20 &
                 move 6.75e-3 2.1e-3 3e-3 friction 0.3 damping 0.2 heat conductance 1e5 &
                 temperature 400 reference 7e-3 2e-3 3e-3 &
-                vtk 200 tool.*.vtk local 200
+                vtk 180 tool.*.vtk local 180
 fix_modify      tool move transrot -20 0 0 7e-3 2e-3 3e-3 0 0.1 1 -2e-3 ramp 2e-5
 fix_modify      body temperature all 310
 compute         p all sph/tm/atom temperature
@@ -83,12 +83,12 @@ fix             rec all ave/time 1 1 1 f_tool[1] f_tool[2] f_tool[3] f_tool[10] 
 thermo_style    custom step time dt v_px v_py v_pz f_tool[1] f_tool[2] f_tool[3] &
                 f_tool[4] f_tool[5] f_tool[6] f_tool[10] f_tool[11] f_tool[12] f_tool[13] f_body f_body[1] f_body[4] f_body[8]
 thermo_modify   format float %%.15g
-thermo          200
-dump            loc all local 200 tri.*.dump index f_tool[1] f_tool[2] f_tool[3] f_tool[10] f_tool[11] &
+thermo          180
+dump            loc all local 180 tri.*.dump index f_tool[1] f_tool[2] f_tool[3] f_tool[10] f_tool[11] &
                 f_tool[12] f_tool[13]
-dump            1 all custom 200 all.dump id x y z vx vy vz fx fy fz c_p
+dump            1 all custom 180 all.dump id x y z vx vy vz fx fy fz c_p
 dump_modify     1 format float %%.15g
-run             600
+run             540
 """)
     one = run(scene, folder=folder)
     two = run(scene, ranks=2, files={}, folder=_copy(folder))
@@ -113,14 +113,14 @@ run             600
            / np.abs(t["f_tool[6]"]).max(), 0, absolute=1e-8)
     for result, name in ((one, "1 rank"), (two, "2 ranks")):
         k = 1 + int(np.argmax(np.abs(result.thermo[-1]["f_tool[1]"][1:])))
-        _, _, a = read_vtk(result.path("tool.%d.vtk" % (200 * k)))
+        _, _, a = read_vtk(result.path("tool.%d.vtk" % (180 * k)))
         force = (a["stress"] * a["area"][:, None]).sum(axis=0)
         tk = result.thermo[-1]
         c.near("VTK: stress times area adds up to the force, " + name, force[0], tk["f_tool[1]"][k], relative=1e-9)
         c.near("VTK: heat flux times area adds up, " + name, (a["heat_flux"] * a["area"]).sum(),
                tk["f_tool[11]"][k], relative=1e-9)
         c.near("VTK: contacts, " + name, a["contacts"].sum(), tk["f_tool[12]"][k])
-    rows = np.loadtxt(one.path("tri.%d.dump" % (200 * k)), skiprows=9)
+    rows = np.loadtxt(one.path("tri.%d.dump" % (180 * k)), skiprows=9)
     c.near("dump local: forces add up", rows[:, 4].sum(), one.thermo[-1]["f_tool[1]"][k], relative=1e-5)
 
 
@@ -303,6 +303,7 @@ thermo_modify   format float %%.15g
 thermo          100
 run             600
 """)
+    scene = scene.replace("temperature 300 energy yes", "temperature 300 energy yes effects artificial-heat off")
     two = run(scene, folder=_copy(folder), ranks=2).thermo[-1]
     t = run(scene, folder=folder)
     q, t = t.columns("q.dat")[1:], t.thermo[-1]
