@@ -18,7 +18,7 @@ ELASTIC = "density 1000 elastic 1e7 0.3 heat {k} {cp} 0.9"
 PLASTIC = "density 1000 elastic 1e7 0.3 strength johnson/cook 4e5 4e5 0.5 0.02 1 293 2000 1 heat {k} {cp} 0.9"
 SCRIPT = """
 pair_coeff 1 1 {material}
-fix body all sph/tm energy yes temperature 300 {dt}
+fix body all sph/tm energy yes temperature 300 effects artificial-heat off {dt}
 fix plate all contact/tri file plane.stl rotate axis 1 0 0 angle -90 friction 0.4 damping 0.2 &
     heat conductance 2e4 lumped 1.0 50 600 effusivity 5000 smooth 30
 fix wedge all contact/tri file wedge.stl scale 0.1 move 0.14 0.045 0 friction 0.3 damping 0.1 &

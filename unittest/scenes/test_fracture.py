@@ -33,7 +33,7 @@ DUMP = "dump d all custom 1 out.dump id x y z c_p[*]\ndump_modify d sort id form
 SOFT = "strength plastic 100e6 50e6"
 
 
-def bar(style="hourglass 0 correction no", material=SOFT, fix="", pull=20, steps=6000, more="", torn="f_body[15]", **a):
+def bar(style="stabilize artstress", material=SOFT, fix="", pull=20, steps=6000, more="", torn="f_body[15]", **a):
     return run(BAR.format(style=style, material=material, fix=fix, pull=pull, torn=torn) + more + "run %d\n" % steps + DUMP, **a)
 
 

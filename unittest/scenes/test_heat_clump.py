@@ -25,7 +25,7 @@ group two region two
 region inner block -3e-5 3e-5 -3e-5 3e-5 -3e-5 3e-5 units box
 group inner region inner
 group outer subtract all inner
-pair_style sph/tm hyperbolic 1.2 spacing 1e-5 artstress 0 4
+pair_style sph/tm hyperbolic 1.2 spacing 1e-5 viscosity 1 1 artstress 0 4 hourglass 0 correction no
 pair_coeff 1 1 density 44.3e6 elastic 113.8e9 0.34 eos linear strength elastic heat 6.3 0.0531 0.9
 fix body all sph/tm temperature 300 effects artificial-heat off
 fix_modify body temperature one 305

@@ -90,11 +90,11 @@ region base block INF INF INF $(-13*v_dx) INF INF units box
 region top block INF INF $(13*v_dx) INF INF INF units box
 group base region base
 group top region top
-pair_style sph/tm hyperbolic 1.2 spacing ${dx}
+pair_style sph/tm hyperbolic 1.2 spacing ${dx} viscosity 1 1
 pair_coeff 1 1 density 2700 elastic 2e9 0.3 heat 120 899 0
 pair_coeff 2 2 density 7870 elastic 2e9 0.3 heat 50.7 486 0
 pair_coeff 1 2 contact friction 0.3 damping 0.5
-fix body all sph/tm temperature 300 energy yes
+fix body all sph/tm temperature 300 energy yes effects artificial-heat off
 variable load equal "-v_p*12*v_dx/36*(1-exp(-time/2e-6))"
 fix press top addforce 0 v_load 0
 variable vt equal "5*(1-exp(-time/2e-6))"

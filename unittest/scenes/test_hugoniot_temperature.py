@@ -26,7 +26,7 @@ create_atoms    1 region left
 create_atoms    1 region right
 group           left region left
 group           right region right
-pair_style      sph/tm cubic 1.3 spacing 1e-4 viscosity 1 2 artstress 0 4 correction yes
+pair_style      sph/tm cubic 1.3 spacing 1e-4 viscosity 1 2 artstress 0 4 correction yes hourglass 0
 pair_coeff      1 1 density 8930 elastic 120e9 0.34 eos shock 3940 1.489 2.02 strength none heat {k} {cp} 0.9 {more}
 fix             body all sph/tm temperature 300 energy yes {fix}
 velocity        left set {up} 0 0 units box

@@ -289,6 +289,21 @@ TM_FN void tm_update_correction(tm_real *row, const tm_real *K, tm_mat3 L, tm_re
   row[tm_column(TM_K_SINCE)] = since;
 }
 
+/* Displacement of hourglass control and correction of the gradients, for the next force point; the stiffness xi. */
+TM_FN tm_real tm_update_stabilization(int i, const tm_update_args *a, const tm_point *q, tm_mat3 L, tm_real sound,
+                                      tm_real h, int forget, unsigned effects)
+{
+  if (effects & TM_FX_ONE_PASS)
+    tm_update_correction(tm_field_row(&a->state, TM_F_CORRECTION, i), a->moment + (ptrdiff_t) i * 6, L, 0.5 * a->dt);
+  if (!(effects & TM_FX_HOURGLASS)) return 0.0;
+  const tm_real rho_c2 = q->rho * sound * sound, xi = tm_hourglass_stiffness(a->hourglass, q->s, q->p, rho_c2);
+  tm_real *w = tm_field_row(&a->state, TM_F_HOURGLASS, i);
+  tm_hourglass_step(w, a->hourglass_rate + 3 * (ptrdiff_t) i, L, a->dt, q->d_eps / tm_hourglass_memory(q->yield, q->p),
+                    forget);
+  tm_hourglass_limit(w, xi * rho_c2, q->yield, h);
+  return xi;
+}
+
 /* What of a solid particle cannot go on, enum tm_status; v2: its speed squared, others: a sum of its other fields. */
 TM_FN int tm_update_status(const tm_update_args *a, const tm_material *m, const tm_point *q, tm_real v2, tm_real sound,
                            tm_real others, int failed)
@@ -389,15 +404,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     if (effects & TM_FX_BALSARA) tm_update_balsara(i, s, L, rec[tm_part(TM_REC_C)], h);
     const tm_real sound = rec[tm_part(TM_REC_C)];
     const tm_real xi =
-        (effects & TM_FX_HOURGLASS) ? tm_hourglass_stiffness(a->hourglass, q.s, q.p, q.rho * sound * sound) : 0.0;
-    if (effects & TM_FX_HOURGLASS) {
-      tm_real *w = tm_field_row(s, TM_F_HOURGLASS, i);
-      tm_hourglass_step(w, a->hourglass_rate + 3 * (ptrdiff_t) i, L, a->dt, q.d_eps / tm_hourglass_memory(q.yield, q.p),
-                        failed || m->strength == TM_STRENGTH_NONE);
-      tm_hourglass_limit(w, xi * q.rho * sound * sound, q.yield, h);
-    }
-    if (effects & TM_FX_ONE_PASS)
-      tm_update_correction(tm_field_row(s, TM_F_CORRECTION, i), a->moment + (ptrdiff_t) i * 6, L, 0.5 * a->dt);
+        tm_update_stabilization(i, a, &q, L, sound, h, failed || m->strength == TM_STRENGTH_NONE, effects);
     tm_heat_taken taken = {0.0, 0.0, 0.0};
     if (effects & TM_FX_HEAT)
       taken = tm_update_temperature(i, a, m, q.rho, q.yield * q.d_eps * inv_dt, compression,

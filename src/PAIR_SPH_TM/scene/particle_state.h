@@ -65,7 +65,7 @@ class StartTemperatures {
   double of_all() const { return start.of_all; }    // K
   const tm_start_temperatures &all() const { return start; }
   void set_all(double T) { start.of_all = T; }
-  void set_group(int bit, double T);                          // at the next set-up
+  void set_group(int bit, double T);    // at the next set-up
   // those of groups to the state, once: temperatures and, unless empty, those without thermal strain, which go along
   void apply(int n, const int *mask, LoopArray<double> &, LoopArray<double> &unstrained);
 
