@@ -41,7 +41,7 @@ def hertz(checks):
         cap = block((15, 15, 3), 1.0, (-7.5, -7.5, 0.0))
         cap[:, 2] += (cap[:, 0] ** 2 + cap[:, 1] ** 2) / (2 * radius)
         x = np.r_[layer, cap + [shift, shift, 0.02]]
-        script = header(1.0, style="correction yes") + HERTZ.format(E=E, nu=NU, speed=speed, rise=0.02, steps=2600)
+        script = header(1.0, style="viscosity 1 1 hourglass 0") + HERTZ.format(E=E, nu=NU, speed=speed, rise=0.02, steps=2600)
         t = run(script, files={"data.scene": particles(x, [(-12, 12), (-12, 12), (-14, 20)],
                                                        types=np.r_[types, 3 * np.ones(len(cap), int)])}).thermo[-1]
         d, F = 0.5 - t["c_z"], abs(t["f_push[3]"])

@@ -33,7 +33,7 @@ DUMP = "dump d all custom 1 out.dump id x y z c_p[*]\ndump_modify d sort id form
 SOFT = "strength plastic 100e6 50e6"
 
 
-def bar(style="stabilize artstress", material=SOFT, fix="", pull=20, steps=6000, more="", torn="f_body[15]", **a):
+def bar(style="", material=SOFT, fix="", pull=40, steps=6000, more="", torn="f_body[15]", **a):
     return run(BAR.format(style=style, material=material, fix=fix, pull=pull, torn=torn) + more + "run %d\n" % steps + DUMP, **a)
 
 
@@ -60,7 +60,7 @@ checks.true("the same on 2 ranks", counts[0] == counts[1], "%s" % counts)
 
 r = bar(more="run 3000\nwrite_restart half.restart\n", steps=3000)
 again = run("read_restart half.restart\ngroup left id 1\ngroup right id 1\nfix body all sph/tm\n"
-            "fix pull right sph/tm/drive 20 0 0\nfix hold left sph/tm/drive 0 0 0\n"
+            "fix pull right sph/tm/drive 40 0 0\nfix hold left sph/tm/drive 0 0 0\n"
             "thermo_style custom step f_body[15]\nrun 0\n", folder=r.folder, expect_error=True)
 checks.true("restart: the number is kept", again.thermo and again.thermo[0]["f_body[15]"][0] == r.thermo[0]["f_body[15]"][-1],
             again.errors())

@@ -332,7 +332,6 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
   const tm_real h = tm_particle_h(s, i, a->h, effects);
   tm_update_result out = tm_update_nothing();
   out.particle = i;
-
   /* what is long is read before anything is written, so that a GPU waits for memory once */
   const int solid = m->body == TM_BODY_SOLID;
   tm_real *dev = tm_field_row(s, TM_F_STRESS, i);
@@ -347,8 +346,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     for (int k = 0; k < TM_H_STEP; k++) rate[k] = h1[tm_column(k)];
   }
 
-  tm_vec3 acc = tm_vec(0, 0, 0);
-  if (s->mask[i] & a->group) acc = tm_update_motion(i, a, effects, &out);
+  const tm_vec3 acc = s->mask[i] & a->group ? tm_update_motion(i, a, effects, &out) : tm_vec(0, 0, 0);
 
   const tm_real mass = rec[tm_part(TM_REC_M)];
   if (solid) {
