@@ -35,7 +35,7 @@ def go(tools, columns, steps, ranks=1, more="", material=MATERIAL, state="", mes
     if before:
         before(folder)
     x = block(counts, DX, -0.5 * DX * np.array(counts))
-    script = header(DX) + SCRIPT.format(material=material, state=state, tools="\n".join(tools), more=more,
+    script = header(DX, style="stabilize artstress") + SCRIPT.format(material=material, state=state, tools="\n".join(tools), more=more,
                                         columns=" ".join(columns), steps=steps, every=every)
     data = particles(x, BOX, v=np.tile(v, (len(x), 1)))
     result = run(script, ranks=ranks, files={"data.scene": data}, folder=folder)
@@ -122,7 +122,7 @@ def files(checks):
     for what in ("file plate.stl", "file ascii.stl", "file plate.vtk", "file fine.stl", "file unit.stl scale 0.5 0.2 0.6",
                  "file unit.stl move 1 0 0 scale 0.5 0.2 0.6 move -0.5 0 0"):
         tools = ["fix p all contact/tri %s %s friction 0.2" % (what, place)]
-        t, end, _ = go(tools, ["f_p[*]"], meshes=(), before=other_files, v=(0.3, 0.0, -1.0), steps=600)
+        t, end, _ = go(tools, ["f_p[*]"], meshes=(), before=other_files, v=(0.3, 0.0, -1.0), steps=540)
         values = np.array([t["f_p[%d]" % k] for k in range(1, 13) if not 7 <= k <= 9])
         if reference is None:
             reference = values
