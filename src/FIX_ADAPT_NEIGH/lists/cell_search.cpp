@@ -20,7 +20,8 @@ void CellSearch::move_to(Backend &b)
 
 bool CellSearch::take_types()
 {
-  const std::vector<unsigned char> with = parts.model().segments_of_types(parts.state().has(TM_FX_CONDUCTION));
+  const std::vector<unsigned char> with =
+      parts.model().pair_laws().segments(parts.model().materials(), parts.state().has(TM_FX_CONDUCTION));
   meets.assign(with.data(), with.size());
   const int n1 = parts.host()->atom->ntypes + 1;
   bool others = false;

@@ -29,7 +29,8 @@ tm_records AuditPatch::records()
 }
 
 AuditSearch::AuditSearch(LAMMPS *lmp, const ParticleState &state, const tm_records &r) :
-    Pointers(lmp), rec(r), meets(state.model().segments_of_types(state.has(TM_FX_CONDUCTION)))
+    Pointers(lmp), rec(r),
+    meets(state.model().pair_laws().segments(state.model().materials(), state.has(TM_FX_CONDUCTION)))
 {
   const double began = RunClock::processor_time();
   const Model &model = state.model();

@@ -160,7 +160,7 @@ static void read_meeting(LAMMPS *lmp, int narg, char **arg, Model &model)
   for (int i = ilo; i <= ihi; i++)
     for (int j = jlo; j <= jhi; j++) {
       if (i == j) continue;
-      model.set_law(i, j, law);
+      model.pair_laws().set(i, j, law);
       count++;
     }
   if (count == 0) error->all(FLERR, "Pair sph/tm coeff {} needs two different types, got {} {}", what, arg[0], arg[1]);

@@ -68,7 +68,7 @@ void ModelRestart::write(FILE *fp, const Model &model, const std::string &fix_id
     for (int j = 1; j <= model.types(); j++) {
       LawRecord l = {};
       l.given = setflag[std::min(i, j)][std::max(i, j)];
-      l.law = model.law(i, j);
+      l.law = model.pair_laws()(i, j);
       write_checked(fp, &l, sizeof(l));
     }
   }
@@ -95,7 +95,7 @@ void ModelRestart::read(FILE *fp, Model &model, int **setflag)
       LawRecord l;
       read_checked(lmp, WHO, fp, &l, sizeof(l));
       setflag[std::min(i, j)][std::max(i, j)] = l.given;
-      model.set_law(i, j, l.law);
+      model.pair_laws().set(i, j, l.law);
       written->laws[i * (head.types + 1) + j] = l.law;
     }
   }
@@ -221,7 +221,7 @@ void ModelRestart::compare(const Model &model)
     say(fmt::format(": type {} ({})", i, model.material_name(i)),
         changes(then->material[i], model.given_materials()[i]));
     for (int j = i + 1; j <= model.types(); j++) {
-      const PairLaw &a = then->laws[i * (model.types() + 1) + j], &b = model.law(i, j);
+      const PairLaw &a = then->laws[i * (model.types() + 1) + j], &b = model.pair_laws()(i, j);
       if (a.meeting == b.meeting && a.conductance == b.conductance &&
           same_table(a.contact.friction, b.contact.friction) && a.contact.shear == b.contact.shear &&
           a.contact.penalty == b.contact.penalty && a.contact.damping == b.contact.damping)

@@ -151,7 +151,7 @@ void Reasons::contacts()
     if (!model.materials()[t].heat) return;
   for (int i = 1; i <= model.types(); i++)
     for (int j = i + 1; j <= model.types(); j++) {
-      const PairLaw &l = model.law(i, j);
+      const PairLaw &l = model.pair_laws()(i, j);
       if (l.meeting != CONTACT || !(l.has_friction() || l.conductance >= 0.0)) continue;
       on(TM_FX_HEAT,
          "contact of " + of_type(i) + " and " + of_type(j) + (l.has_friction() ? " has friction" : " conducts heat"));
@@ -169,7 +169,7 @@ void Reasons::settings()
     on(TM_FX_HOURGLASS, "pair_style hourglass is not 0");
   if (solid) on(TM_FX_FRACTURE, "particles that lose neighbors without damage are counted");
   if (set.xsph > 0.0) on(TM_FX_XSPH, "pair_style xsph is not 0");
-  if (model.has_contact_pairs()) on(TM_FX_BODIES, "pair_coeff contact");
+  if (model.pair_laws().has_contact()) on(TM_FX_BODIES, "pair_coeff contact");
 }
 }    // namespace
 

@@ -38,7 +38,7 @@ void Model::resize(int types)
   material.assign(n, tm_material{});
   given = material;
   names.assign(n, "");
-  laws.assign(n * n, PairLaw());
+  laws.resize(types);
 }
 
 void Model::set_material(int type, const tm_material &m, const std::string &name)
@@ -62,31 +62,21 @@ void Model::set_time_scale(double s)
   }
 }
 
-void Model::set_law(int i, int j, const PairLaw &law)
-{
-  laws[i * (atom_types + 1) + j] = law;
-  laws[j * (atom_types + 1) + i] = law;
-}
-
-// what the script left open: solids are one continuum, a conduction-only material meets all by perfect conduction
 void Model::complete_laws()
 {
-  std::string welded;
   for (int i = 1; i <= atom_types; i++)
     for (int j = i; j <= atom_types; j++) {
-      PairLaw l = law(i, j);
-      const bool heat_i = material[i].body == TM_BODY_HEAT, heat_j = material[j].body == TM_BODY_HEAT;
-      if (l.meeting == UNSET) {
-        l.meeting = (heat_i || heat_j) ? HEAT_ONLY : BOND;
-        if (i != j && l.meeting == BOND) welded += fmt::format("{}{} and {}", welded.empty() ? "" : ", ", i, j);
-      }
-      if ((heat_i || heat_j) && (l.meeting == BOND || l.meeting == CONTACT))
+      const Meeting m = laws(i, j).meeting;
+      const bool heat = material[i].body == TM_BODY_HEAT || material[j].body == TM_BODY_HEAT;
+      if (heat && (m == BOND || m == CONTACT))
         error->all(FLERR,
                    "Pair sph/tm coeff {} {}: a conduction-only material (body heat) takes no part in mechanics; use "
                    "'heat' or 'none'",
                    i, j);
-      set_law(i, j, l);
     }
+  std::string welded;
+  for (const auto &ij : laws.complete(material.data()))
+    welded += fmt::format("{}{} and {}", welded.empty() ? "" : ", ", ij.first, ij.second);
   if (!welded.empty() && comm->me == 0)
     utils::logmesg(lmp,
                    "sph/tm: types {} are one body where they touch (bond, the default); 'pair_coeff i j contact' "
@@ -113,13 +103,14 @@ void Model::make_tables(double temperature)
   std::vector<double> conductance(n * n), young(n), effusivity(n);
   std::vector<tm_body_law> contact(n * n);
   std::vector<int> side;
-  most_sides = contact_sides(side);
+  most_sides = laws.contact_sides(side);
   bool conducts = false;
   for (int k = 0; k < n * n; k++) {
-    conductance[k] =
-        laws[k].conductance > 0.0 ? times_as_fast * laws[k].conductance * lattice.interface * lattice.gradient : 0.0;
+    const PairLaw &law = laws(k / n, k % n);
+    conductance[k] = law.conductance > 0.0 ? times_as_fast * law.conductance * lattice.interface * lattice.gradient
+                                           : 0.0;
     conducts = conducts || conductance[k] > 0.0;
-    contact[k] = laws[k].contact;
+    contact[k] = law.contact;
   }
   for (int t = 1; t < n; t++) {
     const tm_material &m = material[t];
@@ -161,50 +152,6 @@ void Model::cover_sizes(double h, double dp)
 
 double Model::particle_mass(int type) const { return material[type].rho0 * pow(settings.spacing, domain->dimension); }
 
-bool Model::has_contact_pairs() const
-{
-  return std::any_of(laws.begin(), laws.end(), [](const PairLaw &l) { return l.meeting == CONTACT; });
-}
-
-bool Model::has_friction() const
-{
-  return std::any_of(laws.begin(), laws.end(),
-                     [](const PairLaw &l) { return l.meeting == CONTACT && l.has_friction(); });
-}
-
-int Model::contact_sides(std::vector<int> &side) const
-{
-  const int n = atom_types + 1;
-  std::vector<int> body(n);    // the lowest type that a type is bonded to, in a chain
-  for (int t = 0; t < n; t++) body[t] = t;
-  for (int i = 1; i < n; i++)
-    for (int j = i + 1; j < n; j++) {
-      if (law(i, j).meeting != BOND || body[i] == body[j]) continue;
-      const int from = std::max(body[i], body[j]), to = std::min(body[i], body[j]);
-      std::replace(body.begin(), body.end(), from, to);
-    }
-  side.assign((size_t) n * n, 0);
-  int most = 0;
-  for (int i = 1; i < n; i++) {
-    std::vector<int> met;
-    for (int j = 1; j < n; j++) {
-      if (law(i, j).meeting != CONTACT) continue;
-      const auto it = std::find(met.begin(), met.end(), body[j]);
-      side[i * n + j] = 1 + int(it - met.begin());
-      if (it == met.end()) met.push_back(body[j]);
-    }
-    most = std::max(most, (int) met.size());
-  }
-  return most;
-}
-
-static bool is_thermal(const PairLaw &l)
-{
-  return l.meeting == HEAT_ONLY || (l.meeting == CONTACT && l.conductance >= 0.0);
-}
-
-bool Model::has_thermal_pairs() const { return std::any_of(laws.begin(), laws.end(), is_thermal); }
-
 double Model::largest_conductivity() const
 {
   double k = 0.0;
@@ -219,7 +166,7 @@ double Model::contact_time_step(int t) const
 {
   double least = TM_DT_NO_LIMIT;
   for (int u = 1; u <= atom_types; u++) {
-    const PairLaw &l = law(t, u);
+    const PairLaw &l = laws(t, u);
     if (l.meeting != CONTACT) continue;
     const double e1 = material[t].young, e2 = material[u].young;
     const double k =
@@ -228,22 +175,6 @@ double Model::contact_time_step(int t) const
     least = std::min(least, tm_contact_time_step(k, mass, 0.0));
   }
   return least;
-}
-
-// a contact pair that also conducts stands in two segments
-std::vector<unsigned char> Model::segments_of_types(bool conduction) const
-{
-  const int n = atom_types + 1;
-  std::vector<unsigned char> segments((size_t) n * n, 0);
-  for (int t = 1; t < n; t++)
-    for (int u = 1; u < n; u++) {
-      const PairLaw &l = law(t, u);
-      unsigned char &s = segments[t * n + u];
-      if (l.meeting == BOND && material[t].body == TM_BODY_SOLID) s |= TM_MEETS_MECHANICAL;
-      if (conduction && is_thermal(l)) s |= TM_MEETS_THERMAL;
-      if (l.meeting == CONTACT) s |= TM_MEETS_CONTACT;
-    }
-  return segments;
 }
 
 double Model::lattice_spacing(LAMMPS *lmp)

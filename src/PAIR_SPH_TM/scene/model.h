@@ -4,8 +4,8 @@
 #define SPHTM_MODEL_H
 
 #include "loop_array.h"
+#include "pair_laws.h"
 #include "pair_loops.h"
-#include "tm_body_contact.h"
 #include "tm_surface.h"
 #include "unit_scale.h"
 
@@ -15,15 +15,6 @@
 #include <vector>
 
 namespace SPHTM_NS {
-
-// how particles of two types meet
-enum Meeting { UNSET = 0, BOND, NONE, CONTACT, HEAT_ONLY };
-struct PairLaw {
-  Meeting meeting = UNSET;
-  double conductance = 0.0;    // heat across the interface; 0: perfect
-  tm_body_law contact = {};
-  bool has_friction() const { return contact.friction.n || contact.friction.value > 0.0; }
-};
 
 // numerical settings of the pair_style line
 struct Settings {
@@ -51,7 +42,7 @@ class Model : protected LAMMPS_NS::Pointers {
   void set(const Settings &s) { settings = s; }
   void resize(int types);
   void set_material(int type, const tm_material &, const std::string &name);
-  void set_law(int i, int j, const PairLaw &);
+  PairLaws &pair_laws() { return laws; }
   void complete_laws();    // of pairs of types that the script left open
   void set_restart_file(const std::string &name) { file = name; }
   // before a run: units, sums of the lattice, surface measure; then, with the fix known, tables of the loops
@@ -72,7 +63,7 @@ class Model : protected LAMMPS_NS::Pointers {
   const tm_material *materials() const { return material.data(); }
   const tm_material *given_materials() const { return given.data(); }    // without the time scale
   const char *material_name(int type) const { return names[type].c_str(); }
-  const PairLaw &law(int i, int j) const { return laws[i * (atom_types + 1) + j]; }
+  const PairLaws &pair_laws() const { return laws; }
   const UnitScale &units() const { return unit; }
   double support() const { return tm_kernel_support(settings.kernel) * settings.h; }    // radius of the kernel
   double covered_h() const { return list_h; }
@@ -81,16 +72,9 @@ class Model : protected LAMMPS_NS::Pointers {
   double fastest_heat_rate() const { return heat_rate; }    // of the sizes in use, see tm_lattice.h
   const tm_surface &surface_measure() const { return surface; }
   const std::string &restart_file() const { return file; }    // that was read, or empty
-  double particle_mass(int type) const;    // from density and spacing; in 2D of a plate of unit thickness
-  bool has_contact_pairs() const;
-  bool has_friction() const;    // of bodies
-  // of types that may touch others: which side of i meets j, by type pair, from 1 on (0: no contact). Types that are
-  // bonded are one body and meet on one side; returns the most sides of a type
-  int contact_sides(std::vector<int> &) const;
-  bool has_thermal_pairs() const;              // that exchange heat and take no part in mechanics together
+  double particle_mass(int type) const;        // from density and spacing; in 2D of a plate of unit thickness
   double largest_conductivity() const;         // of all types at all temperatures
   double contact_time_step(int type) const;    // the largest stable one of the stiffest pair in contact
-  std::vector<unsigned char> segments_of_types(bool conduction) const;    // per type pair: where in a row they meet
 
   // distance of particles that each have the volume (in 2d the area) of one on the lattice in use; 0: there is none
   static double lattice_spacing(LAMMPS_NS::LAMMPS *);
@@ -121,7 +105,7 @@ class Model : protected LAMMPS_NS::Pointers {
   std::vector<tm_material> material, given;    // by type
   double times_as_fast = 1.0;
   std::vector<std::string> names;
-  std::vector<PairLaw> laws;    // by type pair
+  PairLaws laws;
   std::string file;
   Tables tables;
 };

@@ -110,7 +110,7 @@ void NeighborRows::build(NeighList *list, bool conduction)
   const int nlocal = atom->nlocal, nall = nlocal + atom->nghost, *type = atom->type;
   const int n1 = model.types() + 1;
   const tagint *tag = atom->tag;
-  const std::vector<unsigned char> segments = model.segments_of_types(conduction);
+  const std::vector<unsigned char> segments = model.pair_laws().segments(model.materials(), conduction);
 
   // images of one particle in order of memory
   std::vector<int> by_tag(nall);

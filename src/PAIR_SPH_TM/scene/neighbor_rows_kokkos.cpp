@@ -90,7 +90,7 @@ struct FillRowByWarp {
 void NeighborRowsKokkos::build(NeighList *list, bool conduction)
 {
   const int n = atom->nlocal;
-  const std::vector<unsigned char> segments = model.segments_of_types(conduction);
+  const std::vector<unsigned char> segments = model.pair_laws().segments(model.materials(), conduction);
   meets.assign(segments.data(), segments.size());
   make_room();
   row_stride = TM_ROW_SLICE;

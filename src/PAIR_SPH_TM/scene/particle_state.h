@@ -109,7 +109,6 @@ class ParticleState : protected LAMMPS_NS::Pointers {
   void begin_setup();       // reports effects, drops fields that none of them calls for
   HeatSource &source() { return heat; }
   double *heat_source() { return has(TM_FX_HEAT) ? heat.loop_write() : nullptr; }
-  double *host_heat_source() { return has(TM_FX_HEAT) ? heat.host_write() : nullptr; }
 
   // ---- parts
   TimeStep &time_step() { return step; }

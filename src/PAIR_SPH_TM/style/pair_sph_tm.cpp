@@ -91,7 +91,7 @@ void PairSPHTM::init_style()
   model.prepare();
   model.complete_laws();
   std::vector<int> side;
-  comm_forward = std::max(comm_forward, (int) TM_BODY_SIDE * model.contact_sides(side));
+  comm_forward = std::max(comm_forward, (int) TM_BODY_SIDE * model.pair_laws().contact_sides(side));
   restart->compare(model);
 
   state = &scene->state("Pair style sph/tm");
@@ -207,7 +207,7 @@ void PairSPHTM::compute(int eflag, int vflag)
   if (source) others.rows = source->others();
   conduction.set_rows(args.rows, others.rows);
   const bool counts = !state->time_step().conducts_in_stages() || state->has(TM_FX_SURFACE);
-  if (counts && state->has(TM_FX_CONDUCTION) && model.has_thermal_pairs()) {
+  if (counts && state->has(TM_FX_CONDUCTION) && model.pair_laws().has_thermal()) {
     const auto timed = state->clock().timed(RunClock::THERMAL);
     loops.thermal(backend, atom->nlocal, others, state->effects());
   }
@@ -285,8 +285,8 @@ void PairSPHTM::body_contact(const tm_rates_args &others)
   b.mask = state->arrays().mask;
   b.start = state->start_temperatures().all();
   b.source = state->heat_source();
-  LoopArray<tm_real> &ahead = results.body_ahead(model.has_friction());
-  if (model.has_friction()) {
+  LoopArray<tm_real> &ahead = results.body_ahead(model.pair_laws().has_friction());
+  if (model.pair_laws().has_friction()) {
     of_bodies.ahead(backend, nlocal, {state->arrays(), b.dt, others.force_unit, ahead.loop_write()}, state->effects());
     results.communicate(this, ahead, TM_AHEAD);
   }
