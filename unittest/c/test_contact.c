@@ -47,6 +47,27 @@ static void laws(void)
   UT_NEAR(tm_contact_time_step(100.0, 0.25, 0.0), 2.0 * 0.05, 1e-15);
 }
 
+/* Friction stops the sliding, at most its limit, and where other forces turn the sliding round within the step it takes
+   nothing out of it and puts nothing in. */
+static void braking(void)
+{
+  const double mass = 0.5, dt = 0.1;
+  const tm_vec3 end = tm_vec(3, -4, 0);
+  UT_TRUE(tm_contact_most_braking(tm_vec(1, 1, 0), tm_vec(4, 3, 0)) == 1.0);
+  UT_TRUE(tm_contact_most_braking(tm_vec(0, 0, 0), end) == 1.0);        /* at rest: held */
+  UT_TRUE(tm_contact_most_braking(tm_vec(-30, 40, 0), end) == 0.0);     /* stopped by the other forces already */
+  UT_TRUE(tm_contact_most_braking(tm_vec(1, 1, 0), tm_vec(0, 0, 0)) == 1.0);
+  const tm_vec3 stopped = tm_contact_friction(end, mass, dt, 1e9, 1.0);
+  UT_NEAR(tm_vec_norm(tm_vec_axpy(end, dt / mass, stopped)) + 1.0, 1.0, 1e-15);
+  UT_NEAR(tm_vec_norm(tm_contact_friction(end, mass, dt, 7.0, 1.0)), 7.0, 1e-15);
+  const tm_vec3 start = tm_vec(-1, 0.5, 0);
+  const double most = tm_contact_most_braking(start, end);
+  UT_NEAR(most, 0.8, 1e-15);
+  const tm_vec3 f = tm_contact_friction(end, mass, dt, 1e9, most);
+  const tm_vec3 mean = tm_vec_scale(0.5, tm_vec_add(start, tm_vec_axpy(end, dt / mass, f)));
+  UT_WITHIN(tm_vec_dot(f, mean), 0.0, 1e-12);
+}
+
 /* Critical damping: no overshoot with DFAC 1, an overshoot with less. */
 static void critical_damping(void)
 {
@@ -437,6 +458,7 @@ int main(void)
 {
   laws();
   sizes();
+  braking();
   critical_damping();
   bounce();
   slope();

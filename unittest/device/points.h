@@ -188,7 +188,7 @@ POINT(contact_laws)
   out[1] = tm_contact_damping(0.2, in[0], in[1]);
   out[2] = tm_contact_normal(in[0], in[2], in[1], in[3], 0);
   out[3] = tm_contact_friction_limit(&w, in[0], 300, in[1]);
-  point_put(out + 4, tm_contact_friction(VEC(4), in[0], 1.0, in[1]));
+  point_put(out + 4, tm_contact_friction(VEC(4), in[0], 1.0, in[1], tm_contact_most_braking(VEC(7), VEC(4))));
   out[7] = tm_contact_share(&w, in[0]);
   out[8] = tm_contact_conductance(&w, in[1]);
   out[9] = tm_contact_heat(in[0], in[7], in[8], in[1], 0.5);

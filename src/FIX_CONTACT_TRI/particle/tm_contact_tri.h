@@ -207,8 +207,10 @@ TM_FN void tm_contact_add_friction(tm_contact_body *b, tm_contact_point *c)
 {
   const tm_vec3 end = tm_vec_sub(tm_vec_axpy(b->v, b->dt / b->mass, b->force), c->tool_v);
   const tm_vec3 slide = tm_contact_tangential(end, c->normal);
+  const tm_vec3 start = tm_contact_tangential(tm_vec_sub(b->v, c->tool_v), c->normal);
   const tm_real limit = tm_contact_friction_limit(b->law, c->fn, b->temperature, b->yield);
-  c->friction = tm_contact_friction(slide, b->mass, b->dt, limit); /* F15 (13) (15) */
+  c->friction =
+      tm_contact_friction(slide, b->mass, b->dt, limit, tm_contact_most_braking(start, slide)); /* F15 (13) (15) */
   b->force = tm_vec_add(b->force, c->friction);
 }
 

@@ -251,7 +251,7 @@ TM_FN void tm_body_touch_one(int i, int side, tm_vec3 vi, const tm_rates_args *a
   const tm_vec3 end = tm_vec_sub(tm_body_end(i, b, dim3), o.end); /* F15 (14) */
   const tm_real limit = tm_body_friction_limit(i, f * slope * steep, &o, a, b, dim3);
   const tm_vec3 friction = tm_contact_friction(tm_contact_tangential(end, tm_vec_scale(1.0 / steep, o.normal)),
-                                               0.5 * TM_BODY_STOP * mass, b->dt, limit); /* F15 (13) */
+                                               0.5 * TM_BODY_STOP * mass, b->dt, limit, 1.0); /* F15 (13) */
   const tm_real power = -tm_vec_dot(friction, tm_vec_sub(vi, o.v));
   mine[TM_SIDE_FRICTION] = friction.x / o.psi;
   mine[TM_SIDE_FRICTION + 1] = friction.y / o.psi;

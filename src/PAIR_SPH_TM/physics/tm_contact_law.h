@@ -9,7 +9,8 @@
    would feed energy in), and never tensile. F15's approach test drops all of it while separating.
    Friction F15 (13): Coulomb's law up to the shear flow stress of the material, |f_t| <= min(mu(T) f_n, m Y/sqrt(3) A)
    (Zorev; m = 1 sticking, 0 leaves the limit out), on the tangential part of the relative velocity, F15 (14). It
-   brings the sliding to rest at most, and never reverses it. F15 prints mu(sigma_y, T) without a form; this one has
+   brings the sliding to rest at most, and never reverses it; where other forces turn the sliding round within the step, it
+   brakes by so much less that it does no work. F15 prints mu(sigma_y, T) without a form; this one has
    the same arguments. */
 #ifndef TM_CONTACT_LAW_H
 #define TM_CONTACT_LAW_H
@@ -42,12 +43,21 @@ TM_FN tm_real tm_friction_limit(tm_real mu, tm_real fn, tm_real m, tm_real Y, tm
 /* F15 (14): the part of v across the unit normal n. */
 TM_FN tm_vec3 tm_contact_tangential(tm_vec3 v, tm_vec3 n) { return tm_vec_axpy(v, -tm_vec_dot(v, n), n); }
 
+/* The share of what stops a particle up to which friction takes energy from its sliding, <= 1, where the sliding at the
+   start of a step is v_start and, if nothing held it, v_end at the end: with a share f the mean is (v_start + (1 - f) v_end)/2,
+   which has no part along v_end at f = 1 + v_start.v_end/v_end^2. */
+TM_FN tm_real tm_contact_most_braking(tm_vec3 v_start, tm_vec3 v_end)
+{
+  const tm_real turned = tm_vec_dot(v_start, v_end);
+  return turned < 0.0 ? tm_max(1.0 + turned / tm_vec_dot(v_end, v_end), 0.0) : 1.0;
+}
+
 /* Friction on a particle that would slide at v_end relative to the surface (tangential) at the end
-   of the step if nothing held it: what stops it, at most `limit`. */
-TM_FN tm_vec3 tm_contact_friction(tm_vec3 v_end, tm_real mass, tm_real dt, tm_real limit)
+   of the step if nothing held it: a share of what stops it, at most `limit`. */
+TM_FN tm_vec3 tm_contact_friction(tm_vec3 v_end, tm_real mass, tm_real dt, tm_real limit, tm_real share)
 {
   const tm_real stop = mass / dt * tm_vec_norm(v_end);
-  const tm_real part = stop > limit ? limit / stop : 1.0;
+  const tm_real part = stop > limit ? tm_min(limit / stop, share) : share;
   return tm_vec_scale(-part * mass / dt, v_end);
 }
 
