@@ -72,7 +72,7 @@ void TimeStep::limit(const tm_real *of_particles)
 void TimeStep::limit_by_bodies()
 {
   const Model &model = state.model();
-  if (!model.has_contact_pairs()) return;
+  if (!model.pair_laws().has_contact()) return;
   // two particles on their common spring: a fifth of what one pair alone allows, as a particle has several
   for (int t = 1; t <= atom->ntypes; t++) limit(0.2 * model.contact_time_step(t), TM_DT_CONTACT);
 }
@@ -185,6 +185,14 @@ double TimeStep::longest_conduction(bool mechanics) const
   return std::max(of_conduction, std::min(1.02, share) * dt);
 }
 
+// down to 30 bits: the loops of a scene are compiled for its effects, and the last bits of what they find need not agree
+static double rounded_down(double step)
+{
+  int exponent;
+  const double part = std::frexp(step, &exponent);
+  return std::ldexp(std::floor(std::ldexp(part, 30)), exponent - 30);
+}
+
 void TimeStep::reduce()
 {
   limit_by_bodies();
@@ -205,6 +213,7 @@ void TimeStep::reduce()
   dt_cause = (int) (std::min_element(all, all + TM_DT_CAUSES) - all);
   double next = all[dt_cause];
   if (next >= 1e300) next = update->dt;
+  else if (dt_cause <= TM_DT_CONDUCTION) next = rounded_down(next);
   // grow slowly: the half-step prediction assumes steps of like size
   if (dt_next > 0.0 && next > 1.05 * dt_next) next = 1.05 * dt_next;
   dt_next = next;
