@@ -85,9 +85,10 @@ static void history(void)
   tm_initial_limits(0, &a, TM_FX_3D, 1);
   UT_TRUE(h[TM_H_V] == 6.0 && h[TM_H_V + 1] == -12.0 && h[TM_H_V + 2] == 3.0);   /* 3 f/m */
   UT_NEAR(h[TM_H_RHO], -5.0 * 0.3, 1e-15);
-  /* 2G dev D = 8 (0.2, -0.1, -0.1; 0.1) plus the turn of s: w_xy = 0.1, W s - s W = (2 w s_xy, ..; w (s_yy - s_xx)) */
-  UT_NEAR(h[TM_H_S], 1.6, 1e-15);
-  UT_NEAR(h[TM_H_S + 1], -0.8, 1e-15);
+  /* 2G dev D = 8 (0.2, -0.1, -0.1; 0.1) plus the turn of s: w_xy = 0.1, W s - s W = (2 w s_xy, ..; w (s_yy - s_xx)),
+     less s tr(D)/2 */
+  UT_NEAR(h[TM_H_S], 1.6 - 0.15 * 1.5, 1e-15);
+  UT_NEAR(h[TM_H_S + 1], -0.8 + 0.15 * 1.5, 1e-15);
   UT_NEAR(h[TM_H_S + 2], -0.8, 1e-15);
   UT_NEAR(h[TM_H_S + 3], 0.8 - 0.3, 1e-15);
   for (int k = 0; k < TM_H_STEP; k++) UT_TRUE(h[TM_H_STEP + k] == h[k]);   /* two steps back the same */

@@ -56,13 +56,12 @@ static void shape(void)
   UT_NEAR(tm_stored_energy(&m, 9100, s, 0), tm_pressure_energy(&m, 9100), 1e-15);
 }
 
-/* work of the stress along a path of compression, shear and rotation, against the state at its end; what differs is
-   (s : s/4G) times the volume strain, and vanishes for small strain */
+/* work of the stress along a path of compression, shear and rotation, small or large, against the state at its end */
 static void path(void)
 {
   for (int k = 0; k < 2; k++) {
     const tm_material m = copper(k ? TM_EOS_TAIT : TM_EOS_LINEAR);
-    for (double size = 1e-2; size > 1e-5; size *= 0.1) {
+    for (double size = 0.3; size > 1e-5; size *= 0.1) {
       const int steps = 2000;
       double rho = m.rho0, work = 0;
       tm_sym3 s = tm_sym(0, 0, 0, 0, 0, 0);
@@ -71,13 +70,13 @@ static void path(void)
         const tm_real l[9] = {-size, size * cos(3 * t), 0, -size * sin(2 * t), 0.3 * size, 0, 0, 0.5 * size, -size * t};
         const tm_mat3 L = tm_mat_load(l);
         const double dt = 1.0 / steps, half = rho * (1 - 0.5 * dt * tm_mat_trace(L));
-        const tm_sym3 s_half = tm_sym_axpy(s, 0.5 * dt, tm_jaumann_rate(s, L, m.shear));
+        const tm_sym3 s_half = tm_sym_axpy(s, 0.5 * dt, tm_deviator_rate(s, L, m.shear));
         const tm_point q = tm_constitutive(&m, rho, half, s, s_half, L, 0, 1, 0, 300, dt, 0);
         work += dt / half * tm_sym_ddot(tm_sym_add_iso(s_half, -tm_eos_pressure(&m, half, 0)), tm_mat_symmetric(L));
         rho = q.rho;
         s = q.s;
       }
-      UT_NEAR(tm_stored_energy(&m, rho, s, 0), work, 2 * size + 2e-6);
+      UT_NEAR(tm_stored_energy(&m, rho, s, 0), work, 2e-6);
     }
   }
 }

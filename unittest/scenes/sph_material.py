@@ -119,9 +119,10 @@ def deviator(a):
     return a - np.trace(a) / 3 * np.eye(3)
 
 
-def jaumann(s, L, G):
+def deviator_rate(s, L, G):
+    """Jaumann's, and what makes s : D/rho the rate of s : s/(4 G rho)."""
     D, W = 0.5 * (L + L.T), 0.5 * (L - L.T)
-    return 2 * G * deviator(D) + W @ s - s @ W
+    return 2 * G * deviator(D) + W @ s - s @ W - 0.5 * np.trace(L) * s
 
 
 def warmed(m, T, heat):

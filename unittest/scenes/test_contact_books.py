@@ -72,8 +72,7 @@ def heat(checks, t, taken):
 
 def energy(checks, name, t, bound):
     turned = abs(np.array([t["f_body[%d]" % k] for k in range(1, 9)]) - t["f_body[1]"][0] * np.array([1] + 7 * [0])[:, None]).max()
-    # work of the stress that is not stored stands apart: at these elastic strains no energy belongs to the Jaumann rate,
-    # and a smaller step does not change it
+    # work of the stress that is not stored stands apart
     book = t["f_body[9]"] + t["f_body[13]"]
     drift = abs(book - book[0])
     checks.below(name + ": work of the stress that is not stored, over the largest part", abs(t["f_body[13]"]).max() / turned, 0.02)

@@ -2,7 +2,7 @@
 
      psi = s : s/(4 G rho) + integral of p(rho, e = 0)/rho^2 drho from rho0
 
-   The Jaumann rate integrates to the first term but for products of s : s/(4 G) and the volume strain. What a shock
+   The rate of the stress, tm_deviator_rate(), integrates to the first term. What a shock
    equation of state adds to the pressure with the internal energy, Gamma0 rho0 e, is no function of the density; its
    work is summed in tm_update.h. */
 #ifndef TM_STORED_ENERGY_H

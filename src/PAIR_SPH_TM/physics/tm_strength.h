@@ -122,6 +122,14 @@ TM_FN tm_sym3 tm_jaumann_rate(tm_sym3 s, tm_mat3 L, tm_real G)
   return r;
 }
 
+/* Rate of a deviator whose material turns and changes its volume: Jaumann's, F14 (9), less s tr(D)/2. With it s : D/rho is
+   the rate of s : s/(4 G rho), so that a closed path of shear and compression gives back what it took. Jaumann's alone leaves
+   s : s/(4 G rho) tr(D), which is small where the volume hardly changes, as in metals. */
+TM_FN tm_sym3 tm_deviator_rate(tm_sym3 s, tm_mat3 L, tm_real G)
+{
+  return tm_sym_axpy(tm_jaumann_rate(s, L, G), -0.5 * tm_mat_trace(L), s);
+}
+
 /* --- radial return ------------------------------------------------------------------------ */
 
 typedef struct {
