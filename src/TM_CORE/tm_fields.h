@@ -16,9 +16,9 @@ enum { TM_S_H = 0, TM_S_DP = 1, TM_S_RATIO = 2, TM_S_TARGET = 3, TM_S_COLUMNS = 
 /* columns of the reference */
 enum { TM_R_X = 0, TM_R_B = 3, TM_R_STATE = 6, TM_R_COLUMNS = 7 };
 /* columns of the hourglass */
-enum { TM_G_W = 0, TM_G_RATE = 3, TM_G_COLUMNS = 6 };
+enum { TM_G_U = 0, TM_G_RATE = 3, TM_G_COLUMNS = 6 };
 /* columns of the correction */
-enum { TM_K_MATRIX = 0, TM_K_SPIN = 6, TM_K_SINCE = 9, TM_K_COLUMNS = 10 };
+enum { TM_K_MATRIX = 0, TM_K_SPIN = 6, TM_K_SINCE = 9, TM_K_RATE = 10, TM_K_COLUMNS = 16 };
 
 /*  stress       deviatoric Cauchy stress xx yy zz xy xz yz
     history      rates of the last two steps: v(3) rho(1) s(6), newer first
@@ -35,7 +35,7 @@ enum { TM_K_MATRIX = 0, TM_K_SPIN = 6, TM_K_SINCE = 9, TM_K_COLUMNS = 10 };
                  it, see tm_fracture.h
     hourglass    displacement against the neighborhood, see tm_hourglass.h, and its rate in the last step
     correction   of the gradients at the last force point, xx yy zz xy xz yz, xx = 0: not known yet; twice the spin there,
-                 L.zy - L.yz, L.xz - L.zx, L.yx - L.xy; and the time since then
+             L.zy - L.yz, L.xz - L.zx, L.yx - L.xy; the time since then; and its rate but for the spin
     unstrained   temperature at which there is no thermal strain */
 #define TM_FIELD_TABLE(FIELD)                                        \
   FIELD(TM_F_RHO, "density", 1, 0)                                   \

@@ -232,14 +232,14 @@ static void test_few(void)
   }
 }
 
-/* W: stiffness times the displacement at the force point, and the damping. */
+/* W: root of the stiffness times the displacement at the force point, and the damping. */
 static void test_displacement(void)
 {
   const double field[TM_G_COLUMNS] = {1, 2, 3, 10, 20, 30};
   const tm_vec3 W = tm_hourglass_displacement(field, 0.1, 7.0, 0.5);
-  UT_NEAR(W.x, 7.0 * 2.0 + 5.0, 1e-15);
-  UT_NEAR(W.y, 7.0 * 4.0 + 10.0, 1e-15);
-  UT_NEAR(W.z, 7.0 * 6.0 + 15.0, 1e-15);
+  UT_NEAR(W.x, sqrt(7.0) * 1.0 + (7.0 * 0.1 + 0.5) * 10.0, 1e-15);
+  UT_NEAR(W.y, sqrt(7.0) * 2.0 + (7.0 * 0.1 + 0.5) * 20.0, 1e-15);
+  UT_NEAR(W.z, sqrt(7.0) * 3.0 + (7.0 * 0.1 + 0.5) * 30.0, 1e-15);
 }
 
 /* The stiffness follows the stress up to its limit; what is forgotten follows the tension. */
@@ -279,7 +279,7 @@ static void test_limit(void)
 static void test_correction_turned(void)
 {
   const double angle = 1e-3, since = 0.25, ahead = 0.15;
-  tm_real field[TM_K_COLUMNS] = {2, 1, 3, 0.5, 0.25, -0.125, 0, 0, 2 * angle / (since + ahead), since};
+  tm_real field[TM_K_COLUMNS] = {2, 1, 3, 0.5, 0.25, -0.125, 0, 0, 2 * angle / (since + ahead), since, 0};
   const tm_mat3 R = {cos(angle), -sin(angle), 0, sin(angle), cos(angle), 0, 0, 0, 1};
   const tm_sym3 K = tm_sym_load(field), got = tm_turned_correction(field, ahead);
   const tm_mat3 want = tm_mat_mul(R, tm_mat_mul(tm_mat_from_sym(K), tm_mat_transposed(R)));
@@ -289,8 +289,37 @@ static void test_correction_turned(void)
   UT_WITHIN(got.xz, want.xz, 1e-9);
   UT_WITHIN(got.yz, want.yz, 1e-9);
   UT_NEAR(tm_sym_det(got), tm_sym_det(K), 1e-14); /* a rotation to round-off */
+  field[TM_K_RATE] = 0.05; /* and it goes on as before, up to a limit */
+  field[TM_K_RATE + 3] = -0.02;
+  const tm_sym3 later = tm_sym_turned(tm_sym(2 + 0.4 * 0.05, 1, 3, 0.5 - 0.4 * 0.02, 0.25, -0.125), tm_vec(0, 0, angle));
+  UT_NEAR(tm_turned_correction(field, ahead).xx, later.xx, 1e-6);
+  UT_NEAR(tm_turned_correction(field, ahead).xy, later.xy, 1e-6);
+  field[TM_K_RATE] = 1e6;
+  UT_NEAR(tm_turned_correction(field, ahead).xx, 2.0 + TM_CORRECTION_STEP, 1e-3);
   field[0] = 0.0;
   UT_TRUE(tm_turned_correction(field, ahead).xx == 1.0 && tm_turned_correction(field, ahead).xy == 0.0);
+}
+
+/* K that changes evenly is met from the second step on. */
+static void test_correction_step(void)
+{
+  const double dt = 0.1;
+  tm_real field[TM_K_COLUMNS] = {0};
+  tm_mat3 L = tm_mat_scale(0.0, tm_mat_identity());
+  L.zz = 1.0;
+  tm_correction_step(field, tm_sym(1, 1, 1, 0, 0, 0), NULL, L, 0.0, 0.0); /* at t = 0 */
+  for (int n = 0; n < 4; n++) {
+    const double t = (n + 0.5) * dt;
+    tm_real used[6];
+    const tm_sym3 K = tm_sym(1 + 0.3 * t, 1, 1 - 0.1 * t, 0.2 * t, 0, 0);
+    tm_sym_store(used, tm_turned_correction(field, 0.5 * dt));
+    UT_WITHIN(used[0] - K.xx, n ? 0.0 : -0.3 * t, 1e-14);
+    UT_WITHIN(used[3] - K.xy, n ? 0.0 : -0.2 * t, 1e-14);
+    tm_correction_step(field, K, used, L, n ? dt : 0.5 * dt, 0.5 * dt);
+    UT_NEAR(field[TM_K_RATE], 0.3, 1e-12);
+  }
+  tm_correction_step(field, tm_sym(1, 1, 1, 0, 0, 0), NULL, L, 0.0, 0.0);
+  UT_TRUE(field[TM_K_RATE] == 0.0);
 }
 
 /* A spin turns the displacement; plastic strain forgets it, exp(-strain/memory); nothing else does. */
@@ -299,7 +328,7 @@ static void test_step(void)
   const double none[3] = {0, 0, 0}, along[3] = {2, 0, -1};
   const tm_mat3 rest = tm_mat_scale(0.0, tm_mat_identity());
   double field[TM_G_COLUMNS] = {1, 0, 0.5, 0, 0, 0};
-  tm_hourglass_step(field, along, rest, 0.25, 0.0, 0);
+  tm_hourglass_step(field, along, 0.25, rest, 0.5, 0.0, 0);
   UT_NEAR(field[0], 1.5, 1e-15);
   UT_NEAR(field[2], 0.25, 1e-15);
   for (int d = 0; d < 3; d++) UT_TRUE(field[TM_G_RATE + d] == along[d]);
@@ -307,16 +336,35 @@ static void test_step(void)
   spin.xy = -1.0;
   spin.yx = 1.0;
   const int steps = 100000;
-  for (int k = 0; k < steps; k++) tm_hourglass_step(field, none, spin, 0.5 * TM_PI / steps, 0.0, 0);
+  for (int k = 0; k < steps; k++) tm_hourglass_step(field, none, 0.25, spin, 0.5 * TM_PI / steps, 0.0, 0);
   UT_WITHIN(field[0], 0, 1e-4);
   UT_NEAR(field[1], 1.5, 1e-4);
   UT_NEAR(field[2], 0.25, 1e-12);
   tm_mat3 shear = rest;
   shear.xy = shear.yx = 1.0 / sqrt(2.0);
-  for (int k = 0; k < steps; k++) tm_hourglass_step(field, none, shear, 1.0 / steps, 1.0 / steps, 0);
+  for (int k = 0; k < steps; k++) tm_hourglass_step(field, none, 0.25, shear, 1.0 / steps, 1.0 / steps, 0);
   UT_NEAR(field[1], 1.5 * exp(-1), 1e-4);
-  tm_hourglass_step(field, along, shear, 1.0, 0.0, 1);
+  tm_hourglass_step(field, along, 0.25, shear, 1.0, 0.0, 1);
   for (int c = 0; c < TM_G_COLUMNS; c++) UT_TRUE(field[c] == 0.0);
+}
+
+/* A stiffness that rises and falls while a pattern swings: k u^2/2 is what the force sqrt(xi) k u took from the motion. */
+static void test_stored_energy(void)
+{
+  const tm_mat3 rest = tm_mat_scale(0.0, tm_mat_identity());
+  const int steps = 20000;
+  const double dt = 1.0 / steps;
+  double field[TM_G_COLUMNS] = {0}, work = 0.0, most = 0.0;
+  for (int k = 0; k < steps; k++) {
+    const double t = (k + 0.5) * dt, xi = 0.03 * (1.0 + sin(17.0 * t)), rate[3] = {cos(9.0 * t), 0, -2.0 * sin(5.0 * t)};
+    const double before[2] = {field[0], field[2]};
+    tm_hourglass_step(field, rate, xi, rest, dt, 0.0, 0);
+    work += dt * sqrt(xi) * 0.5 * ((before[0] + field[0]) * rate[0] + (before[1] + field[2]) * rate[2]);
+    const double stored = 0.5 * (field[0] * field[0] + field[2] * field[2]);
+    most = stored > most ? stored : most;
+    UT_WITHIN(stored, work, 1e-12);
+  }
+  UT_TRUE(most > 1e-4);
 }
 
 /* The stiffness of the pattern that resists most never passes what the time step allows for. */
@@ -348,7 +396,9 @@ int main(void)
   test_stiffness();
   test_limit();
   test_correction_turned();
+  test_correction_step();
   test_step();
+  test_stored_energy();
   test_time_step();
   return ut_summary();
 }

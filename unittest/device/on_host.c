@@ -43,7 +43,7 @@ static void make_particle(cloud *w, int i, const int *at, int side)
     w->force[3 * i + d] = in_plane ? ut_random(-1e2, 1e2) : 0.0;
     w->force_internal[3 * i + d] = in_plane ? ut_random(-1e2, 1e2) : 0.0;
     w->xsph[3 * i + d] = in_plane ? ut_random(-1, 1) : 0.0;
-    w->hourglass[TM_G_COLUMNS * i + TM_G_W + d] = in_plane ? 0.01 * dp * ut_random(-1, 1) : 0.0;
+    w->hourglass[TM_G_COLUMNS * i + TM_G_U + d] = in_plane ? 0.01 * dp * ut_random(-1, 1) : 0.0;
     w->hourglass[TM_G_COLUMNS * i + TM_G_RATE + d] = in_plane ? ut_random(-1, 1) : 0.0;
   }
   w->type[i] = 1 + (at[w->dim - 1] >= side / 2);

@@ -12,7 +12,7 @@ import math
 
 import numpy as np
 from sph_kernels import CONSTANT, REACH, factors, kernel, lattice_psi, lattice_sums, tensile_share
-from sph_material import jaumann, warmed
+from sph_material import deviator_rate, warmed
 
 ROOT = 0.25    # weight of the older rate in the prediction of the half step, doc/fix_sph_tm.rst
 
@@ -196,18 +196,21 @@ class Body:
         return np.einsum("iab,ib,icb->iac", vector, 1 / np.maximum(value, 0.1), vector)
 
     def turned_moments(self, M, ahead):
-        """The correction of the gradients: that of the last force point, turned by the spin since then; at the set-up its
-        own."""
+        """The correction of the gradients: that of the last force point and its rate, turned by the spin since then; at the
+        set-up its own."""
         if ahead == 0.0 or not self.one_pass:
             return self.inverse_moments(M)
-        K, L, since = self.known
+        K, L, since, rate = self.known
         angle = 0.25 * (ahead + since) * np.stack([L[:, 2, 1] - L[:, 1, 2], L[:, 0, 2] - L[:, 2, 0],
                                                    L[:, 1, 0] - L[:, 0, 1]], 1)
         A = np.zeros((self.n, 3, 3))    # Cayley: R = (1 - A)^-1 (1 + A), A x = angle/2 x x
         A[:, 2, 1], A[:, 0, 2], A[:, 1, 0] = angle.T
         A -= A.transpose(0, 2, 1)
         R = np.linalg.solve(np.eye(3) - A, np.eye(3) + A)
-        return R @ K @ R.transpose(0, 2, 1)
+        size = (ahead + since) * np.sqrt(np.sum(rate ** 2, axis=(1, 2)))
+        K = K + ((ahead + since) * np.minimum(1, 0.1 / np.maximum(size, 1e-300)))[:, None, None] * rate
+        self.predicted = R @ K @ R.transpose(0, 2, 1)
+        return self.predicted
 
     def residual(self, d, vij, gm, W, same, r, L):
         """By how much the velocity of a particle is off the linear field of its neighbors: with the corrected gradient of
@@ -226,34 +229,32 @@ class Body:
         return out
 
     def hourglass_force(self, d, r, gm, ahead):
-        """Force per m_j of pairs against differences of displacements: xi w at the force point, and damping."""
+        """Force per m_j of pairs against differences of displacements, at the force point, and damping."""
         q, rho = self.q, self.q["rho"]
         k = rho * q["c"] ** 2
         p = -np.trace(q["stress"], axis1=1, axis2=2) / 3
         s = q["stress"] + p[:, None, None] * np.eye(3)
         tension = np.sqrt(1.5 * np.sum(s ** 2, axis=(1, 2))) + np.maximum(-p, 0)
-        xi = np.minimum(2.0, 12.0 * tension * self.lz / k) if self.hourglass == "auto" else np.full(self.n, self.hourglass)
+        xi = np.minimum(4.0, 12.0 * tension * self.lz / k) if self.hourglass == "auto" else np.full(self.n, self.hourglass)
         xi = np.where(self.failed | [m.strength[0] == "none" for m in self.mat], 0.0, xi)
-        W = xi[:, None] * (self.w + ahead * self.w_rate) + (0.1 * self.h / q["c"])[:, None] * self.w_rate
+        self.xi = xi
+        W = np.sqrt(xi)[:, None] * self.w + (ahead * xi)[:, None] * self.w_rate + (0.1 * self.h / q["c"])[:, None] * self.w_rate
         per = 4 / (rho[:, None] + rho[None]) ** 2 if self.one_pass else 1 / (rho[:, None] * rho[None])
         across = np.einsum("ija,ija->ij", W[:, None] - W[None], d) / r ** 2
         return (np.minimum(k[:, None], k[None]) * per * across)[..., None] * gm
 
-    def hourglass_step(self, i, L, dt, d_eps, y, p, s, rho, failed):
+    def hourglass_step(self, i, L, dt, d_eps, y, p, rho, failed):
         m = self.mat[i]
         if failed or m.strength[0] == "none":
             self.w[i] = self.w_rate[i] = 0.0
             return
         rate = self.out["residual"][i]
         spin = 0.5 * np.array([L[2, 1] - L[1, 2], L[0, 2] - L[2, 0], L[1, 0] - L[0, 1]])
-        memory = 0.0125 * min(max(2 / 3 - p / y if y > 0 else 1.0, 0.1), 1.0)
-        self.w[i] = (self.w[i] + dt * (np.cross(spin, self.w[i]) + rate)) / (1 + d_eps / memory)
+        memory = 0.02 * min(max(2 / 3 - p / y if y > 0 else 1.0, 0.05), 1.0)
+        xi = self.xi[i]
+        self.w[i] = (self.w[i] + dt * (np.cross(spin, self.w[i]) + np.sqrt(xi) * rate)) / (1 + d_eps / memory)
         self.w_rate[i] = rate
-        xi = self.hourglass
-        if xi == "auto":
-            mises = np.sqrt(1.5 * np.sum(s ** 2))
-            xi = min(2.0, 12.0 * (mises + max(-p, 0)) / (rho * self.q["c"][i] ** 2))
-        resists, most = xi * rho * self.q["c"][i] ** 2 * np.linalg.norm(self.w[i]), 0.1 * y * self.own_h[i]
+        resists, most = np.sqrt(xi) * rho * self.q["c"][i] ** 2 * np.linalg.norm(self.w[i]), 0.1 * y * self.own_h[i]
         if y > 0 and resists > most:
             self.w[i] *= most / resists
 
@@ -346,12 +347,12 @@ class Body:
         """Rates of the set-up, as history of the first prediction."""
         o = self.rates(0.0, dt)
         rho = self.q.get("rho3", self.q["rho"])
-        s = np.array([jaumann(self.s[i], o["L"][i], m.G) if m.strength[0] != "none" else 0 * self.s[i]
+        s = np.array([deviator_rate(self.s[i], o["L"][i], m.G) if m.strength[0] != "none" else 0 * self.s[i]
                       for i, m in enumerate(self.mat)])
         r = {"v": o["acc"], "rho": -rho * np.trace(o["L"], axis1=1, axis2=2), "s": s, "T": np.zeros(self.n), "e": np.zeros(self.n)}
         self.old = (r, r)
         if self.one_pass:
-            self.known = self.inverse_moments(o["M"].copy()), o["L"], 0.0
+            self.known = self.inverse_moments(o["M"].copy()), o["L"], 0.0, np.zeros((self.n, 3, 3))
         if self.follow == "psi":
             self.target = np.array([self.nodes(i) for i in range(self.n)])
 
@@ -400,7 +401,7 @@ class Body:
                 rho = self.rho[i] - dt * rho_half[i] * np.trace(G)
                 s, d_eps, y = np.zeros((3, 3)), 0.0, 0.0
                 if m.strength[0] != "none":
-                    s = self.s[i] + dt * jaumann(q["s"][i], G, m.G)
+                    s = self.s[i] + dt * deviator_rate(q["s"][i], G, m.G)
                     if not self.failed[i]:
                         s, d_eps, y = m.radial_return(s, self.eps[i], T, dt)
                 return G, rho, s, d_eps, y, m.pressure(growth * rho, e)
@@ -441,13 +442,14 @@ class Body:
                 self.T[i] = warmed(m, m.compressed(T, self.rho[i], rho), heat / self.m[i])
                 rate["T"][i] = (self.T[i] - T) / dt
             if self.hourglass:
-                self.hourglass_step(i, G, dt, d_eps, y, p, s, rho, self.failed_before[i])
+                self.hourglass_step(i, G, dt, d_eps, y, p, rho_half[i], self.failed_before[i])
             self.rho[i], self.s[i] = rho, s
             self.eps[i] += d_eps
             self.eps_rate[i] = d_eps / dt
             self.lz[i] += dt * self.lz[i] * lzz
         if self.one_pass:
-            self.known = self.inverse_moments(o["M"].copy()), L, 0.5 * dt
+            K = self.inverse_moments(o["M"].copy())
+            self.known = K, L, 0.5 * dt, self.known[3] + (K - self.predicted) / (0.5 * dt + self.known[2])
         self.x, self.v = x, v
         self.old = (rate, self.old[0])
         self.steps += 1

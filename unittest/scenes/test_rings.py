@@ -14,10 +14,11 @@ from make_rings import make_rings
 
 SCRIPT = os.path.join(SOURCE, "examples", "rings", "in.rings")
 SPACING, BOND = 1e-3, 1.5
-# speed over that of sound; meeting; speed back over that of approach: with total-Lagrangian pairs (fix adapt/neigh threshold
-# inf, contact) 0.806 at 0.059, which bear no larger speed; what is found at 0.12; drift of the energy sum over the kinetic
-# energy. A ring keeps a fifth to a quarter of the energy as vibration.
-CASES = ((0.059, "contact", 0.806, 0.008), (0.12, "contact", 0.789, 0.02), (0.12, "bond", 0.754, 0.02))
+# speed over that of sound; meeting; drift of the energy sum over the kinetic energy
+CASES = ((0.059, "contact", 0.008), (0.12, "contact", 0.02), (0.12, "bond", 0.02))
+# Speed back over that of approach: with total-Lagrangian pairs (fix adapt/neigh threshold inf, contact) at 0.059; they bear no
+# larger speed. A ring keeps a fifth to a quarter of the energy as vibration.
+BACK = 0.806
 
 
 def pieces(frame):
@@ -44,7 +45,7 @@ def main():
     checks = Checks()
     folder = new_folder()
     make_rings(os.path.join(folder, "rings.data"))
-    for speed, meet, back, drift in CASES:
+    for speed, meet, drift in CASES:
         name = "%g c0, %s: " % (speed, meet)
         whole = run(SCRIPT, {"speed": speed, "meet": meet}, folder=folder)
         table, end = whole.thermo[-1], whole.dump("end.dump")[-1]
@@ -52,7 +53,7 @@ def main():
         rings = [np.sum(end["type"] == t) for t in (1, 2)]
         scale, kinetic = abs(table["v_pl"][0]), table["f_body[1]"][0]
         checks.true(name + "no numerical fracture", sum(size) == sum(rings) and len(size) in (1, 2), "pieces %s" % size)
-        checks.near(name + "speed back over speed of approach", -table["v_pl"][-1] / scale, back, relative=0.02)
+        checks.near(name + "speed back over speed of approach", -table["v_pl"][-1] / scale, BACK, relative=0.02)
         checks.below(name + "momentum in x, over that of one ring", np.max(np.abs(table["v_px"])) / scale, 1e-12)
         checks.below(name + "momentum in y", np.max(np.abs(table["v_py"])) / scale, 1e-12)
         checks.below(name + "energy sum, drift over kinetic energy", np.ptp(table["f_body[9]"]) / kinetic, drift)

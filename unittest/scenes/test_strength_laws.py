@@ -1,6 +1,6 @@
 """The laws of strength in a whole scene: a heavy block keeps the velocities it starts with, which make one velocity
 gradient. Flow stress, plastic strain and temperature in its middle are those of the law, written here once more and
-integrated in time."""
+integrated in time. The heat of the viscosity, which acts on the scaled mass, is left out."""
 import numpy as np
 from sphtm_scene import Checks, lattice_block, run
 
@@ -46,7 +46,7 @@ pair_coeff 1 1 density {rho} elastic {E} {nu} strength {strength} heat 0 {cp} {c
 variable vx atom {rate}*(x-5.5e-3)
 variable vy atom -{rate}*(y-5.5e-3)
 velocity all set v_vx v_vy NULL
-fix body all sph/tm temperature {T} dt {dt}
+fix body all sph/tm temperature {T} dt {dt} effects artificial-heat off
 compute p all sph/tm/atom pstrain vonmises temperature
 dump d all custom {steps} out.{number} id x y c_p[*]
 dump_modify d format float %.15g

@@ -36,6 +36,9 @@ static const Spread SPREADS[] = {{TM_F_RHO, 0, 1, 1},       {TM_F_STRESS, 0, 1, 
                                  {TM_F_TEMP, 0, 1, 1},      {TM_F_ENERGY, 0, 1, 1},    {TM_F_DAMAGE, 0, 1, 1},
                                  {TM_F_THICKNESS, 0, 1, 1}, {TM_F_UNSTRAINED, 0, 1, 1}};
 
+static const Spread BEGIN_AT_0[] = {{TM_F_HOURGLASS, TM_G_U, 1, TM_G_COLUMNS},
+                                    {TM_F_CORRECTION, TM_K_RATE, 1, TM_K_COLUMNS - TM_K_RATE}};
+
 // of the same material, torn or not as i
 std::vector<int> Remap::kin(int i)
 {
@@ -61,6 +64,11 @@ void Remap::spread(int i, const double *place, int n, double size, double *rows)
       tm_cloud_spread(&cloud.view(), i, near.data(), (int) near.size(), h, &inverse,
                       cloud.column(f.field) + f.first + g * f.width, f.width, place, n, size, rows);
   }
+  // measured against a neighborhood that is no longer there
+  for (const Spread &f : BEGIN_AT_0)
+    if (cloud.column(f.field) >= 0)
+      for (int k = 0; k < n; k++)
+        std::fill_n(rows + (size_t) k * cloud.view().width + cloud.column(f.field) + f.first, f.width, 0.0);
 }
 
 // velocity, mass and state; where it is, the caller says

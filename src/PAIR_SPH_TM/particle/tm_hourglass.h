@@ -2,15 +2,16 @@
 
    Positions that alternate from particle to particle make no strain in sums over gradients, so no stress acts against
    them; under tension the momentum sum makes them grow (tensile instability). Each particle therefore has a displacement
-   w against its neighborhood, the integral of the velocity by which it is off the linear field of its neighbors,
+   u against its neighborhood, the integral of the velocity by which it is off the linear field of its neighbors, weighted
+   by the root of the stiffness xi of the moment, so that k u^2/2 is the energy that was put in, however xi changes,
 
-     dw_i/dt = r_i + Omega_i w_i - (d eps_p/dt)/e w_i
+     du_i/dt = sqrt(xi) r_i + Omega_i u_i - (d eps_p/dt)/e u_i
 
    with the spin Omega and the plastic strain eps_p; r is tm_residual_velocity(), or without corrected gradients in the
    same pass what a fit of a linear field leaves (tm_hourglass_rate()). A linear field, and so every homogeneous strain and
    rotation, makes none, at free surfaces too. A force along the line between two particles opposes the difference,
 
-     a_i = sum_j m_j min(k_i, k_j)/rho_ij^2 (W_i - W_j).x/r^2 gradW,   k = rho c^2,   W = xi w + delta h/c r
+     a_i = sum_j m_j min(k_i, k_j)/rho_ij^2 (W_i - W_j).x/r^2 gradW,   k = rho c^2,   W = sqrt(xi) u + delta h/c r
 
    central and equal and opposite: both momenta stay to round-off.
 
@@ -39,21 +40,21 @@
 #endif
 
 /* Plastic strain over which displacements are forgotten in uniaxial tension, and the least share of it. */
-#define TM_HOURGLASS_STRAIN 0.0125
-#define TM_HOURGLASS_MEMORY 0.1
+#define TM_HOURGLASS_STRAIN 0.02
+#define TM_HOURGLASS_MEMORY 0.05
 /* Largest stress of hourglass control, over the flow stress, of a displacement of h. */
 #define TM_HOURGLASS_YIELD 0.1
 /* zeta, the largest xi that follows from it, and delta. */
 #define TM_HOURGLASS_ZETA 12.0
-#define TM_HOURGLASS_MOST 2.0
+#define TM_HOURGLASS_MOST 4.0
 #define TM_HOURGLASS_DAMPING 0.1
-/* Displacements of a material that flows: xi k |w| stays below TM_HOURGLASS_YIELD Y h. */
+/* Displacements of a material that flows: stiffness |u|, which is sqrt(xi) k |u|, stays below TM_HOURGLASS_YIELD Y h. */
 TM_FN void tm_hourglass_limit(tm_real *field, tm_real stiffness, tm_real yield, tm_real h)
 {
-  const tm_real x = field[tm_column(TM_G_W)], y = field[tm_column(TM_G_W + 1)], z = field[tm_column(TM_G_W + 2)];
+  const tm_real x = field[tm_column(TM_G_U)], y = field[tm_column(TM_G_U + 1)], z = field[tm_column(TM_G_U + 2)];
   const tm_real resists = stiffness * sqrt(x * x + y * y + z * z), limit = TM_HOURGLASS_YIELD * yield * h;
   if (!(yield > 0.0) || resists <= limit) return;
-  for (int d = 0; d < 3; d++) field[tm_column(TM_G_W + d)] *= limit / resists;
+  for (int d = 0; d < 3; d++) field[tm_column(TM_G_U + d)] *= limit / resists;
 }
 
 /* Least determinant of the second moment of the neighbors, over that of an even neighborhood: with less
@@ -78,30 +79,54 @@ TM_FN tm_real tm_hourglass_memory(tm_real yield, tm_real p)
 /* W at the force point, a length: stiffness xi, delay = delta h/c. */
 TM_FN tm_vec3 tm_hourglass_displacement(const tm_real *field, tm_real ahead, tm_real stiffness, tm_real delay)
 {
-  const tm_real *w = field + tm_column(TM_G_W), *rate = field + tm_column(TM_G_RATE);
-  const tm_real r = stiffness * ahead + delay;
-  return tm_vec(stiffness * w[0] + r * rate[0], stiffness * w[tm_column(1)] + r * rate[tm_column(1)],
-                stiffness * w[tm_column(2)] + r * rate[tm_column(2)]);
+  const tm_real *u = field + tm_column(TM_G_U), *rate = field + tm_column(TM_G_RATE);
+  const tm_real root = sqrt(stiffness), r = stiffness * ahead + delay;
+  return tm_vec(root * u[0] + r * rate[0], root * u[tm_column(1)] + r * rate[tm_column(1)],
+                root * u[tm_column(2)] + r * rate[tm_column(2)]);
 }
 
-/* K of the last force point, turned to the one at the time `ahead` of the state; 1 where it is not known yet. */
+/* Most that a prediction adds to K, the root of the sum of squares. */
+#define TM_CORRECTION_STEP 0.1
+
+/* K at the time `ahead` of the state: that of the last force point and its rate, turned; 1 where it is not known yet. */
 TM_FN tm_sym3 tm_turned_correction(const tm_real *field, tm_real ahead)
 {
   if (field[0] == 0.0) return tm_sym(1, 1, 1, 0, 0, 0);
-  const tm_real *spin = field + tm_column(TM_K_SPIN), half = 0.5 * (ahead + field[tm_column(TM_K_SINCE)]);
-  return tm_sym_turned(tm_sym_from_row(field),
+  const tm_real *spin = field + tm_column(TM_K_SPIN), since = ahead + field[tm_column(TM_K_SINCE)], half = 0.5 * since;
+  const tm_sym3 rate = tm_sym_from_row(field + tm_column(TM_K_RATE));
+  const tm_real size = since * sqrt(tm_sym_ddot(rate, rate));
+  const tm_real more = size > TM_CORRECTION_STEP ? since * TM_CORRECTION_STEP / size : since;
+  return tm_sym_turned(tm_sym_axpy(tm_sym_from_row(field), more, rate),
                        tm_vec(half * spin[0], half * spin[tm_column(1)], half * spin[tm_column(2)]));
 }
 
-/* w after a step with velocity gradient L and rate r; forgotten: plastic strain of the step over tm_hourglass_memory(). */
-TM_FN void tm_hourglass_step(tm_real *field, const tm_real *rate, tm_mat3 L, tm_real dt, tm_real forgotten, int forget)
+/* K of this force point, for the next: `since` before the state, in a particle with velocity gradient L. What the one that
+   was predicted for it, dt after the last, has missed adds to the rate; predicted: NULL at a set-up. */
+TM_FN void tm_correction_step(tm_real *field, tm_sym3 K, const tm_real *predicted, tm_mat3 L, tm_real dt, tm_real since)
 {
-  const tm_real keep = forget ? 0.0 : 1.0 / (1.0 + forgotten);
-  const tm_real x = field[tm_column(TM_G_W)], y = field[tm_column(TM_G_W + 1)], z = field[tm_column(TM_G_W + 2)];
+  tm_sym3 rate = tm_sym(0, 0, 0, 0, 0, 0);
+  if (predicted && field[0] != 0.0)
+    rate = tm_sym_axpy(tm_sym_from_row(field + tm_column(TM_K_RATE)), 1.0 / dt,
+                       tm_sym_axpy(K, -1.0, tm_sym_load(predicted)));
+  tm_sym_to_row(field, K);
+  tm_sym_to_row(field + tm_column(TM_K_RATE), rate);
+  field[tm_column(TM_K_SPIN)] = L.zy - L.yz;
+  field[tm_column(TM_K_SPIN + 1)] = L.xz - L.zx;
+  field[tm_column(TM_K_SPIN + 2)] = L.yx - L.xy;
+  field[tm_column(TM_K_SINCE)] = since;
+}
+
+/* u after a step with velocity gradient L, rate r and stiffness xi; forgotten: plastic strain of the step over
+   tm_hourglass_memory(). */
+TM_FN void tm_hourglass_step(tm_real *field, const tm_real *rate, tm_real stiffness, tm_mat3 L, tm_real dt,
+                             tm_real forgotten, int forget)
+{
+  const tm_real keep = forget ? 0.0 : 1.0 / (1.0 + forgotten), root = sqrt(stiffness);
+  const tm_real x = field[tm_column(TM_G_U)], y = field[tm_column(TM_G_U + 1)], z = field[tm_column(TM_G_U + 2)];
   const tm_real sx = 0.5 * (L.zy - L.yz), sy = 0.5 * (L.xz - L.zx), sz = 0.5 * (L.yx - L.xy);
   const tm_real turn[3] = {sy * z - sz * y, sz * x - sx * z, sx * y - sy * x}, old[3] = {x, y, z};
   for (int d = 0; d < 3; d++) {
-    field[tm_column(TM_G_W + d)] = keep * (old[d] + dt * (turn[d] + rate[d]));
+    field[tm_column(TM_G_U + d)] = keep * (old[d] + dt * (turn[d] + root * rate[d]));
     field[tm_column(TM_G_RATE + d)] = forget ? 0.0 : rate[d];
   }
 }

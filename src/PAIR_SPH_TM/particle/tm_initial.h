@@ -54,7 +54,7 @@ TM_FN void tm_initial_history(int i, const tm_update_args *a, unsigned effects)
   h1[tm_column(TM_H_RHO)] = -*tm_field_row(s, TM_F_RHO, i) * tm_mat_trace(L);
   if (m->strength != TM_STRENGTH_NONE)
     tm_sym_to_row(h1 + tm_column(TM_H_S),
-                  tm_jaumann_rate(tm_sym_from_row(tm_field_row(s, TM_F_STRESS, i)), L, m->shear));
+                  tm_deviator_rate(tm_sym_from_row(tm_field_row(s, TM_F_STRESS, i)), L, m->shear));
   for (int k = 0; k < TM_H_STEP; k++) h2[tm_column(k)] = h1[tm_column(k)];
 }
 
@@ -69,7 +69,8 @@ TM_FN tm_update_result tm_initial_limits(int i, const tm_update_args *a, unsigne
   if ((effects & TM_FX_ONE_PASS) && m->body == TM_BODY_SOLID) {
     tm_real *row = tm_field_row(s, TM_F_CORRECTION, i);
     if (row[0] == 0.0)
-      tm_update_correction(row, a->moment + (ptrdiff_t) i * 6, tm_mat_from_row(a->gradient + tm_row(i, 9)), 0.0);
+      tm_correction_step(row, tm_sym_load(a->moment + (ptrdiff_t) i * 6), NULL,
+                         tm_mat_from_row(a->gradient + tm_row(i, 9)), 0.0, 0.0);
   }
   if (m->body == TM_BODY_SOLID) {
     const tm_real c = tm_main_record(&a->rec, i)[tm_part(TM_REC_C)];

@@ -118,9 +118,9 @@ TM_FN tm_real tm_output_value(int which, int i, const tm_output_args *a)
     case TM_OUT_AREA: return tm_output_area(i, a);
     case TM_OUT_FRACTURE: return tm_output_state(i, a, TM_F_FRACTURE, TM_R_STATE, 0.0) == TM_FRACTURE_TORN ? 1.0 : 0.0;
     case TM_OUT_HOURGLASS:
-      return tm_vec_norm(tm_vec(tm_output_state(i, a, TM_F_HOURGLASS, TM_G_W, 0.0),
-                                tm_output_state(i, a, TM_F_HOURGLASS, TM_G_W + 1, 0.0),
-                                tm_output_state(i, a, TM_F_HOURGLASS, TM_G_W + 2, 0.0)));
+      return tm_vec_norm(tm_vec(tm_output_state(i, a, TM_F_HOURGLASS, TM_G_U, 0.0),
+                                tm_output_state(i, a, TM_F_HOURGLASS, TM_G_U + 1, 0.0),
+                                tm_output_state(i, a, TM_F_HOURGLASS, TM_G_U + 2, 0.0)));
     default: return 0.0; /* level: fix adapt/neigh knows it, on the host */
   }
 }

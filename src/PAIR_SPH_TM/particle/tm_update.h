@@ -41,8 +41,9 @@ typedef struct {
   tm_state state;
   tm_records rec;
   const tm_real *gradient, *heat, *xsph_v, *hourglass_rate, *artificial;
-  const tm_real *moment; /* K of the force point, with one pass */
-  const tm_real *share;  /* of the balanced artificial stress, see tm_predict.h */
+  const tm_real *moment;     /* K of the force point, with one pass */
+  const tm_real *correction; /* and the one that was predicted for it and used */
+  const tm_real *share;      /* of the balanced artificial stress, see tm_predict.h */
   tm_real ratio;
   const double *force_internal; /* force of the pair style alone, with the ledger */
   tm_real *source;              /* heat given to the particle by contact and fluxes (power); emptied */
@@ -122,7 +123,7 @@ TM_FN tm_point tm_constitutive(const tm_material *m, tm_real rho, tm_real rho_ha
     out.s = tm_sym(0, 0, 0, 0, 0, 0);
     return out;
   }
-  out.s = tm_sym_axpy(s, dt, tm_jaumann_rate(s_half, L, m->shear));
+  out.s = tm_sym_axpy(s, dt, tm_deviator_rate(s_half, L, m->shear));
   if (plastic) {
     const tm_return_result r = tm_radial_return(m, out.s, eps_p, T, dt);
     out.s = r.s;
@@ -279,28 +280,24 @@ TM_FN void tm_update_balsara(int i, const tm_state *s, tm_mat3 L, tm_real sound,
   *tm_field_row(s, TM_F_BALSARA, i) = tm_balsara(tm_mat_trace(L), tm_vec_norm(curl), sound, h);
 }
 
-/* The correction of the gradients, for the next force point. */
-TM_FN void tm_update_correction(tm_real *row, const tm_real *K, tm_mat3 L, tm_real since)
+/* Displacement of hourglass control and correction of the gradients, for the next force point; the stiffness xi. q, half: at
+   the end of the step and at the force point. */
+TM_FN tm_real tm_update_stabilization(int i, const tm_update_args *a, const tm_point *q, const tm_point *half,
+                                      tm_mat3 L, tm_real sound, tm_real h, int forget, unsigned effects)
 {
-  tm_sym_to_row(row, tm_sym_load(K));
-  row[tm_column(TM_K_SPIN)] = L.zy - L.yz;
-  row[tm_column(TM_K_SPIN + 1)] = L.xz - L.zx;
-  row[tm_column(TM_K_SPIN + 2)] = L.yx - L.xy;
-  row[tm_column(TM_K_SINCE)] = since;
-}
-
-/* Displacement of hourglass control and correction of the gradients, for the next force point; the stiffness xi. */
-TM_FN tm_real tm_update_stabilization(int i, const tm_update_args *a, const tm_point *q, tm_mat3 L, tm_real sound,
-                                      tm_real h, int forget, unsigned effects)
-{
-  if (effects & TM_FX_ONE_PASS)
-    tm_update_correction(tm_field_row(&a->state, TM_F_CORRECTION, i), a->moment + (ptrdiff_t) i * 6, L, 0.5 * a->dt);
+  if (effects & TM_FX_ONE_PASS) {
+    tm_real *K = tm_field_row(&a->state, TM_F_CORRECTION, i);
+    const ptrdiff_t row = (ptrdiff_t) i * 6;
+    tm_correction_step(K, tm_sym_load(a->moment + row), a->correction + row, L, 0.5 * a->dt + K[tm_column(TM_K_SINCE)],
+                       0.5 * a->dt);
+  }
   if (!(effects & TM_FX_HOURGLASS)) return 0.0;
-  const tm_real rho_c2 = q->rho * sound * sound, xi = tm_hourglass_stiffness(a->hourglass, q->s, q->p, rho_c2);
-  tm_real *w = tm_field_row(&a->state, TM_F_HOURGLASS, i);
-  tm_hourglass_step(w, a->hourglass_rate + 3 * (ptrdiff_t) i, L, a->dt, q->d_eps / tm_hourglass_memory(q->yield, q->p),
-                    forget);
-  tm_hourglass_limit(w, xi * rho_c2, q->yield, h);
+  const tm_real rho_c2 = half->rho * sound * sound; /* as in tm_predict_hourglass() */
+  const tm_real xi = forget ? 0.0 : tm_hourglass_stiffness(a->hourglass, half->s, half->p, rho_c2);
+  tm_real *u = tm_field_row(&a->state, TM_F_HOURGLASS, i);
+  tm_hourglass_step(u, a->hourglass_rate + 3 * (ptrdiff_t) i, xi, L, a->dt,
+                    q->d_eps / tm_hourglass_memory(q->yield, q->p), forget);
+  tm_hourglass_limit(u, sqrt(xi) * rho_c2, q->yield, h);
   return xi;
 }
 
@@ -401,8 +398,9 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     }
     if (effects & TM_FX_BALSARA) tm_update_balsara(i, s, L, rec[tm_part(TM_REC_C)], h);
     const tm_real sound = rec[tm_part(TM_REC_C)];
+    const tm_point half = {s_half, lz ? s_half.zz : p_half, rho_half, 0.0, 0.0};
     const tm_real xi =
-        tm_update_stabilization(i, a, &q, L, sound, h, failed || m->strength == TM_STRENGTH_NONE, effects);
+        tm_update_stabilization(i, a, &q, &half, L, sound, h, failed || m->strength == TM_STRENGTH_NONE, effects);
     tm_heat_taken taken = {0.0, 0.0, 0.0};
     if (effects & TM_FX_HEAT)
       taken = tm_update_temperature(i, a, m, q.rho, q.yield * q.d_eps * inv_dt, compression,
@@ -425,10 +423,9 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
 
     out.dt[TM_DT_SOUND] = tm_sound_time_step(h, sound, a->visc_alpha, xi, effects);
     out.dt[TM_DT_FORCE] = tm_force_time_step(h, sqrt(tm_vec_dot(acc, acc)));
-    const double *v = s->v + 3 * (ptrdiff_t) i;
-    const tm_real v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    const tm_vec3 v = tm_load3(s->v + 3 * (ptrdiff_t) i);
     const tm_real others = (pl ? pl[0] : 0.0) + (e ? *e : 0.0) + (dmg ? dmg[0] + dmg[tm_column(1)] : 0.0);
-    out.status = tm_update_status(a, m, &q, v2, rec[tm_part(TM_REC_C)], others, failed);
+    out.status = tm_update_status(a, m, &q, tm_vec_dot(v, v), sound, others, failed);
   } else if (effects & TM_FX_HEAT) {
     out.heat = tm_update_temperature(i, a, m, m->rho0, 0.0, 1.0, 0.0, effects).heat;
   }
