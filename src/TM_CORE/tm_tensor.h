@@ -21,6 +21,7 @@ TM_FN tm_vec3 tm_vec(tm_real x, tm_real y, tm_real z)
   v.x = x; v.y = y; v.z = z;
   return v;
 }
+TM_FN tm_vec3 tm_load3(const double *p) { return tm_vec(p[0], p[1], p[2]); }
 TM_FN tm_vec3 tm_vec_add(tm_vec3 a, tm_vec3 b) { return tm_vec(a.x + b.x, a.y + b.y, a.z + b.z); }
 TM_FN tm_vec3 tm_vec_sub(tm_vec3 a, tm_vec3 b) { return tm_vec(a.x - b.x, a.y - b.y, a.z - b.z); }
 TM_FN tm_vec3 tm_vec_scale(tm_real s, tm_vec3 a) { return tm_vec(s * a.x, s * a.y, s * a.z); }

@@ -23,6 +23,4 @@ typedef struct {
   const int *spoke;            /* ... as the vertices at their other ends */
 } tm_tri_view;
 
-TM_FN tm_vec3 tm_load3(const double *p) { return tm_vec(p[0], p[1], p[2]); }
-
 #endif
