@@ -38,4 +38,5 @@ thermo          1
 thermo_style    custom step time dt c_hi c_lo c_mean
 """,
     before="fix_modify body temperature b 400\n",
-    steps=10000, settings={"dt": 1.6e-9}, bad={"dt": 2.4e-9}, judge=judge, limit=1e-9)
+    steps=10000, settings={"dt": 1.6e-9}, bad={"dt": 2.4e-9}, judge=judge, limit=1e-9,
+    stops="is not stable: heat conduction allows")

@@ -16,7 +16,7 @@ def prepare(folder, settings):
 
 
 def judge(r):
-    e = r.end
+    e = {k: r.end[k][r.end["type"] == 1] for k in "xyz"}
     over = (abs(e["x"]) < HALF) & (abs(e["y"]) < HALF)
     return float((over != (e["z"] < 0)).sum() + (49 - len(over)))
 
@@ -28,11 +28,16 @@ CASE = Case(
     setup=SPACE + """
 lattice         sc 1.5e-3
 region          box block -0.012 0.012 -0.012 0.012 -0.012 0.012 units box
-create_box      1 box
+create_box      2 box
 region          work block -4.6e-3 4.6e-3 -4.6e-3 4.6e-3 1.4e-3 1.6e-3 units box
 create_atoms    1 region work
+# a body elsewhere, as a scene without neighbors is refused
+lattice         sc 5e-4
+region          body block 9e-3 10e-3 9e-3 10e-3 6e-3 7e-3 units box
+create_atoms    2 region body
 pair_style      sph/tm hyperbolic 1.2 spacing 5e-4
-pair_coeff      1 1 density 7850 elastic 210e9 0.3
+pair_coeff      * * density 7850 elastic 210e9 0.3
+pair_coeff      1 2 none
 velocity        all set 0 0 -50 units box
 """,
     model="""

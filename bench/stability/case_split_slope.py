@@ -36,4 +36,4 @@ CASE = Case(
     setup=HEAD + "read_data block.data\n" + TAIL[TAIL.index("pair_style"):].replace("set 0 -20 0", "set %s 0" % SHOT),
     model=FLAT.model.replace("move 0.008 -0.001 0", "move 0.008 -0.001 0 rotate axis 0 0 1 angle %g" % ANGLE),
     steps="steps", meshes=FLAT.meshes, prepare=block, settings=FLAT.settings, bad=FLAT.bad, judge=judge,
-    limit=FLAT.limit)
+    limit=FLAT.limit, stops=FLAT.stops)

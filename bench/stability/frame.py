@@ -12,8 +12,9 @@
         stops=...)      # of an error that the counter-run may be stopped with: regular expression
 
 The frame runs it to its end, runs it again from a restart file written half way (the final states must agree in every
-bit), and runs the counter-run, which must break the criterion or be stopped by the check that it is meant for: by default one of fix sph/tm in a step. A
-run that stops for any other reason (a wrong script, a lost particle, a crash) does not count as failing."""
+bit), and runs the counter-run, which must break the criterion or be stopped by the check that it is meant for: by default
+one of fix sph/tm in a step; where a step that is too large is refused before the first, that message. A run that stops for
+any other reason (a wrong script, a lost particle, a crash) does not count as failing."""
 import importlib.util
 import os
 import re
