@@ -181,7 +181,7 @@ for name, columns, arguments in (
     checks.above(name + " on: megabytes more", memory(on) - memory(off), 0.99 * columns * per_column)
 # the state of both in one pass, and the reference of what counts numerical fracture
 both = scene("strength elastic", "viscosity 0 0", text=BIG)
-checks.above("hourglass and correction on: megabytes more", memory(both) - memory(bare_elastic), 0.99 * (6 + 10) * per_column)
+checks.above("hourglass and correction on: megabytes more", memory(both) - memory(bare_elastic), 0.99 * (6 + 16) * per_column)
 uncounted = scene("strength elastic", NONE, "effects fracture off", text=BIG)
 checks.above("fracture on: megabytes more", memory(bare_elastic) - memory(uncounted), 0.99 * 7 * per_column)
 checks.end()

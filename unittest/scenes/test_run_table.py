@@ -50,7 +50,7 @@ checks.near("the whole is LAMMPS's loop time", lines["all"][0], loop, relative=0
 # columns of tm_fields.h, records and rates: 8 bytes each; a record array may be an eighth larger, and holds ghosts
 old = table(scene(JC, options="stabilize artstress"))
 for label, rows, columns in (
-        ("", lines, dict(viscosity=0, correction=10 + 16 + 6 + 6, hourglass=6 + 3, fracture=7, heat=3 + 2 + 1, conduction=1,
+        ("", lines, dict(viscosity=0, correction=16 + 16 + 6 + 6, hourglass=6 + 3, fracture=7, heat=3 + 2 + 1, conduction=1,
                          plasticity=3, surface=3, energy=3 + 1, mechanics=1 + 6 + 20 + 16 + 9)),
         (", stabilize artstress", old, dict(artstress=6, mechanics=1 + 6 + 20 + 16 + 9))):
     for effect, n in columns.items():

@@ -31,13 +31,31 @@ SHOTS = [("linear hardening, 4 rings", 4, LINEAR, {"length": (21.4, 0.03), "radi
           {"length": (22.25, "20.64"), "radius": (8.02, 0.03)})]
 
 
+def plane(folder):
+    subprocess.run([sys.executable, os.path.join(SOURCE, "tools", "make_tool.py"), "plane", "--size", "1", "1", "--cells", "2", "2",
+                    "-o", os.path.join(folder, "plane.stl")], check=True, stdout=subprocess.DEVNULL)
+
+
+def goes_on(checks):
+    """The foot of a fast bar is drawn so flat that particles lie in a tenth of the spacing; a second run takes that."""
+    folder = new_folder()
+    plane(folder)
+    dx = make_bar(4, *LINEAR[:3], os.path.join(folder, "bar.data"))
+    with open(SCRIPT) as f:
+        text = f.read() + "\nrun 5\n"
+    result = run(text, {"dx": dx, "speed": 300, "end": 30e-6}, folder=folder)
+    end = result.dump("end.dump")[-1]
+    x = np.column_stack([end[c] for c in "xyz"])
+    nearest = min(np.sort(np.sum((x - p) ** 2, axis=1))[1] for p in x)**0.5 / dx
+    checks.below("300 m/s: closest particles, spacings", nearest, 0.1)
+    checks.true("300 m/s: a second run goes on", len(result.thermo) > 1 and not result.errors())
+
+
 def main():
     checks, off = Checks(), []
     for name, rings, (r, l, rho, options), references in SHOTS:
         folder = new_folder()
-        subprocess.run([sys.executable, os.path.join(SOURCE, "tools", "make_tool.py"), "plane", "--size", "1", "1",
-                        "--cells", "2", "2", "-o", os.path.join(folder, "plane.stl")], check=True,
-                       stdout=subprocess.DEVNULL)
+        plane(folder)
         dx = make_bar(rings, r, l, rho, os.path.join(folder, "bar.data"))
         result = run(SCRIPT, dict(options, dx=dx), folder=folder)
         table = result.thermo[-1]
@@ -59,6 +77,7 @@ def main():
         checks.below("momentum across the axis, over that of the shot",
                      max(np.max(np.abs(table[c])) for c in ("v_px", "v_py")) / start, 1e-9)
         checks.below("deepest penetration, spacings", np.max(table["f_wall[13]"]), 0.2)
+    goes_on(checks)
     checks.above("linear hardening: order of convergence of the radius", order_of_convergence([1 / 4, 1 / 6], off), 1.5)
     checks.end()
 

@@ -385,11 +385,13 @@ void StartChecks::check_changes()
   if (last_run.types.empty()) return;
   const tm_nearest c = scene.results().nearest();
   const double dp = state.has(TM_FX_SMOOTHING) ? model().smallest_spacing() : model().settings_in_use().spacing;
-  check_overlap(c, CLOSE);
+  // flow of large strain draws particles as close as it likes
+  const double flow = 0.85 * last_run.nearest / dp;
+  check_overlap(c, std::min(CLOSE, flow));
   check_values();
   check_strain(c);
   if (!fresh.empty()) check_filling(true);
-  check_overlap(c, std::min(CLOSE_BETWEEN_RUNS, 0.85 * last_run.nearest / dp));
+  check_overlap(c, std::min(CLOSE_BETWEEN_RUNS, flow));
 }
 
 }    // namespace SPHTM_NS
