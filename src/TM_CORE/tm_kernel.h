@@ -77,4 +77,17 @@ TM_FN tm_pair tm_kernel_slope(int kernel, tm_pair q)
   return TM_PAIR(-7.0 / 3.0) * q * (b * b * a) * (5 * q + 2);
 }
 
+/* [hot] W'/r for terms that equalize what two particles have, heat or displacement, from g = W'/r at q = r/h; kernel is a
+   literal. The hyperbolic kernel alone has a slope at r = 0, so its W'/r has no bound. Tension can draw particles
+   together, and so does flow of large strain; at 1e-3 of their spacing, with a step a hundred times below that of the
+   lattice, two would swap more than evens them out, and swing ever farther apart. Closer than TM_SLOPE_CORE h a pair counts as
+   at that distance: five times what neighbors in a lattice do, as with Wendland C2 in one place. Both ends take the same: nothing
+   is lost. */
+#define TM_SLOPE_CORE 0.25
+TM_FN tm_pair tm_bounded_slope(int kernel, tm_pair q, tm_pair g)
+{
+  if (kernel != TM_KERNEL_HYPERBOLIC) return g;
+  return g * tm_pair_min(TM_PAIR(1.0 / TM_SLOPE_CORE) * q, 1);
+}
+
 #endif

@@ -157,13 +157,13 @@ TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, con
   if (t->one_pass) {
     const tm_pair stiffness = tm_pair_min(own->stab[TM_STAB_K], col[TM_COL_STAB + TM_STAB_K][tm_at(l)]);
     const tm_pair per = 2 * inv_rho_sum * inv_r;
-    col[TM_COL_HOURGLASS][tm_at(l)] = mj * own->mass * g * stiffness * (per * per);
+    col[TM_COL_HOURGLASS][tm_at(l)] = mj * own->mass * tm_bounded_slope(t->kernel, q, g) * stiffness * (per * per);
   }
   if (t->artstress) col[TM_COL_TENSILE][tm_at(l)] = tm_power_int(tm_kernel_shape(t->kernel, q) * p.inv_w, own->art_n);
   if (t->conduction) /* F15 (6) */
     col[TM_COL_CONDUCTED][tm_at(l)] =
         tm_conduction_pair(own->k, col[TM_COL_HEAT + TM_REC_K][tm_at(l)], own->T, col[TM_COL_HEAT + TM_REC_T][tm_at(l)],
-                           mj / rhoj * own->volume, tm_conduction_slope(t->kernel, q, g));
+                           mj / rhoj * own->volume, tm_bounded_slope(t->kernel, q, g));
   if (t->form_f14 || t->surface) col[TM_COL_PER_RHO][tm_at(l)] = 1 / rhoj;
   if (t->xsph)
     col[TM_COL_SMOOTH][tm_at(l)] =

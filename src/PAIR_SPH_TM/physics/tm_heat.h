@@ -59,18 +59,6 @@ TM_FN tm_real tm_capacity(const tm_material *m, tm_real T)
    friction by it, and meet at the mean of their temperatures weighted by it. */
 TM_FN tm_real tm_effusivity(tm_real k, tm_real rho, tm_real cp) { return sqrt(k * rho * cp); }
 
-/* [hot] W'/r as conduction takes it, from g = W'/r at q = r/h; kernel is a literal. The hyperbolic kernel alone has a
-   slope at r = 0, so its W'/r has no bound. Tension can draw particles together; at 1e-3 of their spacing, with a step
-   a hundred times below that of the lattice, they would swap more heat than evens them out, and swing ever farther
-   apart until one is below 0 K. Closer than TM_HEAT_CORE h a pair conducts as at that distance: five times what
-   neighbors in a lattice do, as with Wendland C2 in one place. Both ends take the same: no heat is lost. */
-#define TM_HEAT_CORE 0.25
-TM_FN tm_pair tm_conduction_slope(int kernel, tm_pair q, tm_pair g)
-{
-  if (kernel != TM_KERNEL_HYPERBOLIC) return g;
-  return g * tm_pair_min(TM_PAIR(1.0 / TM_HEAT_CORE) * q, 1);
-}
-
 /* [hot] One pair of F15 (6): power per volume into particle i. vol_j = m_j/rho_j. */
 TM_FN tm_pair tm_conduction_pair(tm_pair ki, tm_pair kj, tm_pair Ti, tm_pair Tj, tm_pair vol_j, tm_pair dwdr_over_r)
 {
