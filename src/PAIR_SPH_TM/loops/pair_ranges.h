@@ -4,9 +4,6 @@
 #include "pair_loops.h"
 
 #include <utility>
-#ifndef SPHTM_PROTO
-#define SPHTM_PROTO
-#endif
 
 namespace {
 
@@ -35,7 +32,7 @@ template <unsigned EFFECTS> void rates_of_set(int begin, int end, const tm_rates
 }
 template <int... INDEX> rate_range_t rates_of(int index, std::integer_sequence<int, INDEX...>)
 {
-  static const rate_range_t range[] = {rates_of_set<rate_set(INDEX SPHTM_PROTO)>...};
+  static const rate_range_t range[] = {rates_of_set<rate_set(INDEX)>...};
   return range[index];
 }
 void rates_in_double(int begin, int end, const tm_rates_args *args, unsigned effects)
