@@ -232,6 +232,26 @@ static void test_few(void)
   }
 }
 
+/* A pair that came together: within TM_SLOPE_CORE h its force is that of the slope W' alone, not of W'/r without bound. */
+static void test_close_pair(void)
+{
+  const double apart[4] = {TM_SLOPE_CORE * 1.2, 0.1, 1e-2, 1e-6};
+  double per_slope = 0.0;
+  make(2, TM_KERNEL_HYPERBOLIC, 2, 1.2, 0.0, 0);
+  for (int i = 0; i < n; i++) length[i] = i < 2;
+  row[0] = 1;
+  row[ROOM] = 0;
+  for (int k = 0; k < 4; k++) {
+    for (int d = 0; d < 2; d++) rec(1)[d] = rec(0)[d] + (d == 0 ? apart[k] : 0.0);
+    run();
+    const double got = force[0] / tm_kernel_slope(TM_KERNEL_HYPERBOLIC, apart[k] / 1.2);
+    if (k == 0) per_slope = got;
+    UT_TRUE(fabs(got) > 1e-6);
+    UT_NEAR(got, per_slope, 1e-9);
+    UT_NEAR(force[0], -force[3], 1e-14);
+  }
+}
+
 /* W: root of the stiffness times the displacement at the force point, and the damping. */
 static void test_displacement(void)
 {
@@ -397,6 +417,7 @@ int main(void)
   test_limit();
   test_correction_turned();
   test_correction_step();
+  test_close_pair();
   test_step();
   test_stored_energy();
   test_time_step();
