@@ -75,6 +75,14 @@ static void make_particle(cloud *w, int i, const int *at, int side)
   tm_size_initial(w->size + TM_S_COLUMNS * i, w->mass[w->type[i]], w->material[w->type[i]].rho0, w->h / dp, w->dim == 3);
   w->size[TM_S_COLUMNS * i + TM_S_H] *= ut_random(0.9, 1.1);
   w->source[i] = ut_random(0, 1e2);
+  w->unstrained[i] = ut_random(250, 350);
+  double *K = w->turned + TM_K_COLUMNS * i;
+  random_fill(K, 6, -0.1, 0.1);
+  random_fill(K + TM_K_RATE, 6, -1e5, 1e5);
+  for (int d = 0; d < 3; d++) K[d] += 1.0;
+  random_fill(K + TM_K_SPIN, 3, -1e4, 1e4);
+  K[TM_K_SINCE] = 0.5 * w->dt;
+  if (i % 13 == 0) K[0] = 0.0;    /* not known yet */
 }
 
 static void make_list(cloud *w)

@@ -8,6 +8,8 @@
 #include "atom_kokkos.h"
 #include "atom_masks.h"
 #include "error.h"
+#include "kokkos.h"
+#include "lammps.h"
 #include "neigh_request.h"
 #include "neighbor_kokkos.h"
 
@@ -38,6 +40,16 @@ void PairSPHTMKokkos::init_style()
   }
   request->set_kokkos_device(true);
   request->set_kokkos_host(false);
+}
+
+// At a set-up LAMMPS takes what the host has for newer whenever something is asked for on a GPU. It has brought all of it
+// there before this call; asked for once more, it would go over the forces that were made meanwhile.
+void PairSPHTMKokkos::compute(int eflag, int vflag)
+{
+  const int as_before = lmp->kokkos->auto_sync;
+  lmp->kokkos->auto_sync = 0;
+  PairSPHTM::compute(eflag, vflag);
+  lmp->kokkos->auto_sync = as_before;
 }
 
 /* ---------------------------------------------------------------------- communication */

@@ -15,6 +15,7 @@ class PairSPHTMKokkos : public PairSPHTM, public KokkosBase {
  public:
   PairSPHTMKokkos(class LAMMPS *);
   void init_style() override;
+  void compute(int, int) override;
   int pack_forward_comm_kokkos(int, DAT::tdual_int_1d, DAT::tdual_xfloat_1d &, int, int *) override;
   void unpack_forward_comm_kokkos(int, int, DAT::tdual_xfloat_1d &) override;
 
