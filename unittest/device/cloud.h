@@ -62,9 +62,10 @@ typedef struct {
   ARRAY(thickness, 1) ARRAY(rec_main, TM_REC) ARRAY(rec_stress, 6) ARRAY(rec_heat, 2) ARRAY(rec_correction, 9)       \
   ARRAY(size, TM_S_COLUMNS) ARRAY(rec_size, TM_REC_SIZE) ARRAY(hourglass, TM_G_COLUMNS)                              \
   ARRAY(rec_hourglass, TM_REC_HOURGLASS) ARRAY(hourglass_rate, 3) ARRAY(rec_stab, TM_REC_STAB)                       \
-  ARRAY(reference, TM_R_COLUMNS) ARRAY(unstrained, 1) ARRAY(turned, TM_K_COLUMNS) ARRAY(moment, 6)                                                  \
+  ARRAY(reference, TM_R_COLUMNS) ARRAY(unstrained, 1) ARRAY(turned, TM_K_COLUMNS) ARRAY(moment, 6)                   \
   ARRAY(gradient, 9) ARRAY(heat, 1) ARRAY(correction, 6) ARRAY(xsph_v, 3) ARRAY(surface, 3) ARRAY(artificial, 1)     \
-  ARRAY(near, 1) ARRAY(tally, TM_TALLY) ARRAY(tool_heat, 1) ARRAY(body_sides, TM_BODY_SIDE) ARRAY(result, POINTS_MOST)
+  ARRAY(near, 1) ARRAY(tally, TM_TALLY) ARRAY(tool_heat, 1) ARRAY(body_sides, TM_BODY_SIDE) ARRAY(body_ahead, TM_AHEAD) \
+  ARRAY(result, POINTS_MOST)
 
 TM_FN tm_state cloud_state(cloud *w)
 {

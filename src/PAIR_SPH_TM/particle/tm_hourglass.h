@@ -18,9 +18,9 @@
    xi is the stiffness over that of longitudinal waves. What it has to withstand is the tension itself, so it follows the
    stress of the particle, xi = zeta (sigma_Mises + <-p>)/(rho c^2): nothing has to be chosen for rubber or for metal.
    Displacements are forgotten with plastic strain, over e = TM_HOURGLASS_STRAIN in uniaxial tension, and what they resist
-   with stays below a tenth of the flow stress (tm_hourglass_limit()). delta damps what alternates in time as well. All three
-   are less in materials that flow where no tension draws particles together (tm_hourglass_tension()), so that flow that few
-   particles resolve is hardly hindered. They vanish with the square of the spacing where fields are smooth. Pairs that come
+   with stays below a tenth of the flow stress (tm_hourglass_limit()). delta damps what alternates in time as well. Memory and
+   damping are less in materials that flow where pressure keeps particles together (tm_hourglass_tension()), so that flow that
+   few particles resolve is hardly hindered. All vanish with the square of the spacing where fields are smooth. Pairs that come
    together all the same repel each other, tm_close_pair().
 
    Own construction; the idea of a penalty on what differs from the linear field is that of Ganzenmueller 2015
@@ -44,29 +44,27 @@
 /* zeta, and the largest xi that follows from it. */
 #define TM_HOURGLASS_ZETA 12.0
 #define TM_HOURGLASS_MOST 4.0
-/* Plastic strain over which displacements are forgotten; largest stress, over the flow stress, of a displacement of h; delta:
-   in uniaxial tension, and the least shares of them. */
+/* Largest stress of hourglass control, over the flow stress, of a displacement of h. */
+#define TM_HOURGLASS_YIELD 0.1
+/* Plastic strain over which displacements are forgotten in uniaxial tension, and delta there; the least shares of them. */
 #define TM_HOURGLASS_STRAIN 0.02
 #define TM_HOURGLASS_STRAIN_SHARE 0.05
-#define TM_HOURGLASS_YIELD 0.1
-#define TM_HOURGLASS_YIELD_SHARE 0.2
 #define TM_HOURGLASS_DAMPING 0.1
-#define TM_HOURGLASS_DAMPING_SHARE 0.3
+#define TM_HOURGLASS_DAMPING_SHARE 0.5
 
-/* How much tension a flowing material is under at flow stress (or von Mises stress) and pressure: 1 in uniaxial tension and
-   more, 1/3 in shear, 0 from p = yield/6 on; 1 without flow stress. */
+/* How much tension a flowing material is under at flow stress (or von Mises stress) and pressure, an upper bound of the
+   largest principal stress over the flow stress, 0 to 1: 1 in uniaxial tension; 1 without flow stress. */
 TM_FN tm_real tm_hourglass_tension(tm_real yield, tm_real p)
 {
-  return yield > 0.0 ? tm_max(tm_min(1.0 / 3.0 - 2.0 * p / yield, 1.0), 0.0) : 1.0;
+  return yield > 0.0 ? tm_max(tm_min(2.0 / 3.0 - p / yield, 1.0), 0.0) : 1.0;
 }
 
-/* Displacements of a material that flows: stiffness |u|, which is sqrt(xi) k |u|, stays below TM_HOURGLASS_YIELD Y h;
-   less with less tension (tm_hourglass_tension()). */
-TM_FN void tm_hourglass_limit(tm_real *field, tm_real stiffness, tm_real yield, tm_real tension, tm_real h)
+/* Displacements of a material that flows: stiffness |u|, which is sqrt(xi) k |u|, stays below TM_HOURGLASS_YIELD Y h. */
+TM_FN void tm_hourglass_limit(tm_real *field, tm_real stiffness, tm_real yield, tm_real h)
 {
   const tm_real x = field[tm_column(TM_G_U)], y = field[tm_column(TM_G_U + 1)], z = field[tm_column(TM_G_U + 2)];
   const tm_real resists = stiffness * sqrt(x * x + y * y + z * z);
-  const tm_real limit = TM_HOURGLASS_YIELD * tm_max(tension, TM_HOURGLASS_YIELD_SHARE) * yield * h;
+  const tm_real limit = TM_HOURGLASS_YIELD * yield * h;
   if (!(yield > 0.0) || resists <= limit) return;
   for (int d = 0; d < 3; d++) field[tm_column(TM_G_U + d)] *= limit / resists;
 }

@@ -298,7 +298,7 @@ TM_FN tm_real tm_update_stabilization(int i, const tm_update_args *a, const tm_p
   const tm_real tension = tm_hourglass_tension(q->yield, q->p);
   tm_hourglass_step(u, a->hourglass_rate + 3 * (ptrdiff_t) i, xi, L, a->dt, q->d_eps / tm_hourglass_memory(tension),
                     forget);
-  tm_hourglass_limit(u, sqrt(xi) * rho_c2, q->yield, tension, h);
+  tm_hourglass_limit(u, sqrt(xi) * rho_c2, q->yield, h);
   return xi;
 }
 

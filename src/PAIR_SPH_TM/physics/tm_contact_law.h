@@ -45,11 +45,11 @@ TM_FN tm_vec3 tm_contact_tangential(tm_vec3 v, tm_vec3 n) { return tm_vec_axpy(v
 
 /* The share of what stops a particle up to which friction takes energy from its sliding, <= 1, where the sliding at the
    start of a step is v_start and, if nothing held it, v_end at the end: with a share f the mean is (v_start + (1 - f) v_end)/2,
-   which has no part along v_end at f = 1 + v_start.v_end/v_end^2. */
+   which has no part along v_end at f = 1 + v_start.v_end/v_end^2; a little less, so that round-off makes no work. */
 TM_FN tm_real tm_contact_most_braking(tm_vec3 v_start, tm_vec3 v_end)
 {
   const tm_real turned = tm_vec_dot(v_start, v_end);
-  return turned < 0.0 ? tm_max(1.0 + turned / tm_vec_dot(v_end, v_end), 0.0) : 1.0;
+  return turned < 0.0 ? tm_max((1.0 - 1e-12) + turned / tm_vec_dot(v_end, v_end), 0.0) : 1.0;
 }
 
 /* Friction on a particle that would slide at v_end relative to the surface (tangential) at the end
