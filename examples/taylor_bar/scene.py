@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Taylor bars of several shots and spacings: length and radius of the foot. ./sphtm scenes taylor_bar"""
+"""Taylor bars of several shots and spacings: length and radius of the foot. ./sphtm scenes taylor_bar
+--size fine: 9 and 12 rings, for the order of convergence."""
 import os
 import subprocess
 import sys
@@ -20,6 +21,7 @@ SHOTS = {"linear": (3.2e-3, 32.4e-3, 8930, {}, (21.4, 7.22)),
          "ofhc210": (3.81e-3, 23.47e-3, 8960, {"speed": 210, "end": 75e-6, "material": OFHC}, (14.80, 8.40)),
          "ofhc225": (3.9e-3, 34.5e-3, 8960, {"speed": 225, "end": 100e-6, "material": OFHC}, (22.25, 8.02))}
 RINGS = {"linear": (4, 5, 6), "ofhc190": (4, 5, 7), "ofhc210": (4, 5, 7), "ofhc225": (4, 5)}
+FINE = {"linear": (9, 12)}
 WITHOUT = "viscosity 0.3 0.3 balsara yes hourglass 0"
 
 
@@ -38,11 +40,13 @@ def files_of(shot, rings):
 
 
 def main():
-    sizes = {"small": {"rings": 4}, "default": {}, "no_hourglass": {"options": WITHOUT}}
+    sizes = {"small": {"rings": 4}, "default": {}, "fine": {}, "no_hourglass": {"options": WITHOUT}}
     study = Study(__file__, sizes, __doc__)
     rows = {}
-    for shot, (r, l, rho, variables, reference) in SHOTS.items():
-        for rings in RINGS[shot]:
+    rings_of = FINE if study.options.size == "fine" else RINGS
+    for shot in rings_of:
+        r, l, rho, variables, reference = SHOTS[shot]
+        for rings in rings_of[shot]:
             row = "%s_%d" % (shot, rings)
             if not study.wants(row) or study.options.size == "small" and rings > 4:
                 continue
@@ -57,9 +61,9 @@ def main():
                          "length_off": length / reference[0] - 1, "radius_off": radius / reference[1] - 1,
                          "energy_drift": float(np.ptp(t["f_body[9]"]) / t["f_body[1]"][0]),
                          "artificial": float(t["f_body[7]"][-1] / t["f_body[1]"][0]), "processor": result.processor}
-    wanted = ["linear_6"] if study.options.size == "no_hourglass" else ["%s_%d" % (s, n) for s in RINGS for n in RINGS[s]]
+    wanted = ["linear_6"] if study.options.size == "no_hourglass" else ["%s_%d" % (s, n) for s in rings_of for n in rings_of[s]]
     whole = all("length" in rows.get(row, {}) for row in wanted) and study.options.size != "small"
-    name = "taylor_bar" + (".no_hourglass" if study.options.size == "no_hourglass" else "")
+    name = "taylor_bar" + ("." + study.options.size if study.options.size in ("no_hourglass", "fine") else "")
     study.end({"rows": rows}, {name: {row: rows[row] for row in wanted}} if whole else None)
 
 
