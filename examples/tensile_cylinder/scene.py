@@ -32,8 +32,10 @@ def main():
         if "f_lists[2]" in t and t["f_lists[2]"][-1] > 0:      # threshold 0 counts no searches
             rows[row]["searched"] = float(t["f_lists[2]"][-1] / t["Step"][-1])
     best = rows.get("margin", rows.get("skin"))
+    of_readme = best and {"largest_force": 1e-6 * best["largest_force"], "end_force": 1e-6 * best["end_force"],    # MN, mm
+                          "radius": 1e3 * best["radius"], "strain": best["strain"]}
     study.end({"rows": rows, "strain_of_the_paper": STRAIN},
-              {"tensile_cylinder.%d" % study.size["n"]: best} if best and study.size["n"] in (6, 16) else None)
+              {"tensile_cylinder.%d" % study.size["n"]: of_readme} if best and study.size["n"] in (6, 16) else None)
 
 
 if __name__ == "__main__":
