@@ -44,8 +44,6 @@ static void make(int dimension, int side, double noise)
         g[TM_HOURGLASS_K] = s[TM_STAB_K] = ut_random(1, 3);
         s[TM_STAB_C] = rec(n)[TM_REC_C];
       }
-  if (noise > 0.0) /* two that came together */
-    for (int d = 0; d < dim; d++) rec(n / 2)[d] = rec(n / 2 + 1)[d] + (d == 0 ? 0.15 : 0.05);
   memset(&args, 0, sizeof args);
   args.rec.main = main_;
   args.rec.stab = stab;

@@ -228,28 +228,20 @@ class Body:
             out[i] = -fit[0]
         return out
 
-    def tension(self, y, p):
-        """Of a material that flows: the largest principal stress over the flow stress, 0 to 1, an upper bound."""
-        return min(max(2 / 3 - p / y, 0.0), 1.0) if y > 0 else 1.0
-
-    def hourglass_force(self, d, r, h, gm, ahead):
-        """Force per m_j of pairs against differences of displacements, at the force point, damping, and what pushes close
-        pairs apart."""
+    def hourglass_force(self, d, r, gm, ahead):
+        """Force per m_j of pairs against differences of displacements, at the force point, and damping."""
         q, rho = self.q, self.q["rho"]
         k = rho * q["c"] ** 2
         p = -np.trace(q["stress"], axis1=1, axis2=2) / 3
         s = q["stress"] + p[:, None, None] * np.eye(3)
-        mises = np.sqrt(1.5 * np.sum(s ** 2, axis=(1, 2)))
-        xi = np.minimum(4.0, 12.0 * (mises + np.maximum(-p, 0)) * self.lz / k) if self.hourglass == "auto" else np.full(self.n, self.hourglass)
+        tension = np.sqrt(1.5 * np.sum(s ** 2, axis=(1, 2))) + np.maximum(-p, 0)
+        xi = np.minimum(4.0, 12.0 * tension * self.lz / k) if self.hourglass == "auto" else np.full(self.n, self.hourglass)
         xi = np.where(self.failed | [m.strength[0] == "none" for m in self.mat], 0.0, xi)
         self.xi = xi
-        flows = [m.strength[0] not in ("none", "elastic") and not f for m, f in zip(self.mat, self.failed)]
-        damping = np.array([0.1 * max(self.tension(y if f else 0.0, pi), 0.5) for y, pi, f in zip(mises, p, flows)])
-        W = np.sqrt(xi)[:, None] * self.w + (ahead * xi + damping * self.h / q["c"])[:, None] * self.w_rate
+        W = np.sqrt(xi)[:, None] * self.w + (ahead * xi)[:, None] * self.w_rate + (0.1 * self.h / q["c"])[:, None] * self.w_rate
         per = 4 / (rho[:, None] + rho[None]) ** 2 if self.one_pass else 1 / (rho[:, None] * rho[None])
         across = np.einsum("ija,ija->ij", W[:, None] - W[None], d) / r ** 2
-        close = np.maximum(0.3 - r / h, 0.0)
-        return (np.minimum(k[:, None], k[None]) * per * (across - close))[..., None] * gm
+        return (np.minimum(k[:, None], k[None]) * per * across)[..., None] * gm
 
     def hourglass_step(self, i, L, dt, d_eps, y, p, rho, failed):
         m = self.mat[i]
@@ -258,7 +250,7 @@ class Body:
             return
         rate = self.out["residual"][i]
         spin = 0.5 * np.array([L[2, 1] - L[1, 2], L[0, 2] - L[2, 0], L[1, 0] - L[0, 1]])
-        memory = 0.02 * max(self.tension(y, p), 0.05)
+        memory = 0.02 * min(max(2 / 3 - p / y if y > 0 else 1.0, 0.05), 1.0)
         xi = self.xi[i]
         self.w[i] = (self.w[i] + dt * (np.cross(spin, self.w[i]) + np.sqrt(xi) * rate)) / (1 + d_eps / memory)
         self.w_rate[i] = rate
@@ -325,7 +317,7 @@ class Body:
             pi = pi * 0.5 * (self.switch[:, None] + self.switch[None])
         art -= pi[..., None] * gm
         if self.hourglass:
-            art += self.hourglass_force(d, r, h, gm, ahead)
+            art += self.hourglass_force(d, r, gm, ahead)
             out["residual"] = self.residual(d, vij, gm, W, same, r, out["L"])
         out["acc"] = acc + np.einsum("j,ija->ia", m, art)
         out["acc"] = out["acc"] + np.asarray(self.load) / m[:, None]

@@ -86,9 +86,8 @@ template <unsigned SET, unsigned ASK> void predict_set(int begin, int end, const
 void predict(int begin, int end, const tm_predict_args *args, unsigned effects)
 {
   if (effects & RARE_IN_PREDICTION) predict_set<0u, ~0u>(begin, end, args, effects);
-  else if (effects & TM_FX_HEAT)
-    predict_set<TM_FX_HEAT, TESTED | TM_FX_PLASTICITY | TM_FX_3D>(begin, end, args, effects);
-  else predict_set<0u, TESTED | TM_FX_PLASTICITY | TM_FX_3D>(begin, end, args, effects);
+  else if (effects & TM_FX_HEAT) predict_set<TM_FX_HEAT, TESTED | TM_FX_3D>(begin, end, args, effects);
+  else predict_set<0u, TESTED | TM_FX_3D>(begin, end, args, effects);
 }
 
 typedef tm_update_result (*update_range_t)(int begin, int end, const tm_update_args *args, unsigned effects);

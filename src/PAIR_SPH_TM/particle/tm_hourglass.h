@@ -17,11 +17,10 @@
 
    xi is the stiffness over that of longitudinal waves. What it has to withstand is the tension itself, so it follows the
    stress of the particle, xi = zeta (sigma_Mises + <-p>)/(rho c^2): nothing has to be chosen for rubber or for metal.
-   Displacements are forgotten with plastic strain, over e = TM_HOURGLASS_STRAIN in uniaxial tension, and what they resist
-   with stays below a tenth of the flow stress (tm_hourglass_limit()). delta damps what alternates in time as well. Memory and
-   damping are less in materials that flow where pressure keeps particles together (tm_hourglass_tension()), so that flow that
-   few particles resolve is hardly hindered. All vanish with the square of the spacing where fields are smooth. Pairs that come
-   together all the same repel each other, tm_close_pair().
+   Displacements are forgotten with plastic strain, over e = TM_HOURGLASS_STRAIN in uniaxial tension and less where
+   pressure keeps particles together (tm_hourglass_memory()), and what they resist with stays below a tenth of the flow stress
+   (tm_hourglass_limit()), so that flow that few particles resolve is hardly hindered.
+   delta damps what alternates in time as well; both vanish with the square of the spacing where fields are smooth.
 
    Own construction; the idea of a penalty on what differs from the linear field is that of Ganzenmueller 2015
    (doi 10.1016/j.cma.2014.12.005), there with positions of the reference state, and of Zhang et al. 2024
@@ -32,7 +31,6 @@
 #ifndef TM_HOURGLASS_H
 #define TM_HOURGLASS_H
 
-#include "tm_artificial.h"
 #include "tm_chunk.h"
 #include "tm_eigen.h"
 #include "tm_pair.h"
@@ -41,30 +39,20 @@
 #error "double only: displacements are small differences of velocities"
 #endif
 
-/* zeta, and the largest xi that follows from it. */
-#define TM_HOURGLASS_ZETA 12.0
-#define TM_HOURGLASS_MOST 4.0
+/* Plastic strain over which displacements are forgotten in uniaxial tension, and the least share of it. */
+#define TM_HOURGLASS_STRAIN 0.02
+#define TM_HOURGLASS_MEMORY 0.05
 /* Largest stress of hourglass control, over the flow stress, of a displacement of h. */
 #define TM_HOURGLASS_YIELD 0.1
-/* Plastic strain over which displacements are forgotten in uniaxial tension, and delta there; the least shares of them. */
-#define TM_HOURGLASS_STRAIN 0.02
-#define TM_HOURGLASS_STRAIN_SHARE 0.05
+/* zeta, the largest xi that follows from it, and delta. */
+#define TM_HOURGLASS_ZETA 12.0
+#define TM_HOURGLASS_MOST 4.0
 #define TM_HOURGLASS_DAMPING 0.1
-#define TM_HOURGLASS_DAMPING_SHARE 0.5
-
-/* How much tension a flowing material is under at flow stress (or von Mises stress) and pressure, an upper bound of the
-   largest principal stress over the flow stress, 0 to 1: 1 in uniaxial tension; 1 without flow stress. */
-TM_FN tm_real tm_hourglass_tension(tm_real yield, tm_real p)
-{
-  return yield > 0.0 ? tm_max(tm_min(2.0 / 3.0 - p / yield, 1.0), 0.0) : 1.0;
-}
-
 /* Displacements of a material that flows: stiffness |u|, which is sqrt(xi) k |u|, stays below TM_HOURGLASS_YIELD Y h. */
 TM_FN void tm_hourglass_limit(tm_real *field, tm_real stiffness, tm_real yield, tm_real h)
 {
   const tm_real x = field[tm_column(TM_G_U)], y = field[tm_column(TM_G_U + 1)], z = field[tm_column(TM_G_U + 2)];
-  const tm_real resists = stiffness * sqrt(x * x + y * y + z * z);
-  const tm_real limit = TM_HOURGLASS_YIELD * yield * h;
+  const tm_real resists = stiffness * sqrt(x * x + y * y + z * z), limit = TM_HOURGLASS_YIELD * yield * h;
   if (!(yield > 0.0) || resists <= limit) return;
   for (int d = 0; d < 3; d++) field[tm_column(TM_G_U + d)] *= limit / resists;
 }
@@ -80,16 +68,12 @@ TM_FN tm_real tm_hourglass_stiffness(tm_real xi, tm_sym3 s, tm_real p, tm_real r
   return tm_min(TM_HOURGLASS_MOST, TM_HOURGLASS_ZETA * (tm_sym_mises(s) + tm_max(-p, 0.0)) / rho_c2);
 }
 
-/* Plastic strain over which displacements are forgotten. */
-TM_FN tm_real tm_hourglass_memory(tm_real tension)
+/* Plastic strain over which displacements are forgotten, at flow stress and pressure: TM_HOURGLASS_STRAIN times an upper
+   bound of the largest principal stress over the flow stress, between TM_HOURGLASS_MEMORY and 1. */
+TM_FN tm_real tm_hourglass_memory(tm_real yield, tm_real p)
 {
-  return TM_HOURGLASS_STRAIN * tm_max(tension, TM_HOURGLASS_STRAIN_SHARE);
-}
-
-/* delta h/c: per is h/c, mises the von Mises stress of a material that flows, else 0. */
-TM_FN tm_real tm_hourglass_delay(tm_real per, tm_real mises, tm_real p)
-{
-  return TM_HOURGLASS_DAMPING * tm_max(tm_hourglass_tension(mises, p), TM_HOURGLASS_DAMPING_SHARE) * per;
+  const tm_real tension = yield > 0.0 ? (2.0 / 3.0) - p / yield : 1.0;
+  return TM_HOURGLASS_STRAIN * tm_max(tm_min(tension, 1.0), TM_HOURGLASS_MEMORY);
 }
 
 /* W at the force point, a length: stiffness xi, delay = delta h/c. */
@@ -180,7 +164,6 @@ enum {
   TM_GCOL_SIZE = TM_GCOL_W + TM_REC_HOURGLASS,
   TM_GCOL_WEIGHT = TM_GCOL_SIZE + TM_REC_SIZE, /* m_j/rho_j W */
   TM_GCOL_FORCE,                               /* m_j min(k_i, k_j)/(rho_i rho_j) W'/r^3 */
-  TM_GCOL_CLOSE,                               /* the same of close pairs: m_j Pi W'/r */
   TM_GCOLUMNS
 };
 
@@ -195,9 +178,8 @@ TM_FN void tm_hourglass_coefficients(const tm_chunk *c, const tm_rates_args *a, 
   const tm_real q = r * p.inv_h, volume = col[TM_REC_M][tm_at(l)] / col[TM_REC_RHO][tm_at(l)];
   const tm_real ki = own[TM_HOURGLASS_K], kj = col[TM_GCOL_W + TM_HOURGLASS_K][tm_at(l)];
   col[TM_GCOL_WEIGHT][tm_at(l)] = volume * p.norm * tm_kernel_shape(kernel, q);
-  const tm_real g = p.slope_norm * tm_kernel_slope(kernel, q) / r, k = tm_min(ki, kj) / rhoi;
-  col[TM_GCOL_FORCE][tm_at(l)] = volume * tm_bounded_slope(kernel, q, g) * k / r2;
-  col[TM_GCOL_CLOSE][tm_at(l)] = volume * g * tm_close_pair(q, k);
+  col[TM_GCOL_FORCE][tm_at(l)] = volume * tm_bounded_slope(kernel, q, p.slope_norm * tm_kernel_slope(kernel, q) / r) *
+                                 tm_min(ki, kj) / (r2 * rhoi);
 }
 
 /* Sums over the neighbors for tm_hourglass_rate() and the force. */
@@ -232,8 +214,7 @@ TM_FN void tm_hourglass_add(const tm_chunk *c, int dim3, const tm_real *own, con
   tm_pair_gradient(&s->vx, v, wx, dim3);
 
   const tm_lanes_vec across = tm_pair_difference(own, col + TM_GCOL_W, l, dim3); /* W_i - W_j */
-  const tm_lanes along =
-      tm_lanes_dot(across, d, dim3) * tm_values_load(col[TM_GCOL_FORCE], l) - tm_values_load(col[TM_GCOL_CLOSE], l);
+  const tm_lanes along = tm_lanes_dot(across, d, dim3) * tm_values_load(col[TM_GCOL_FORCE], l);
   tm_pair_artificial(&s->acceleration, &s->artificial, tm_lanes_scale(along, d), v);
 }
 

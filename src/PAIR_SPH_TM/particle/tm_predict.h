@@ -59,8 +59,7 @@ TM_FN void tm_predict_hourglass(int i, const tm_predict_args *a, tm_sym3 dev, tm
   const tm_real xi = k > 0.0 && m->strength != TM_STRENGTH_NONE && !failed
                          ? tm_hourglass_stiffness(a->hourglass, dev, p, k / lz)
                          : 0.0;
-  const int flows = (effects & TM_FX_PLASTICITY) && tm_strength_flow(m->strength) != TM_FLOW_NONE;
-  const tm_real delay = k > 0.0 ? tm_hourglass_delay(a->h / c, flows ? tm_sym_mises(dev) : 0.0, p) : 0.0;
+  const tm_real delay = k > 0.0 ? TM_HOURGLASS_DAMPING * a->h / c : 0.0;
   const tm_vec3 W = tm_hourglass_displacement(tm_field_row(s, TM_F_HOURGLASS, i), a->dt_ahead, xi, delay);
   if (effects & TM_FX_ONE_PASS) {
     tm_real *out = tm_stab_record(&a->rec, i);

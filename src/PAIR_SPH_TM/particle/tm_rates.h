@@ -41,7 +41,7 @@ enum {
   TM_COL_SLOPE = TM_COL_STAB + TM_REC_STAB, /* m_j W'/r */
   TM_COL_HOURGLASS,                         /* m_j min(k_i, k_j)/rho_mean^2 W'/r^3 */
   TM_COL_TENSILE,                           /* f^n of the artificial stress */
-  TM_COL_VISCOUS,                           /* Pi of viscosity and of close pairs */
+  TM_COL_VISCOUS,                           /* Pi */
   TM_COL_CONDUCTED,                         /* power per volume into i */
   TM_COL_PER_RHO,                           /* 1/rho_j */
   TM_COL_SMOOTH,                            /* m_j/rho_mean W */
@@ -149,7 +149,6 @@ TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, con
     if (t->balsara) pi *= TM_PAIR(0.5) * (own->r[TM_REC_BALSARA] + col[TM_REC_BALSARA][tm_at(l)]);
     col[TM_COL_VISCOUS][tm_at(l)] = pi;
   } else {
-    if (t->one_pass) col[TM_COL_VISCOUS][tm_at(l)] = 0;
     inv_r = 1 / r;
     inv_rho_sum = t->one_pass ? 1 / (own->r[TM_REC_RHO] + rhoj) : 0;
   }
@@ -157,9 +156,8 @@ TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, con
   col[TM_COL_SLOPE][tm_at(l)] = mj * own->mass * g;
   if (t->one_pass) {
     const tm_pair stiffness = tm_pair_min(own->stab[TM_STAB_K], col[TM_COL_STAB + TM_STAB_K][tm_at(l)]);
-    const tm_pair per_rho2 = 4 * (inv_rho_sum * inv_rho_sum) * stiffness;
-    col[TM_COL_HOURGLASS][tm_at(l)] = mj * own->mass * tm_bounded_slope(t->kernel, q, g) * per_rho2 * (inv_r * inv_r);
-    col[TM_COL_VISCOUS][tm_at(l)] += tm_close_pair(q, per_rho2);
+    const tm_pair per = 2 * inv_rho_sum * inv_r;
+    col[TM_COL_HOURGLASS][tm_at(l)] = mj * own->mass * tm_bounded_slope(t->kernel, q, g) * stiffness * (per * per);
   }
   if (t->artstress) col[TM_COL_TENSILE][tm_at(l)] = tm_power_int(tm_kernel_shape(t->kernel, q) * p.inv_w, own->art_n);
   if (t->conduction) /* F15 (6) */
@@ -222,7 +220,7 @@ TM_FN void tm_rates_add(const tm_chunk *c, const tm_rates_terms *t, const tm_rat
   if (t->artstress)
     artificial = tm_pair_artificial_stress(tm_pair_symmetric_sum(own->stress, col + TM_COL_STRESS, l),
                                            tm_values_load(col[TM_COL_TENSILE], l), m_gradw, dim3);
-  if (t->viscosity || t->one_pass) tm_pair_viscosity(&artificial, tm_values_load(col[TM_COL_VISCOUS], l), m_gradw);
+  if (t->viscosity) tm_pair_viscosity(&artificial, tm_values_load(col[TM_COL_VISCOUS], l), m_gradw);
   if (t->one_pass) {
     const tm_lanes slope = tm_values_load(col[TM_COL_SLOPE], l);
     const tm_lanes_vec across = tm_pair_difference(own->stab + TM_STAB_W, col + TM_COL_STAB + TM_STAB_W, l, dim3);

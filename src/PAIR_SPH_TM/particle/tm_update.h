@@ -295,9 +295,8 @@ TM_FN tm_real tm_update_stabilization(int i, const tm_update_args *a, const tm_p
   const tm_real rho_c2 = half->rho * sound * sound; /* as in tm_predict_hourglass() */
   const tm_real xi = forget ? 0.0 : tm_hourglass_stiffness(a->hourglass, half->s, half->p, rho_c2);
   tm_real *u = tm_field_row(&a->state, TM_F_HOURGLASS, i);
-  const tm_real tension = tm_hourglass_tension(q->yield, q->p);
-  tm_hourglass_step(u, a->hourglass_rate + 3 * (ptrdiff_t) i, xi, L, a->dt, q->d_eps / tm_hourglass_memory(tension),
-                    forget);
+  tm_hourglass_step(u, a->hourglass_rate + 3 * (ptrdiff_t) i, xi, L, a->dt,
+                    q->d_eps / tm_hourglass_memory(q->yield, q->p), forget);
   tm_hourglass_limit(u, sqrt(xi) * rho_c2, q->yield, h);
   return xi;
 }

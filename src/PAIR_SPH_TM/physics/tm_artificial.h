@@ -1,13 +1,9 @@
-/* SPH-TM: artificial viscosity, artificial stress, repulsion of close pairs, XSPH.
+/* SPH-TM: artificial viscosity, artificial stress, XSPH.
 
    Viscosity (Monaghan 1992; the Pi of F14 (6), (15), added to -sigma/rho^2):
      Pi_ij = (-alpha c mu + beta mu^2)/rho,  mu = h v_ij.x_ij/(r^2 + 0.01 h^2)
    for approaching pairs (v_ij.x_ij < 0), 0 otherwise. c and rho are means of the pair.
    Balsara 1995: factor |div v|/(|div v| + |curl v| + 1e-4 c/h) keeps it out of shear.
-
-   Close pairs: Pi = 0.3 k/rho^2 (1 - q/0.3) for q = r/h < 0.3, of the distance alone but for k = rho c^2, so that it has a
-   potential. Tension draws two particles together, most of all with a kernel whose slope does not vanish at 0: there the
-   force of the pair jumps from one side to the other, and each passage makes energy. Own construction.
 
    Artificial stress, F14 (15)-(18): the pair gets (R_i + R_j) f^n, f = W(r)/W(dp).
      principal  R = -eps/rho^2 sum_k max(sigma_k, 0) e_k e_k^T           Gray, Monaghan, Swift 2001
@@ -45,15 +41,6 @@ TM_FN void tm_viscosity_factors(tm_real alpha, tm_real beta, tm_real q, tm_real 
   const tm_real per_soft = 1.0 / tm_viscosity_soft2(1.0, q * q), pi = 2.0 * g * per_soft / rho_sum;
   *bulk = alpha * c_mean * pi;
   *shock = beta * per_soft * pi;
-}
-
-/* Distance over h within which a pair repels, and the strength. */
-#define TM_CLOSE_PAIR 0.3
-#define TM_CLOSE_STRENGTH 0.3
-/* [hot] Pi_ij of the repulsion, >= 0: q = r/h; stiffness k over rho^2 of the pair. */
-TM_FN tm_pair tm_close_pair(tm_pair q, tm_pair stiffness)
-{
-  return stiffness * tm_pair_max(TM_PAIR(TM_CLOSE_STRENGTH) - TM_PAIR(TM_CLOSE_STRENGTH / TM_CLOSE_PAIR) * q, 0);
 }
 
 /* Shear switch of one particle, 0..1; div and curl are of the velocity. */
