@@ -62,11 +62,20 @@ TM_FN tm_pair tm_kernel_shape(int kernel, tm_pair q)
   return b * b * b * ((TM_PAIR(35.0 / 12.0) * q + 3) * q + 1);
 }
 
-/* [hot] d shape / dq, never positive; kernel is a literal. */
+/* Where the hyperbolic kernel is rounded, over h; a lattice has no pairs as close. */
+#define TM_KERNEL_CORE 0.25
+
+/* [hot] d shape / dq, never positive; kernel is a literal. The hyperbolic kernel alone has a slope at q = 0, -6: the force
+   of a pair would jump from one side to the other where its particles pass each other, and W'/r of what equalizes (heat,
+   displacements of hourglass control) would have no bound. Large plastic flow draws pairs as close as 1e-3 of the spacing;
+   no step resolves the jump, and the energy drifts or the pair is thrown apart. Closer than TM_KERNEL_CORE the slope goes to
+   0 with q instead, W'/r stays at five times that of neighbors in a lattice, as with Wendland C2 everywhere. Gradients of
+   velocity, stress and temperature take the same, so energy and momenta stay exact. */
 TM_FN tm_pair tm_kernel_slope(int kernel, tm_pair q)
 {
   const tm_pair a1 = tm_pair_max(1 - q, 0), a2 = tm_pair_max(2 - q, 0);
-  if (kernel == TM_KERNEL_HYPERBOLIC) return 6 * (a1 * a1) - 3 * (a2 * a2);
+  if (kernel == TM_KERNEL_HYPERBOLIC)
+    return (6 * (a1 * a1) - 3 * (a2 * a2)) * tm_pair_min(TM_PAIR(1.0 / TM_KERNEL_CORE) * q, 1);
   if (kernel == TM_KERNEL_CUBIC) return 3 * (a1 * a1) - TM_PAIR(0.75) * (a2 * a2);
   if (kernel == TM_KERNEL_QUINTIC) {
     const tm_pair a3 = tm_pair_max(3 - q, 0), b1 = a1 * a1, b2 = a2 * a2, b3 = a3 * a3;
@@ -75,19 +84,6 @@ TM_FN tm_pair tm_kernel_slope(int kernel, tm_pair q)
   const tm_pair a = TM_PAIR(0.5) * a2, b = a * a;
   if (kernel == TM_KERNEL_WENDLAND_C2) return -5 * q * (b * a);
   return TM_PAIR(-7.0 / 3.0) * q * (b * b * a) * (5 * q + 2);
-}
-
-/* [hot] W'/r for terms that equalize what two particles have, heat or displacement, from g = W'/r at q = r/h; kernel is a
-   literal. The hyperbolic kernel alone has a slope at r = 0, so its W'/r has no bound. Tension can draw particles
-   together, and so does flow of large strain; at 1e-3 of their spacing, with a step a hundred times below that of the
-   lattice, two would swap more than evens them out, and swing ever farther apart. Closer than TM_SLOPE_CORE h a pair counts as
-   at that distance: five times what neighbors in a lattice do, as with Wendland C2 in one place. Both ends take the same: nothing
-   is lost. */
-#define TM_SLOPE_CORE 0.25
-TM_FN tm_pair tm_bounded_slope(int kernel, tm_pair q, tm_pair g)
-{
-  if (kernel != TM_KERNEL_HYPERBOLIC) return g;
-  return g * tm_pair_min(TM_PAIR(1.0 / TM_SLOPE_CORE) * q, 1);
 }
 
 #endif

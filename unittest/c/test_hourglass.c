@@ -232,10 +232,10 @@ static void test_few(void)
   }
 }
 
-/* A pair that came together: within TM_SLOPE_CORE h its force is that of the slope W' alone, not of W'/r without bound. */
+/* A pair that came together: its force goes with W'/r, which has a bound. */
 static void test_close_pair(void)
 {
-  const double apart[4] = {TM_SLOPE_CORE * 1.2, 0.1, 1e-2, 1e-6};
+  const double apart[4] = {TM_KERNEL_CORE * 1.2, 0.1, 1e-2, 1e-6};
   double per_slope = 0.0;
   make(2, TM_KERNEL_HYPERBOLIC, 2, 1.2, 0.0, 0);
   for (int i = 0; i < n; i++) length[i] = i < 2;
@@ -244,9 +244,9 @@ static void test_close_pair(void)
   for (int k = 0; k < 4; k++) {
     for (int d = 0; d < 2; d++) rec(1)[d] = rec(0)[d] + (d == 0 ? apart[k] : 0.0);
     run();
-    const double got = force[0] / tm_kernel_slope(TM_KERNEL_HYPERBOLIC, apart[k] / 1.2);
+    const double q = apart[k] / 1.2, got = force[0] / (tm_kernel_slope(TM_KERNEL_HYPERBOLIC, q) / q);
     if (k == 0) per_slope = got;
-    UT_TRUE(fabs(got) > 1e-6);
+    UT_TRUE(fabs(got) > 1e-6 && fabs(force[0]) <= 6.0 / TM_KERNEL_CORE * fabs(got));
     UT_NEAR(got, per_slope, 1e-9);
     UT_NEAR(force[0], -force[3], 1e-14);
   }
@@ -391,9 +391,14 @@ static void test_stored_energy(void)
 static void test_time_step(void)
 {
   const unsigned fx = TM_FX_HOURGLASS;
-  UT_NEAR(tm_sound_time_step(2, 5, 0, 0.0, fx), 0.4, 1e-15);
-  UT_NEAR(tm_sound_time_step(2, 5, 0, 1.0, fx), 0.2, 1e-15);
-  UT_NEAR(tm_sound_time_step(2, 5, 0, 1.0, 0u), 0.4, 1e-15);
+  UT_NEAR(tm_sound_time_step(2, 5, 0, 0.0, 0.0, fx), 0.4, 1e-15);
+  UT_NEAR(tm_sound_time_step(2, 5, 0, 1.0, 0.0, fx), 0.2, 1e-15);
+  UT_NEAR(tm_sound_time_step(2, 5, 0, 1.0, 0.0, 0u), 0.4, 1e-15);
+  const double corner = 1.31 / 2, close = 2.4 / 2, plain = tm_sound_time_step(2, 5, 0, 0.0, 0.0, TM_FX_CORRECTION);
+  UT_TRUE(tm_sound_time_step(2, 5, 0, 0.0, corner, TM_FX_CORRECTION) == plain);
+  UT_NEAR(tm_sound_time_step(2, 5, 0, 0.0, close, TM_FX_CORRECTION), plain * TM_FACE_OF_TURN / 2.4, 1e-15);
+  /* a pair found to turn by 5.3 in h/c, at courant 0.4 */
+  UT_TRUE(0.4 * 5.3 * tm_sound_time_step(2, 5, 0, 0.0, close, TM_FX_CORRECTION) / (2.0 / 5.0) < 0.77);
 }
 
 int main(void)

@@ -14,7 +14,7 @@ static ptrdiff_t first[MOST];
 static tm_real TM_ALIGNED main_[MOST * TM_REC], stab[MOST * TM_REC_STAB], hourglass[MOST * TM_REC_HOURGLASS];
 static tm_real PK[MOST * TM_REC_CORRECTION], K[6 * MOST];
 typedef struct {
-  double force[3 * MOST], gradient[9 * MOST], artificial[MOST], rate[3 * MOST], moment[6 * MOST];
+  double force[3 * MOST], gradient[9 * MOST], artificial[MOST], rate[3 * MOST], moment[TM_MOMENT_COLUMNS * MOST];
 } results;
 static results one, apart;
 static tm_rates_args args;
@@ -114,7 +114,24 @@ static void test_as_apart(void)
     for (int d = 0; d < 3; d++) UT_WITHIN(one.force[3 * i + d], apart.force[3 * i + d], 1e-12);
     for (int k = 0; k < 9; k++) UT_WITHIN(one.gradient[9 * i + k], apart.gradient[9 * i + k], 1e-12);
     UT_WITHIN(one.artificial[i], apart.artificial[i], 1e-12);
-    for (int k = 0; k < 6; k++) UT_WITHIN(one.moment[6 * i + k], K[6 * i + k], 1e-12);
+    for (int k = 0; k < 6; k++) UT_WITHIN(one.moment[TM_MOMENT_COLUMNS * i + k], K[6 * i + k], 1e-12);
+  }
+}
+
+/* What says how a particle swings against one-sided neighbors: |K sum V_j gradW|. */
+static void test_face(void)
+{
+  for (int i = 0; i < n; i++) {
+    double s[3] = {0, 0, 0};
+    for (int l = 0; l < length[i]; l++) {
+      const double *ri = rec(i), *rj = rec(row[i * ROOM + l]);
+      double r2 = 0;
+      for (int d = 0; d < 3; d++) r2 += (ri[d] - rj[d]) * (ri[d] - rj[d]);
+      const double g = args.slope_norm * tm_kernel_slope(TM_KERNEL_HYPERBOLIC, sqrt(r2) / args.h) / sqrt(r2);
+      for (int d = 0; d < 3; d++) s[d] += rj[TM_REC_M] / ri[TM_REC_RHO] * g * (ri[d] - rj[d]);
+    }
+    const tm_vec3 want = tm_sym_mul_vec(tm_sym_load(K + 6 * i), tm_vec(s[0], s[1], s[2]));
+    UT_WITHIN(one.moment[TM_MOMENT_COLUMNS * i + TM_MOMENT_FACE], tm_vec_norm(want), 1e-12);
   }
 }
 
@@ -203,6 +220,7 @@ int main(void)
     run();
     test_as_apart();
     test_residual();
+    test_face();
     test_momentum();
     test_linear();
   }

@@ -239,8 +239,7 @@ static void reference(int kernel, double h, unsigned fx)
         s[k] += mj / rhoj * g[k];
       }
       const double *ti = c.heat + i * TM_REC_HEAT, *tj = c.heat + j * TM_REC_HEAT;
-      heat += mj / rhoj * 4 * ti[1] * tj[1] / (ti[1] + tj[1]) * (ti[0] - tj[0]) * dW /
-              (kernel == TM_KERNEL_HYPERBOLIC && q < TM_SLOPE_CORE ? TM_SLOPE_CORE * h : r);
+      heat += mj / rhoj * 4 * ti[1] * tj[1] / (ti[1] + tj[1]) * (ti[0] - tj[0]) * dW / r;
     }
     for (int k = 0; k < 3; k++) {
       want.force[3 * i + k] = (double) (a[TM_REC_M] * f[k]);
@@ -399,7 +398,7 @@ static void row_lengths(void)
     }
 }
 
-/* Pairs that came together: they conduct as at TM_SLOPE_CORE, and what leaves one arrives at the other. */
+/* Pairs that came together: what they conduct is bounded, and what leaves one arrives at the other. */
 static void clumps(int dim, int kernel)
 {
   const unsigned fx = TM_FX_VISCOSITY | TM_FX_CONDUCTION;

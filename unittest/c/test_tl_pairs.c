@@ -347,7 +347,7 @@ static void weights(void)
 {
   for (int kernel = 0; kernel < TM_KERNEL_COUNT; kernel++) {
     double steepest = 0.0;
-    for (double q = 0.0; q < 3.0; q += 0.0007) steepest = fmax(steepest, fabs(tm_kernel_slope(kernel, q)));
+    for (double q = 0.0; q < 3.0; q += 1.0 / 4096) steepest = fmax(steepest, fabs(tm_kernel_slope(kernel, q)));
     UT_WITHIN(tm_tl_unit(kernel) * 32767.0 / (TM_TL_SLOPE_RANGE * steepest), 1.0, 1e-4);
   }
   for (int k = 0; k < 1000; k++) {

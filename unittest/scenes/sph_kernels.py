@@ -8,7 +8,7 @@ def kernel(name, q):
     if name == "hyperbolic":
         a, b = q < 1, (q >= 1) & (q < 2)
         w[a] = q[a] ** 3 - 6 * q[a] + 6
-        s[a] = 3 * q[a] ** 2 - 6
+        s[a] = (3 * q[a] ** 2 - 6) * np.minimum(q[a] / 0.25, 1)    # rounded at the origin
         w[b] = (2 - q[b]) ** 3
         s[b] = -3 * (2 - q[b]) ** 2
     elif name == "cubic":

@@ -110,7 +110,7 @@ TM_FN int tm_freeze_pair(int i, int j, int to, const tm_freeze_args *a, int kern
   short *out = tm_weight(&a->rows, i);
 #define TM_OUT(c) out[tm_weight_place(&a->rows, c, to)]
   const tm_real per_unit = 1.0 / a->rows.unit;
-  const unsigned bits = tm_weight_bits((float) tm_bounded_slope(kernel, q, g));
+  const unsigned bits = tm_weight_bits((float) g);
   int two_sided = 0;
   for (int c = 0; c < 3; c++) {
     const short own = tm_weight_whole(per_unit * (ei[3 * c] * w.x + ei[3 * c + 1] * w.y + ei[3 * c + 2] * w.z));

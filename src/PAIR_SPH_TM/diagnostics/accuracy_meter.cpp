@@ -250,7 +250,7 @@ AccuracyMeter::Rates AccuracyMeter::rates(AuditPatch &p, const tm_records &rec, 
   a.surface = surface.data();
   a.artificial = nullptr;
   const bool one_pass = (effects & TM_FX_ONE_PASS) != 0, hourglass = !one_pass && (effects & TM_FX_HOURGLASS);
-  std::vector<double> hourglass_rate(3 * room), moment(6 * room);
+  std::vector<double> hourglass_rate(3 * room), moment(TM_MOMENT_COLUMNS * room);
   a.moment = moment.data();
   a.hourglass_rate = hourglass_rate.data();
   r.seconds = 1e300;

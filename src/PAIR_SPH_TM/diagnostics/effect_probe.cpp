@@ -40,7 +40,7 @@ EffectProbe::EffectProbe(ParticleState &s, StepResults &r, int particles) :
   plain(xsph_v, fx & TM_FX_XSPH, 3);
   plain(surface, fx & TM_FX_SURFACE, 3);
   room(stab, fx & TM_FX_ONE_PASS, TM_REC_STAB, 2);
-  plain(moment, fx & TM_FX_ONE_PASS, 6);
+  plain(moment, fx & TM_FX_ONE_PASS, TM_MOMENT_COLUMNS);
   plain(correction, fx & TM_FX_CORRECTION, 6);
   plain(artificial, results.rate_args().artificial != nullptr, 1);
 }

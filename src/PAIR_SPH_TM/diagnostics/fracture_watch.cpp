@@ -32,7 +32,8 @@ tm_fracture_args FractureWatch::args()
   std::copy_n(period, 3, a.period);
   a.spacing = set.spacing;
   a.h = set.h;
-  a.support = tm_kernel_support(set.kernel);
+  // pairs that are kept are neighbors at any distance
+  a.support = scene.rows().keeps_all() ? 1e100 : tm_kernel_support(set.kernel);
   a.dim3 = domain->dimension == 3;
   return a;
 }
@@ -110,10 +111,12 @@ void FractureWatch::report(int tag)
                       update->ntimestep, update->atime + (update->ntimestep - update->atimestep) * update->dt, tag,
                       (int) all[TYPE], all[X], all[X + 1], all[X + 2], all[DAMAGE], all[STRAIN]);
   if (comm->me == 0)
-    error->warning(FLERR,
-                   "Fix sph/tm {}: numerical fracture: a particle has lost its neighbors on one side, and none of them "
-                   "has failed by damage; {}",
-                   state.id(), first);
+    error->warning(
+        FLERR,
+        "Fix sph/tm {}: numerical fracture: a particle has lost its neighbors on one side, and none of them "
+        "has failed by damage; {}. What is pulled, not cut, keeps them with 'fix ID all adapt/neigh threshold "
+        "inf'",
+        state.id(), first);
 }
 
 double FractureWatch::torn()

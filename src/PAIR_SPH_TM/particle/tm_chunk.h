@@ -60,7 +60,7 @@ typedef struct {
   tm_real *gradient;       /* 9, L row major, in rows of tm_layout.h */
   tm_real *heat;           /* conduction, power per volume, or NULL */
   tm_real *correction;     /* 6, K of tm_moment.h, with correction; read by the rate pass */
-  tm_real *moment;         /* 6, K of this force point, where the rate pass makes it */
+  tm_real *moment;         /* TM_MOMENT_COLUMNS of this force point, where the rate pass makes them */
   tm_real *xsph_v;         /* 3, with XSPH */
   tm_real *hourglass_rate; /* 3, with the hourglass control: tm_hourglass.h */
   tm_real *surface;        /* 3, with surface */

@@ -109,7 +109,7 @@ TM_FN int tm_conduct_pairs(int i, const tm_conduct_args *a, const tm_rows *rows,
     }
     if (sizes ? r2 * p.inv_h * p.inv_h >= q->support2 : r2 >= q->support_radius2) continue;
     const tm_real r = sqrt(r2), x = r / p.h, kj = tm_heat_record(&q->rec, j)[tm_part(TM_REC_K)];
-    const tm_real slope = tm_bounded_slope(kernel, x, p.slope_norm * tm_kernel_slope(kernel, x) / r);
+    const tm_real slope = p.slope_norm * tm_kernel_slope(kernel, x) / r;
     const tm_real VV = Vi * (rj[tm_part(TM_REC_M)] / rj[tm_part(TM_REC_RHO)]);
     const tm_real hc = conductance ? conductance[q->type[i] * (q->ntypes + 1) + q->type[j]] : 0.0;
     const tm_real g = hc > 0.0 ? tm_conduction_pair_interface(ki, kj, 0.0, 1.0, VV, slope, r, hc)

@@ -13,7 +13,7 @@
 
      a_i = sum_j m_j min(k_i, k_j)/rho_ij^2 (W_i - W_j).x/r^2 gradW,   k = rho c^2,   W = sqrt(xi) u + delta h/c r
 
-   central and equal and opposite: both momenta stay to round-off. For close pairs gradW/r is bounded, tm_bounded_slope().
+   central and equal and opposite: both momenta stay to round-off.
 
    xi is the stiffness over that of longitudinal waves. What it has to withstand is the tension itself, so it follows the
    stress of the particle, xi = zeta (sigma_Mises + <-p>)/(rho c^2): nothing has to be chosen for rubber or for metal.
@@ -178,8 +178,7 @@ TM_FN void tm_hourglass_coefficients(const tm_chunk *c, const tm_rates_args *a, 
   const tm_real q = r * p.inv_h, volume = col[TM_REC_M][tm_at(l)] / col[TM_REC_RHO][tm_at(l)];
   const tm_real ki = own[TM_HOURGLASS_K], kj = col[TM_GCOL_W + TM_HOURGLASS_K][tm_at(l)];
   col[TM_GCOL_WEIGHT][tm_at(l)] = volume * p.norm * tm_kernel_shape(kernel, q);
-  col[TM_GCOL_FORCE][tm_at(l)] = volume * tm_bounded_slope(kernel, q, p.slope_norm * tm_kernel_slope(kernel, q) / r) *
-                                 tm_min(ki, kj) / (r2 * rhoi);
+  col[TM_GCOL_FORCE][tm_at(l)] = volume * p.slope_norm * tm_kernel_slope(kernel, q) / r * tm_min(ki, kj) / (r2 * rhoi);
 }
 
 /* Sums over the neighbors for tm_hourglass_rate() and the force. */

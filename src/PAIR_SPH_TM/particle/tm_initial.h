@@ -69,12 +69,12 @@ TM_FN tm_update_result tm_initial_limits(int i, const tm_update_args *a, unsigne
   if ((effects & TM_FX_ONE_PASS) && m->body == TM_BODY_SOLID) {
     tm_real *row = tm_field_row(s, TM_F_CORRECTION, i);
     if (row[0] == 0.0)
-      tm_correction_step(row, tm_sym_load(a->moment + (ptrdiff_t) i * 6), NULL,
+      tm_correction_step(row, tm_sym_load(a->moment + (ptrdiff_t) i * TM_MOMENT_COLUMNS), NULL,
                          tm_mat_from_row(a->gradient + tm_row(i, 9)), 0.0, 0.0);
   }
   if (m->body == TM_BODY_SOLID) {
     const tm_real c = tm_main_record(&a->rec, i)[tm_part(TM_REC_C)];
-    out.dt[TM_DT_SOUND] = tm_sound_time_step(h, c, a->visc_alpha, a->hourglass, effects);
+    out.dt[TM_DT_SOUND] = tm_sound_time_step(h, c, a->visc_alpha, a->hourglass, tm_update_face(i, a, effects), effects);
     const double *f = s->force + 3 * (ptrdiff_t) i;
     const tm_real acc = a->accel_unit / tm_particle_mass(s, i) * sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
     if (s->mask[i] & a->group) out.dt[TM_DT_FORCE] = tm_force_time_step(h, acc);

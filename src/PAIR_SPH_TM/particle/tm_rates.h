@@ -157,13 +157,13 @@ TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, con
   if (t->one_pass) {
     const tm_pair stiffness = tm_pair_min(own->stab[TM_STAB_K], col[TM_COL_STAB + TM_STAB_K][tm_at(l)]);
     const tm_pair per = 2 * inv_rho_sum * inv_r;
-    col[TM_COL_HOURGLASS][tm_at(l)] = mj * own->mass * tm_bounded_slope(t->kernel, q, g) * stiffness * (per * per);
+    col[TM_COL_HOURGLASS][tm_at(l)] = mj * own->mass * g * stiffness * (per * per);
   }
   if (t->artstress) col[TM_COL_TENSILE][tm_at(l)] = tm_power_int(tm_kernel_shape(t->kernel, q) * p.inv_w, own->art_n);
   if (t->conduction) /* F15 (6) */
     col[TM_COL_CONDUCTED][tm_at(l)] =
         tm_conduction_pair(own->k, col[TM_COL_HEAT + TM_REC_K][tm_at(l)], own->T, col[TM_COL_HEAT + TM_REC_T][tm_at(l)],
-                           mj / rhoj * own->volume, tm_bounded_slope(t->kernel, q, g));
+                           mj / rhoj * own->volume, g);
   if (t->form_f14 || t->surface) col[TM_COL_PER_RHO][tm_at(l)] = 1 / rhoj;
   if (t->xsph)
     col[TM_COL_SMOOTH][tm_at(l)] =
@@ -253,9 +253,12 @@ TM_FN void tm_rates_store_stabilized(int i, const tm_rates_args *a, const tm_rat
   const tm_real length = TM_SINGLE ? rec->length : 1.0;
   const tm_real per_rho = (TM_SINGLE ? 1.0 / own->r[TM_REC_M] : 1.0) / own->r[TM_REC_RHO];
   const tm_sym3 M = tm_sym_scale(per_rho, tm_sym_load(sum));
-  tm_sym_store(a->moment + (ptrdiff_t) i * 6, tm_sym_inverse_bounded(M, t->dim3, TM_MOMENT_LOW));
-  const tm_vec3 rate = tm_residual_velocity(sum[6], tm_vec(length * sum[7], length * sum[8], length * sum[9]),
-                                            tm_vec(sum[10], sum[11], sum[12]), L);
+  const tm_sym3 K = tm_sym_inverse_bounded(M, t->dim3, TM_MOMENT_LOW);
+  const tm_vec3 gd = tm_vec(length * sum[7], length * sum[8], length * sum[9]);
+  tm_real *moment = a->moment + (ptrdiff_t) i * TM_MOMENT_COLUMNS;
+  tm_sym_store(moment, K);
+  moment[TM_MOMENT_FACE] = per_rho / (length * length) * tm_vec_norm(tm_sym_mul_vec(K, gd));
+  const tm_vec3 rate = tm_residual_velocity(sum[6], gd, tm_vec(sum[10], sum[11], sum[12]), L);
   tm_real *out = a->hourglass_rate + 3 * (ptrdiff_t) i;
   out[0] = rate.x;
   out[1] = rate.y;

@@ -39,13 +39,13 @@ TM_FN void tm_thermal(int i, const tm_rates_args *a, unsigned effects)
     }
     if (sizes ? r2 * p.inv_h * p.inv_h >= a->support2 : r2 >= a->support_radius2) continue;
     const tm_real r = sqrt(r2), q = r / p.h;
-    const tm_real g = p.slope_norm * tm_kernel_slope(kernel, q) / r, conducting = tm_bounded_slope(kernel, q, g);
+    const tm_real g = p.slope_norm * tm_kernel_slope(kernel, q) / r;
     const tm_real vol = rj[tm_part(TM_REC_M)] / rj[tm_part(TM_REC_RHO)];
     n = tm_vec_axpy(n, vol * g, tm_vec(dx, dy, dz));
     const tm_real hc = a->conductance ? a->conductance[a->type[i] * (a->ntypes + 1) + a->type[j]] : 0.0;
-    heat += hc > 0.0 ? tm_conduction_pair_interface(hi[TM_REC_K], hj[TM_REC_K], hi[TM_REC_T], hj[TM_REC_T], vol,
-                                                    conducting, r, hc)
-                     : tm_conduction_pair(hi[TM_REC_K], hj[TM_REC_K], hi[TM_REC_T], hj[TM_REC_T], vol, conducting);
+    heat += hc > 0.0
+                ? tm_conduction_pair_interface(hi[TM_REC_K], hj[TM_REC_K], hi[TM_REC_T], hj[TM_REC_T], vol, g, r, hc)
+                : tm_conduction_pair(hi[TM_REC_K], hj[TM_REC_K], hi[TM_REC_T], hj[TM_REC_T], vol, g);
   }
   a->heat[i] += heat;
   if (effects & TM_FX_SURFACE) {

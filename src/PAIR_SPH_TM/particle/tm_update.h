@@ -18,6 +18,7 @@
 #include "tm_eos.h"
 #include "tm_heat.h"
 #include "tm_hourglass.h"
+#include "tm_residual.h"
 #include "tm_state.h"
 #include "tm_stored_energy.h"
 #include "tm_strength.h"
@@ -41,7 +42,7 @@ typedef struct {
   tm_state state;
   tm_records rec;
   const tm_real *gradient, *heat, *xsph_v, *hourglass_rate, *artificial;
-  const tm_real *moment;     /* K of the force point, with one pass */
+  const tm_real *moment;     /* TM_MOMENT_COLUMNS of the force point, with one pass */
   const tm_real *correction; /* and the one that was predicted for it and used */
   const tm_real *share;      /* of the balanced artificial stress, see tm_predict.h */
   tm_real ratio;
@@ -280,6 +281,12 @@ TM_FN void tm_update_balsara(int i, const tm_state *s, tm_mat3 L, tm_real sound,
   *tm_field_row(s, TM_F_BALSARA, i) = tm_balsara(tm_mat_trace(L), tm_vec_norm(curl), sound, h);
 }
 
+/* TM_MOMENT_FACE of the force point, 0 where it is not known. */
+TM_FN tm_real tm_update_face(int i, const tm_update_args *a, unsigned effects)
+{
+  return (effects & TM_FX_ONE_PASS) ? a->moment[(ptrdiff_t) i * TM_MOMENT_COLUMNS + TM_MOMENT_FACE] : 0.0;
+}
+
 /* Displacement of hourglass control and correction of the gradients, for the next force point; the stiffness xi. q, half: at
    the end of the step and at the force point. */
 TM_FN tm_real tm_update_stabilization(int i, const tm_update_args *a, const tm_point *q, const tm_point *half,
@@ -288,8 +295,8 @@ TM_FN tm_real tm_update_stabilization(int i, const tm_update_args *a, const tm_p
   if (effects & TM_FX_ONE_PASS) {
     tm_real *K = tm_field_row(&a->state, TM_F_CORRECTION, i);
     const ptrdiff_t row = (ptrdiff_t) i * 6;
-    tm_correction_step(K, tm_sym_load(a->moment + row), a->correction + row, L, 0.5 * a->dt + K[tm_column(TM_K_SINCE)],
-                       0.5 * a->dt);
+    tm_correction_step(K, tm_sym_load(a->moment + (ptrdiff_t) i * TM_MOMENT_COLUMNS), a->correction + row, L,
+                       0.5 * a->dt + K[tm_column(TM_K_SINCE)], 0.5 * a->dt);
   }
   if (!(effects & TM_FX_HOURGLASS)) return 0.0;
   const tm_real rho_c2 = half->rho * sound * sound; /* as in tm_predict_hourglass() */
@@ -421,7 +428,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       out.artificial = artificial;
     }
 
-    out.dt[TM_DT_SOUND] = tm_sound_time_step(h, sound, a->visc_alpha, xi, effects);
+    out.dt[TM_DT_SOUND] = tm_sound_time_step(h, sound, a->visc_alpha, xi, tm_update_face(i, a, effects), effects);
     out.dt[TM_DT_FORCE] = tm_force_time_step(h, sqrt(tm_vec_dot(acc, acc)));
     const tm_vec3 v = tm_load3(s->v + 3 * (ptrdiff_t) i);
     const tm_real others = (pl ? pl[0] : 0.0) + (e ? *e : 0.0) + (dmg ? dmg[0] + dmg[tm_column(1)] : 0.0);

@@ -16,6 +16,11 @@
 /* Eigenvalues of the moment matrix below this count as this. */
 #define TM_MOMENT_LOW 0.1
 
+/* What the rate pass leaves of the moments: K, and |K sum_j V_j gradW|, 1/length: 0 inside a lattice, 1.15/h at a face and
+   1.31/h at a corner (hyperbolic, h = 1.2 spacings). Where it is larger, neighbors lie on one side and close: the particle
+   swings against them faster than any wave of a lattice (tm_sound_time_step()). */
+enum { TM_MOMENT_FACE = 6, TM_MOMENT_COLUMNS };
+
 /* v_i minus the linear field, from the sums of g, g d and g v, g = m_j W'/r < 0; 0 without neighbors. */
 TM_FN tm_vec3 tm_residual_velocity(tm_real weights, tm_vec3 gd, tm_vec3 gv, tm_mat3 L)
 {

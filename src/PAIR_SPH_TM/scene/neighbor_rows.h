@@ -26,8 +26,9 @@ class NeighborRows : protected LAMMPS_NS::Pointers {
   // before a run; source: of fix adapt/neigh, or nullptr
   void init(const ParticleState &, RowSource *source);
   RowSource *source() const { return row_source; }
-  bool has_tl() const { return row_source && row_source->has_tl(); }    // total-Lagrangian pairs
-  bool cover(int n) const { return (int) row_first.size() >= n; }       // so many particles
+  bool has_tl() const { return row_source && row_source->has_tl(); }          // total-Lagrangian pairs
+  bool keeps_all() const { return row_source && row_source->keeps_all(); }    // these alone, at any distance
+  bool cover(int n) const { return (int) row_first.size() >= n; }             // so many particles
   virtual void build(LAMMPS_NS::NeighList *, bool conduction);
   tm_rows loop_rows();
   tm_rows host_rows();

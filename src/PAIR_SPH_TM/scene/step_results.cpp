@@ -39,7 +39,7 @@ void StepResults::resize(const ParticleState &state)
   rec_heat.make_room(state.has(TM_FX_HEAT), all * TM_REC_HEAT);
   const bool one_pass = state.has(TM_FX_ONE_PASS), passes = !one_pass;
   rec_stab.make_room(one_pass, all * TM_REC_STAB);
-  moment.make_room(one_pass, own * 6);
+  moment.make_room(one_pass, own * TM_MOMENT_COLUMNS);
   rec_correction.make_room(passes && state.has(TM_FX_CORRECTION), all * TM_REC_CORRECTION);
   rec_size.make_room(state.has(TM_FX_SMOOTHING), all * TM_REC_SIZE);
   rec_hourglass.make_room(passes && state.has(TM_FX_HOURGLASS), all * TM_REC_HOURGLASS);
