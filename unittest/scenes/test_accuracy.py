@@ -61,7 +61,7 @@ checks.true("front", [p["front"] for p in four] == [True, True, False, False])
 
 # --- a setting that lmp stops, one whose measure finds nothing, errors against a setting of the sweep
 TEXT = ("units si\nregion b block 0 1 0 1 0 1\ncreate_box 1 b\nmass 1 1\ncreate_atoms 1 single 0.5 0.5 0.5\n"
-        "fix 1 all nve\nrun 5\n")
+        "fix 1 all nve\nrun 20000\n")
 toy = frame.Sweep(name="toy", quantity="toy", reference="itself", kind="none", against="one", baseline="one",
                   script=lambda v: TEXT if v["value"] else TEXT + "none such\n",
                   settings={"quick": {"one": {"value": 2.0}, "more": {"value": 2.2}, "broken": {"value": 0}}},
