@@ -169,7 +169,8 @@ def main():
             frames["%s, %.0f mm down" % (row, -1e3 * tip)] = frame
         table[row].update(largest_plastic_strain=h[-1, 5], steps=int(h[-1, 0]), processor=result.processor,
                           wall=result.wall)
-    draw(frames, study)
+    if frames:
+        draw(frames, study)
     study.end({"rows": table})
 
 
@@ -178,7 +179,7 @@ def draw(frames, study):
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
     plt.rcParams.update({"font.size": 9})
-    figure, axes = plt.subplots(1, max(1, len(frames)), figsize=(2.3 * max(1, len(frames)), 4), squeeze=False, sharey=True)
+    figure, axes = plt.subplots(1, len(frames), figsize=(2.3 * len(frames), 4), squeeze=False, sharey=True)
     for ax, (row, frame) in zip(axes[0], frames.items()):
         dots = ax.scatter(1e3 * frame["x"], 1e3 * frame["y"], c=frame["c_p[1]"], s=0.8, cmap="viridis", vmin=0, vmax=0.6, lw=0)
         ax.set(aspect="equal", title=row.replace(", ", "\n"), xlabel="x (mm)", xlim=(-6, 50), ylim=(-58, 12))
