@@ -19,7 +19,6 @@ def judge(r):
 CASE = Case(
     title="tension to 140 %, total-Lagrangian pairs",
     criterion="1 - least width over the mean one, in the gauge", counter="pairs that are searched", setup=ONE.setup,
-    model=ONE.model.replace("adapt/neigh asph psi every 2 limits 0.5 3", "adapt/neigh {pairs}").replace(
-        "courant 0.4", "courant 0.2"),
-    steps="steps", settings=dict(ONE.settings, steps=21600, pairs="threshold inf rows 200"),
+    model=ONE.model.replace("adapt/neigh asph psi every 2 limits 0.5 3", "adapt/neigh {pairs}"),
+    steps="steps", settings=dict(ONE.settings, steps=13900, pairs="threshold inf rows 200"),
     bad={"pairs": "threshold 0"}, judge=judge, limit=0.3)

@@ -74,7 +74,7 @@ checks.below("block: velocity, of 500", max(abs(frame["vx"] - 500).max(), abs(fr
 checks.true("block: the same bits on 2 ranks", bits(scene(ranks=2)) == bits(flight))
 
 for correction in ("no", "yes"):
-    wheel = dict(velocity=TURN, box=(-2e-3, 21.5e-3), correction=correction)
+    wheel = dict(velocity=TURN, box=(-2e-3, 21.5e-3), correction=correction, steps="run 600")
     name = "wheel, correction %s: " % correction
     one = scene(**wheel)
     frame = one.dump("end.dump")[-1]
@@ -85,11 +85,11 @@ for correction in ("no", "yes"):
     # each run looks at its start and with new lists who has gone: the same steps in both, so that of a pair that goes the
     # same is the first
     wheel["lists"] = "every 5 delay 0 check no"
-    both = scene(**dict(wheel, steps="run 200\nwrite_restart half.restart\nrun 200"))
-    whole = scene(**dict(wheel, steps="run 400\nrun 0"))
+    both = scene(**dict(wheel, steps="run 300\nwrite_restart half.restart\nrun 300"))
+    whole = scene(**dict(wheel, steps="run 600\nrun 0"))
     checks.true(name + "run in two parts: both warn", len(counted(both)) == 2 and sum(counted(both)) == sum(counted(whole)),
                 "%s, in one %s" % (counted(both), counted(whole)))
-    again = scene(half=both, **dict(wheel, velocity="", steps="run 200"))
+    again = scene(half=both, **dict(wheel, velocity="", steps="run 300"))
     checks.true(name + "the same bits from a restart file", bits(again) == bits(both) and counted(again) == counted(both)[1:])
 
 taken = scene(**dict(velocity="velocity all set 0 0 0", lost="error",

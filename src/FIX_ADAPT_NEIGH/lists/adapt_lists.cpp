@@ -115,7 +115,7 @@ void AdaptLists::renew(bool renumbered)
   } else lists.search_all();
 }
 
-tm_rows AdaptLists::mechanical() { return keeps_all() ? stored.pairs().mechanical() : lists.rows(); }
+tm_rows AdaptLists::mechanical() { return has_tl() && stored.only() ? stored.pairs().mechanical() : lists.rows(); }
 
 int AdaptLists::ul_rows(tm_rates_args &a)
 {

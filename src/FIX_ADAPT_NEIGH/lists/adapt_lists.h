@@ -35,7 +35,7 @@ class AdaptLists : public AdaptPart, public RowSource {
 
   // for pair sph/tm
   bool has_tl() const override { return threshold > 0.0; }
-  bool keeps_all() const override { return has_tl() && stored.only(); }
+  bool keeps_all() const override { return has_tl() && stored.permanent(); }
   void renew(bool renumbered) override;
   tm_rows mechanical() override;
   tm_rows others() override { return lists.other_rows(); }

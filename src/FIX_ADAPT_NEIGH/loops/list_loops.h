@@ -28,6 +28,8 @@ struct ReorderLoop {
 };
 
 // families of sums
+TM_FN tm_real tm_fastest_nothing(void) { return 0.0; }
+TM_FN void tm_fastest_sum(tm_real *most, const tm_real *speed) { *most = tm_max(*most, *speed); }
 TM_FN int tm_count_nothing(void) { return 0; }
 TM_FN void tm_count_sum(int *sum, const int *n) { *sum += *n; }
 
@@ -45,6 +47,7 @@ TM_FN void tm_count_sum(int *sum, const int *n) { *sum += *n; }
   /* rates of total-Lagrangian pairs; the end of a step */                                                  \
   LOOP(HOT_EACH, tl_correction, tm_tl_correction_args, tm_tl_correction(i, &a, effects))                    \
   LOOP(HOT_EACH, tl_export, ExportLoop, tm_tl_export(i, &a.rates, a.exported))                              \
+  LOOP(SUM, tl_fastest, tm_tl_args, tm_real, tm_fastest, tm_tl_fastest(i, &a, effects))                     \
   LOOP(RANGE, tl_rates, tm_tl_args)                                                                         \
   LOOP(SUM, urgent, tm_freeze_args, int, tm_count, tm_freeze_is_urgent(i, &a))                              \
   LOOP(EACH, decide, tm_freeze_args, tm_freeze_decide(i, &a, effects))                                      \

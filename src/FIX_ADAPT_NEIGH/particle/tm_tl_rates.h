@@ -23,6 +23,7 @@
 #ifndef TM_TL_RATES_H
 #define TM_TL_RATES_H
 
+#include "tm_eigen.h"
 #include "tm_tl_rows.h"
 
 /* What a particle exports to total-Lagrangian pairs, besides position and mass: the velocity, A_zz, and the other
@@ -111,6 +112,28 @@ TM_FN void tm_tl_advance_map(tm_real *history, tm_mat3 L, tm_real dt, int dim3)
   }
   if (!dim3) B.xz = B.yz = B.zx = B.zy = 0.0;
   tm_mat_store(history + TM_TL_B, B);
+}
+
+/* The speed of sound in units of the freezing, of particle i: gradients that are stretched by s, the largest stretch of
+   F^-T, see waves s times as short, and the time step must follow. 0 without total-Lagrangian pairs. D = F^-T/det F,
+   so det F is det D^(-1/4), in two dimensions det D^(-1/3). */
+TM_FN tm_real tm_tl_fastest(int i, const tm_tl_args *a, unsigned effects)
+{
+  const int dim3 = (effects & TM_FX_3D) != 0;
+  if (a->rows.tl[i] == 0) return 0.0;
+  const tm_real *r = tm_main_record(&a->rec, i), c = r[tm_part(TM_REC_C)];
+  tm_mat3 D = tm_mat_scale(r[tm_part(TM_REC_RHO)], tm_mat_load(a->history + (ptrdiff_t) i * TM_TL_HISTORY + TM_TL_B));
+  if (!dim3) {
+    D.xz = D.yz = D.zx = D.zy = 0.0;
+    D.zz = 1.0;
+  }
+  const tm_real det = fabs(D.xx * (D.yy * D.zz - D.yz * D.zy) - D.xy * (D.yx * D.zz - D.yz * D.zx) +
+                           D.xz * (D.yx * D.zy - D.yy * D.zx));
+  if (!(det > 0.0)) return c;
+  const tm_real J = dim3 ? 1.0 / sqrt(sqrt(det)) : 1.0 / cbrt(det);
+  const tm_mat3 C = tm_mat_scale(J * J, tm_mat_mul(D, tm_mat_transposed(D)));
+  const tm_eigen e = tm_sym_eigen(tm_sym(C.xx, C.yy, dim3 ? C.zz : 1.0, C.xy, C.xz, C.yz));
+  return c * sqrt(tm_max(tm_max(e.value[0], e.value[1]), tm_max(e.value[2], 1.0)));
 }
 
 /* Columns of a chunk. */

@@ -267,6 +267,19 @@ void TotalLagrangian::rates(const tm_rates_args &rates, unsigned effects)
   a.heat = rates.heat;
   a.artificial = rates.artificial;
   loops->tl_rates(*backend, parts.owned(), a, effects);
+  limit_time_step(a, effects);
+}
+
+// of waves in gradients that are stretched; where B has the correction in it (Q = 1), a free corner counts as stretched by
+// 2.1, which the step of corrected gradients allows for
+void TotalLagrangian::limit_time_step(const tm_tl_args &a, unsigned effects)
+{
+  const bool corrected = parts.state().has(TM_FX_CORRECTION) && !corrects();
+  const double fastest = loops->tl_fastest(*backend, parts.owned(), a, effects) / (corrected ? 2.1 : 1.0);
+  if (fastest <= 0.0) return;
+  const Settings &set = parts.model().settings_in_use();
+  parts.state().time_step().limit(tm_sound_time_step(set.h, fastest, set.visc_alpha, set.hourglass, 0.0, effects),
+                                  TM_DT_SOUND);
 }
 
 /* ---------------------------------------------------------------------- end of a step */

@@ -20,6 +20,7 @@ class TotalLagrangian {
   void begin_steps(bool steps) { stepping = steps; }    // false: the set-up of a run
 
   void renew(bool renumbered);                            // rows of this step
+  bool permanent() const;                                 // pairs are kept from the start on
   bool only() const { return !active && permanent(); }    // no particle is updated-Lagrangian
   int ul_particles(const int **which);                    // number and list
   void communicate(const tm_records &);                   // what particles export to total-Lagrangian pairs
@@ -56,7 +57,7 @@ class TotalLagrangian {
   double time = 0.0, time_checked = 0.0, next_check = 0.0;    // of steps taken; of the proximity checks
   double dropped = 0.0;                                       // pairs of deleted particles in this run, on this rank
 
-  bool permanent() const;
+  void limit_time_step(const tm_tl_args &, unsigned effects);
   bool corrects() const;
   void check_effects() const;
   tm_tl_args rate_args(const tm_records &);

@@ -32,8 +32,7 @@ tm_fracture_args FractureWatch::args()
   std::copy_n(period, 3, a.period);
   a.spacing = set.spacing;
   a.h = set.h;
-  // pairs that are kept are neighbors at any distance
-  a.support = scene.rows().keeps_all() ? 1e100 : tm_kernel_support(set.kernel);
+  a.support = tm_kernel_support(set.kernel);
   a.dim3 = domain->dimension == 3;
   return a;
 }
@@ -78,7 +77,7 @@ void FractureWatch::begin(Pair *pair)
 
 void FractureWatch::look(Pair *pair)
 {
-  if (!state.has(TM_FX_FRACTURE)) return;
+  if (!state.has(TM_FX_FRACTURE) || scene.rows().keeps_all()) return;    // pairs that are kept hold at any distance
   const auto timed = state.clock().timed(RunClock::FRACTURE);
   if (refer(pair)) return;
   tell(pair);

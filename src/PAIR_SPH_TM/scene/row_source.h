@@ -23,7 +23,7 @@ class RowSource {
   virtual void tl_export(const tm_records &) {}
   virtual void tl_rates(const tm_rates_args &, unsigned /*effects*/) {}
   virtual bool has_tl() const { return false; }    // there may be total-Lagrangian pairs
-  // all pairs are total-Lagrangian and stay, however far their particles are apart
+  // pairs are frozen at the start and stay, however far their particles are apart
   virtual bool keeps_all() const { return false; }
   virtual tm_rows others() = 0;    // neighbors that exchange heat, and those in contact
 };
