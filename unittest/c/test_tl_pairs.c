@@ -385,6 +385,34 @@ static void too_large(unsigned fx)
   }
 }
 
+/* Gradients of a particle turned and stretched: waves are as much faster as its most compressed direction is short. */
+static void fastest(unsigned fx)
+{
+  in_3d = (fx & TM_FX_3D) != 0;
+  start();
+  tm_tl_args a;
+  memset(&a, 0, sizeof(a));
+  a.rows = rows();
+  a.rec.main = main_rec;
+  a.history = history;
+  main_rec[TM_REC_C] = 3.0;
+  tl[0] = 1;
+  const double stretch[4][3] = {{1, 1, 1}, {2, 1.5, 1}, {0.2, 1.7, 1}, {0.5, 1.3, 0.4}};
+  for (int k = 0; k < 4; k++) {
+    tm_mat3 U = tm_mat_identity();
+    int good;
+    U.xx = stretch[k][0];
+    U.yy = stretch[k][1];
+    if (in_3d) U.zz = stretch[k][2];
+    const double J = U.xx * U.yy * U.zz, least = fmin(fmin(U.xx, U.yy), fmin(U.zz, 1.0));
+    const tm_mat3 F = tm_mat_mul(turn(0.7), U), D = tm_mat_scale(1.0 / J, tm_mat_transposed(tm_mat_inverse(F, in_3d, &good)));
+    tm_mat_store(history + TM_TL_B, tm_mat_scale(1.0 / main_rec[TM_REC_RHO], D));
+    UT_NEAR(tm_tl_fastest(0, &a, fx), 3.0 / least, 1e-12);
+  }
+  tl[0] = 0;
+  UT_TRUE(tm_tl_fastest(0, &a, fx) == 0.0);
+}
+
 int main(void)
 {
   weight = (short *) calloc((size_t) MOST * ROOM * TM_WEIGHTS + 16, sizeof(short));
@@ -398,6 +426,8 @@ int main(void)
   weights();
   too_large(0u);
   too_large(TM_FX_3D);
+  fastest(0u);
+  fastest(TM_FX_3D);
   free(weight);
   return ut_summary();
 }
