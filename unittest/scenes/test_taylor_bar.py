@@ -51,6 +51,22 @@ def goes_on(checks):
     checks.true("300 m/s: a second run goes on", len(result.thermo) > 1 and not result.errors())
 
 
+def kept(checks):
+    """Pairs that are kept see shorter waves as the foot is pressed flat, and the time step follows: with a step of the spacing
+    alone this bar stopped at a density below 0."""
+    folder = new_folder()
+    plane(folder)
+    dx = make_bar(4, 3.81e-3, 23.47e-3, 8960, os.path.join(folder, "bar.data"))
+    result = run(SCRIPT, {"dx": dx, "speed": 210, "end": 75e-6, "material": OFHC, "adapt": "threshold inf"}, folder=folder)
+    table = result.thermo[-1]
+    length, radius, least, largest = [1e3 * v for v in shape(result.dump("end.dump")[-1], dx)]
+    checks.near("kept pairs, OFHC 210 m/s: length, mm", length, 14.80, relative=0.04)
+    checks.note("its radius, mm", "%.2f" % radius)
+    checks.below("the step at its smallest over that of the start", table["Dt"].min() / table["Dt"][0], 0.6)
+    checks.below("energy sum, drift over kinetic energy", np.ptp(table["f_body[9]"]) / table["f_body[1]"][0], 0.01)
+    checks.true("no numerical fracture", "numerical fracture: none" in result.output)
+
+
 def main():
     checks, off = Checks(), []
     for name, rings, (r, l, rho, options), references in SHOTS:
@@ -78,6 +94,7 @@ def main():
                      max(np.max(np.abs(table[c])) for c in ("v_px", "v_py")) / start, 1e-9)
         checks.below("deepest penetration, spacings", np.max(table["f_wall[13]"]), 0.2)
     goes_on(checks)
+    kept(checks)
     checks.above("linear hardening: order of convergence of the radius", order_of_convergence([1 / 4, 1 / 6], off), 1.5)
     checks.end()
 

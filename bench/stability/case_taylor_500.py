@@ -1,0 +1,4 @@
+"""A copper bar hits a rigid wall at 500 m/s: pairs of the foot are drawn as close as a thousandth of the spacing."""
+from taylor import taylor
+
+CASE = taylor(500, 2400, box=2)
