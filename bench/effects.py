@@ -44,33 +44,36 @@ thermo_style    custom step time dt ke
 thermo          {steps}
 run             {steps}
 """
-BARE = {"options": "viscosity 0 0 artstress 0 4", "material": "", "meet": "bond", "fix": "", "more": ""}
-MORE = dict(BARE, options="viscosity 1 1 artstress 0 4", material="strength plastic 400e6 1e9 heat 0 477 0.9",
-            fix="effects artificial-heat off")
-SHOCK = dict(BARE, material="eos shock 4570 1.49 1.9", fix="effects internal-energy off")
-USUAL = dict(BARE, options="", material="strength plastic 400e6 1e9 heat 38 477 0.9")
+PLAIN = "viscosity 0 0 hourglass 0 correction no"    # no stabilization
+BARE = {"options": PLAIN, "material": "", "meet": "bond", "fix": "effects fracture off", "more": ""}
+MORE = dict(BARE, options="viscosity 1 1 hourglass 0 correction no", material="strength plastic 400e6 1e9 heat 0 477 0.9",
+            fix="effects fracture off effects artificial-heat off")
+SHOCK = dict(BARE, material="eos shock 4570 1.49 1.9", fix="effects fracture off effects internal-energy off")
+USUAL = dict(BARE, options="", fix="", material="strength plastic 400e6 1e9 heat 38 477 0.9")
 APART = dict(BARE, meet="none")
 BASES = {"bare": (BARE, "none"), "more": (MORE, "viscosity;plasticity;heat"), "shock": (SHOCK, "none"),
          "apart": (APART, "none"), "usual": (USUAL, "none")}
 # effect: base, what turns it on there
 EFFECTS = {
-    "viscosity": ("bare", {"options": "viscosity 1 1 artstress 0 4"}),
-    "artstress": ("bare", {"options": "viscosity 0 0"}),
+    "the default stabilization": ("bare", {"options": ""}),
+    "viscosity": ("bare", {"options": "viscosity 0 1 hourglass 0 correction no"}),
+    "artstress": ("bare", {"options": PLAIN + " artstress 0.3 4"}),
     "plasticity": ("bare", {"material": "strength plastic 400e6 1e9"}),
-    "heat": ("bare", {"material": "heat 0 477 0", "fix": "effects heat on"}),
+    "heat": ("bare", {"material": "heat 0 477 0", "fix": BARE["fix"] + " effects heat on"}),
     "conduction": ("more", {"material": "strength plastic 400e6 1e9 heat 38 477 0.9"}),
     "damage": ("more", {"material": "strength plastic 400e6 1e9 heat 0 477 0.9 damage strain 10"}),
-    "balsara": ("more", {"options": "viscosity 1 1 artstress 0 4 balsara yes"}),
-    "correction": ("bare", {"options": "viscosity 0 0 artstress 0 4 correction yes"}),
-    "hourglass": ("bare", {"options": "viscosity 0 0 artstress 0 4 hourglass 0.02"}),
-    "xsph": ("bare", {"options": "viscosity 0 0 artstress 0 4 xsph 0.1"}),
-    "surface": ("bare", {"fix": "effects surface on"}),
-    "internal-energy": ("shock", {"fix": ""}),
-    "energy": ("bare", {"fix": "energy yes"}),
+    "balsara": ("more", {"options": MORE["options"] + " balsara yes"}),
+    "correction": ("bare", {"options": "viscosity 0 0 hourglass 0 correction yes"}),
+    "hourglass": ("bare", {"options": "viscosity 0 0 hourglass auto correction no"}),
+    "xsph": ("bare", {"options": PLAIN + " xsph 0.1"}),
+    "surface": ("bare", {"fix": BARE["fix"] + " effects surface on"}),
+    "fracture": ("bare", {"fix": ""}),
+    "internal-energy": ("shock", {"fix": BARE["fix"]}),
+    "energy": ("bare", {"fix": BARE["fix"] + " energy yes"}),
     "bodies": ("apart", {"meet": "contact"}),
     "expansion": ("more", {"material": "strength plastic 400e6 1e9 heat 0 477 0.9 expansion 1e-5",
-                           "fix": "effects artificial-heat off effects compression-heat off"}),
-    "artificial-heat": ("more", {"fix": ""}),
+                           "fix": MORE["fix"] + " effects compression-heat off"}),
+    "artificial-heat": ("more", {"fix": BARE["fix"]}),
     "fix contact/tri": ("more", {"more": "fix tool all contact/tri file {mesh} move {mid} {mid} {top} friction 0.2 "
                                          "heat conductance 1e5 temperature 600"}),
     "fix sph/tm/heat": ("more", {"more": "fix air all sph/tm/heat convection 100 300"}),

@@ -1,0 +1,137 @@
+"""Against experiments: each case runs rows of a published experiment, with several spacings, time scalings and variants, and
+prints what comes out beside what was measured, with the scatter of both. Called by ./sphtm validate [options].
+
+Every run has a folder of its own, out/validate/CASE/ROW/SETTING, and is taken from there where it was made with the same script
+and variables: a set can be made in pieces, on several machines (copy the folders), and looked at with --look."""
+import argparse
+import concurrent.futures
+import hashlib
+import importlib.util
+import json
+import os
+import shlex
+import shutil
+import sys
+import time
+
+sys.dont_write_bytecode = True
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+sys.path[:0] = [HERE, os.path.join(ROOT, "bench"), os.path.join(ROOT, "unittest", "scenes")]
+import report                                                                          # noqa: E402
+import sphtm_scene                                                                     # noqa: E402
+from provenance import provenance                                                      # noqa: E402
+from study import last_loop, loop_times                                                # noqa: E402
+
+OUT = os.environ.get("SPHTM_OUT", os.path.join(ROOT, "out", "validate"))
+NAMES = sorted(f[5:-3] for f in os.listdir(HERE) if f.startswith("case_") and f.endswith(".py"))
+
+
+def load(name):
+    spec = importlib.util.spec_from_file_location("case_" + name, os.path.join(HERE, "case_%s.py" % name))
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def variables_of(case, row, setting):
+    return dict(case.BASE, **dict(case.ROWS[row]["variables"], **case.SETTINGS[setting]))
+
+
+def mark_of(case, variables):
+    """What a run was made with: the script, the material cards, the variables."""
+    text = json.dumps({k: str(v) for k, v in sorted(variables.items())})
+    for path in (case.SCRIPT, os.path.join(ROOT, "materials", "materials.sphtm")):
+        with open(path) as f:
+            text += f.read()
+    return hashlib.sha256(text.encode()).hexdigest()[:16]
+
+
+def kept(folder, mark):
+    """The answer of a run that was made with the same, or None."""
+    try:
+        with open(os.path.join(folder, "answer.json")) as f:
+            answer = json.load(f)
+        return answer if answer["mark"] == mark else None
+    except (OSError, ValueError, KeyError):
+        return None
+
+
+def make(case, name, row, setting, lmp):
+    """One run: its quantities with the error of their means, its time and particles."""
+    variables = variables_of(case, row, setting)
+    folder, mark = os.path.join(OUT, name, row, setting), mark_of(case, variables)
+    answer = kept(folder, mark)
+    if answer:
+        return answer
+    shutil.rmtree(folder, ignore_errors=True)
+    os.makedirs(folder)
+    for path in case.FILES:
+        shutil.copy(path, folder)
+    started = time.time()
+    result = sphtm_scene.run(case.SCRIPT, variables, folder=folder, timeout=100000, arguments=shlex.split(lmp), expect_error=True)
+    with open(os.path.join(folder, "output"), "w") as f:
+        f.write(result.output)
+    steps, particles = last_loop(result.output)
+    answer = dict(provenance(), mark=mark, variables=variables, lmp=lmp, error=result.errors(), steps=steps, particles=particles,
+                  seconds=round(loop_times(result.output)[0], 1), wall=round(time.time() - started, 1))
+    if not answer["error"]:
+        answer["quantities"] = {k: list(v) for k, v in case.measure(result, variables).items()}
+    with open(os.path.join(folder, "answer.json"), "w") as f:
+        json.dump(answer, f, indent=1)
+        f.write("\n")
+    return answer
+
+
+def main():
+    options = argparse.ArgumentParser(prog="./sphtm validate", description=__doc__.split("\n\n")[0])
+    options.add_argument("names", nargs="*", metavar="CASE", help="of %s; all without" % ", ".join(NAMES))
+    options.add_argument("--quick", action="store_true", help="each case's quick setting alone")
+    options.add_argument("--rows", nargs="+", metavar="ROW", help="some rows of a case")
+    options.add_argument("--settings", nargs="+", metavar="SETTING", help="some settings of a case")
+    options.add_argument("--jobs", type=int, default=1, help="runs at once")
+    options.add_argument("--lmp", default="", help='more arguments of lmp, for example "-k on g 1 -sf kk"')
+    options.add_argument("--look", action="store_true", help="run nothing, make tables and pictures of what is there")
+    given = options.parse_args()
+    for wrong in [n for n in given.names if n not in NAMES]:
+        options.error("no case '%s'; there are: %s" % (wrong, ", ".join(NAMES)))
+    cases = {name: load(name) for name in given.names or NAMES}
+    jobs = []
+    for name, case in cases.items():
+        for kind, asked, there in (("row", given.rows, case.ROWS), ("setting", given.settings, case.SETTINGS)):
+            for wrong in [a for a in asked or [] if a not in there]:
+                options.error("case '%s' has no %s '%s'; there are: %s" % (name, kind, wrong, ", ".join(there)))
+        settings = given.settings or ([case.QUICK] if given.quick else list(case.SETTINGS))
+        jobs += [(name, row, s) for s in settings for row in given.rows or case.ROWS if row in case.only(s)]
+    jobs.sort(key=lambda job: -cases[job[0]].cost(variables_of(cases[job[0]], *job[1:])))
+    os.makedirs(OUT, exist_ok=True)
+    failed = []
+    if not given.look:
+        with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
+            runs = {pool.submit(make, cases[name], name, row, setting, given.lmp): (name, row, setting) for name, row, setting in jobs}
+            for run in concurrent.futures.as_completed(runs):
+                answer = run.result()
+                print("%-12s %-12s %-18s %s" % (runs[run] + (answer["error"] or report.line(answer),)), flush=True)
+                failed += [runs[run]] if answer["error"] else []
+    summary = dict(provenance("./sphtm validate " + " ".join(sys.argv[1:])), cases={})
+    for name, case in cases.items():
+        answers = {row: {} for row in case.ROWS}
+        for row in case.ROWS:
+            for setting in case.SETTINGS:
+                answer = kept(os.path.join(OUT, name, row, setting), mark_of(case, variables_of(case, row, setting)))
+                if answer:
+                    answers[row][setting] = answer
+        summary["cases"][name] = report.of_case(case, answers)
+        report.draw(case, summary["cases"][name], os.path.join(OUT, name + ".png"))
+    with open(os.path.join(OUT, "summary.json"), "w") as f:
+        json.dump(summary, f, indent=1)
+        f.write("\n")
+    with open(os.path.join(OUT, "table.rst"), "w") as f:
+        f.write("\n".join(report.table(cases[name], summary["cases"][name]) for name in cases))
+    print("\n".join(report.text(name, cases[name], summary["cases"][name]) for name in cases))
+    print("written to", OUT)
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == "__main__":
+    main()
