@@ -70,9 +70,9 @@ QUICK = "dx_10"
 
 
 def only(setting):
-    """Rows that a setting is run for: variants of the numerics for one thickness."""
-    few = ("run_25", "run_100", "artstress", "viscosity_1_1", "correction_no")
-    return [row for row in ROWS if setting not in few or row.startswith("60_um")]
+    """Rows that a setting is run for: spacings for all, variants for those of 60 um, of the numerics for one."""
+    one = ("run_25", "run_100", "artstress", "viscosity_1_1", "correction_no")
+    return [row for row in ROWS if setting in MESH or row == "60_um_30" or setting not in one and row.startswith("60_um")]
 
 
 def cost(variables):
