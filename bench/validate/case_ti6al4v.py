@@ -41,6 +41,10 @@ TABLE = ((298, 7, 546), (373, 7.45, 562), (473, 8.75, 584), (573, 10.15, 606), (
          (973, 15.5, 694), (1073, 17.8, 714), (1173, 20.2, 734))
 HEAT = "heat table/10 %s table/10 %s 0.9" % tuple(" ".join("%g %g" % (t[0], t[k]) for t in TABLE) for k in (1, 2))
 JC = "997.9e6 653.1e6 0.45 0.0198 0.7 293 1873 1.0"
+# what ./sphtm identify can fit, of the card, and to what
+CONSTANTS = {"jc_a": 997.9e6, "jc_b": 653.1e6, "jc_n": 0.45, "jc_c": 0.0198, "jc_m": 0.7, "conductivity": 6.3, "capacity": 531.0,
+             "taylor_quinney": 0.9}
+FITTED = ("cutting force", "feed force")
 MESH = ("dx_10", "dx_5", "dx_2.5")         # from coarse to fine
 SCALING = ("run_25", "dx_5")               # from slow to the base
 SETTINGS = {

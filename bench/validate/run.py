@@ -58,9 +58,12 @@ def kept(folder, mark):
 
 
 def make(case, name, row, setting, lmp):
+    return make_in(os.path.join(OUT, name, row, setting), case, variables_of(case, row, setting), lmp)
+
+
+def make_in(folder, case, variables, lmp):
     """One run: its quantities with the error of their means, its time and particles."""
-    variables = variables_of(case, row, setting)
-    folder, mark = os.path.join(OUT, name, row, setting), mark_of(case, variables)
+    mark = mark_of(case, variables)
     answer = kept(folder, mark)
     if answer:
         return answer

@@ -68,7 +68,7 @@ void hourglass(int begin, int end, const tm_rates_args *args, unsigned effects)
   hourglass_of(kernel_set_index(effects), std::make_integer_sequence<int, KERNEL_SETS>())(begin, end, args);
 }
 
-// few instructions of prediction and update depend on these: tested at run time
+// few instructions of prediction and update depend on these: tested at run time, by loops for scenes that have one of them
 constexpr unsigned TESTED = TM_FX_CORRECTION | TM_FX_ARTSTRESS | TM_FX_HOURGLASS | TM_FX_ONE_PASS | TM_FX_EXPANSION |
                             TM_FX_COMPRESSION_HEAT | TM_FX_ARTIFICIAL_HEAT;
 
@@ -83,11 +83,17 @@ template <unsigned SET, unsigned ASK> void predict_set(int begin, int end, const
   }
 }
 
+template <unsigned ASK> void predict_usual(int begin, int end, const tm_predict_args *args, unsigned effects)
+{
+  if (effects & TM_FX_HEAT) predict_set<TM_FX_HEAT, ASK>(begin, end, args, effects);
+  else predict_set<0u, ASK>(begin, end, args, effects);
+}
+
 void predict(int begin, int end, const tm_predict_args *args, unsigned effects)
 {
   if (effects & RARE_IN_PREDICTION) predict_set<0u, ~0u>(begin, end, args, effects);
-  else if (effects & TM_FX_HEAT) predict_set<TM_FX_HEAT, TESTED | TM_FX_3D>(begin, end, args, effects);
-  else predict_set<0u, TESTED | TM_FX_3D>(begin, end, args, effects);
+  else if (effects & TESTED) predict_usual<TESTED | TM_FX_3D>(begin, end, args, effects);
+  else predict_usual<TM_FX_3D>(begin, end, args, effects);
 }
 
 typedef tm_update_result (*update_range_t)(int begin, int end, const tm_update_args *args, unsigned effects);
@@ -105,19 +111,24 @@ tm_update_result update_set(int begin, int end, const tm_update_args *args, unsi
 }
 
 // each of the bits is in the set, or not
-template <unsigned SET> update_range_t update_of(unsigned) { return update_set<SET, TESTED>; }
-template <unsigned SET, unsigned BIT, unsigned... BITS> update_range_t update_of(unsigned effects)
+template <unsigned ASK, unsigned SET> update_range_t update_of(unsigned) { return update_set<SET, ASK>; }
+template <unsigned ASK, unsigned SET, unsigned BIT, unsigned... BITS> update_range_t update_of(unsigned effects)
 {
-  if (effects & BIT) return update_of<SET | BIT, BITS...>(effects);
-  return update_of<SET, BITS...>(effects);
+  if (effects & BIT) return update_of<ASK, SET | BIT, BITS...>(effects);
+  return update_of<ASK, SET, BITS...>(effects);
+}
+template <unsigned ASK> update_range_t update_usual(unsigned effects)
+{
+  constexpr unsigned HEAT = TM_FX_HEAT, CONDUCTION = TM_FX_CONDUCTION, FLOW = TM_FX_PLASTICITY;
+  return (effects & HEAT) ? update_of<ASK, HEAT, CONDUCTION, FLOW, TM_FX_LEDGER, TM_FX_3D>(effects)
+                          : update_of<ASK, 0u, FLOW, TM_FX_LEDGER, TM_FX_3D>(effects);
 }
 
 tm_update_result update(int begin, int end, const tm_update_args *args, unsigned effects)
 {
-  constexpr unsigned HEAT = TM_FX_HEAT, CONDUCTION = TM_FX_CONDUCTION, FLOW = TM_FX_PLASTICITY;
   const update_range_t run = (effects & RARE_IN_UPDATE) ? update_set<0u, ~0u>
-                             : (effects & HEAT) ? update_of<HEAT, CONDUCTION, FLOW, TM_FX_LEDGER, TM_FX_3D>(effects)
-                                                : update_of<0u, FLOW, TM_FX_LEDGER, TM_FX_3D>(effects);
+                             : (effects & TESTED)       ? update_usual<TESTED>(effects)
+                                                        : update_usual<0u>(effects);
   return run(begin, end, args, effects);
 }
 

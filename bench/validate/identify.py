@@ -1,0 +1,165 @@
+"""Finds constants of the material or of the friction from measured forces: least squares (SciPy's trust-region reflective
+method with bounds), the cuts of all rows and of all slopes at once, then a check on rows that were held out. Called by
+./sphtm identify [options].
+
+  ./sphtm identify ti6al4v --fit jc_a friction --rows 40_um_10 60_um_10 80_um_10 --predict 60_um_5 60_um_30 --jobs 8
+
+Each parameter is a factor on what the case has: a constant of the material card by its name in 'pair_coeff ... set', or
+'friction' on the friction coefficient of every row. A residual is computed less measured force over the standard deviation of
+both. Slopes are differences over --step, wide enough for the noise of a mean force. Intervals are of 95 %, from the slopes at the end
+and Student's t; where the fit is worse than the scatter explains, they are widened by the root of chi square over the degrees
+of freedom."""
+import argparse
+import concurrent.futures
+import json
+import os
+import sys
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import run as validate                                                                 # noqa: E402
+from provenance import provenance                                                      # noqa: E402
+
+import numpy as np                                                                     # noqa: E402
+
+OUT = os.environ.get("SPHTM_OUT", os.path.join(validate.ROOT, "out", "identify"))
+
+
+class Cuts:
+    """Computed forces of rows for sets of factors, each run once and kept in out/identify/CASE."""
+
+    def __init__(self, case, name, names, setting, more, jobs, lmp):
+        self.case, self.name, self.names, self.setting, self.more, self.lmp = case, name, names, setting, more, lmp
+        self.pool, self.runs = concurrent.futures.ThreadPoolExecutor(jobs), 0
+
+    def variables(self, row, factors):
+        found = dict(validate.variables_of(self.case, row, self.setting), **self.more)
+        card, constants = self.case.CARD, self.case.CONSTANTS
+        for name, factor in zip(self.names, factors):
+            if name == "friction":
+                found["mu"] = "%.6g" % (found["mu"] * factor)
+            else:
+                card += " set %s %.8g" % (name, constants[name] * factor)
+        return dict(found, material=card)
+
+    def one(self, row, factors):
+        variables = self.variables(row, factors)
+        folder = os.path.join(OUT, self.name, validate.mark_of(self.case, variables))
+        answer = validate.make_in(folder, self.case, variables, self.lmp)
+        if answer["error"]:
+            raise RuntimeError("%s with %s: %s" % (row, dict(zip(self.names, factors)), answer["error"]))
+        self.runs += 1
+        return {q: answer["quantities"][q] for q in self.case.FITTED}
+
+    def many(self, asked):
+        """Of a list of (row, factors), all at once."""
+        return [f.result() for f in [self.pool.submit(self.one, row, tuple(factors)) for row, factors in asked]]
+
+
+class Fit:
+    def __init__(self, cuts, rows, step):
+        self.cuts, self.rows, self.step, self.history = cuts, rows, step, []
+
+    def residuals(self, answers):
+        found = []
+        for row, answer in zip(self.rows, answers):
+            for quantity, (value, noise) in answer.items():
+                measured, scatter = self.cuts.case.ROWS[row]["reference"][quantity]
+                found.append((value - measured) / np.hypot(0.5 * scatter, noise))
+        return np.array(found)
+
+    def at(self, factors):
+        r = self.residuals(self.cuts.many([(row, factors) for row in self.rows]))
+        self.history.append([list(map(float, factors)), float(r @ r)])
+        print("  %s: chi square %.2f of %d forces" % (" ".join("%s %.4f" % p for p in zip(self.cuts.names, factors)), r @ r, len(r)), flush=True)
+        return r
+
+    def slopes(self, factors):
+        """Central differences, all cuts at once."""
+        sides = [np.array(factors) + s * self.step * np.eye(len(factors))[k] for k in range(len(factors)) for s in (-1, 1)]
+        answers = self.cuts.many([(row, side) for side in sides for row in self.rows])
+        r = [self.residuals(answers[k * len(self.rows):(k + 1) * len(self.rows)]) for k in range(len(sides))]
+        return np.array([(r[2 * k + 1] - r[2 * k]) / (2 * self.step) for k in range(len(factors))]).T
+
+
+def intervals(jacobian, residual):
+    """Half widths of 95 % for each factor, and the correlation of the factors."""
+    from scipy.stats import t
+    freedom = len(residual) - jacobian.shape[1]
+    inverse = np.linalg.inv(jacobian.T @ jacobian)
+    widen = max(1.0, residual @ residual / freedom) if freedom > 0 else 1.0
+    sigma = np.sqrt(np.diag(inverse))
+    return t.ppf(0.975, max(1, freedom)) * sigma * np.sqrt(widen), inverse / np.outer(sigma, sigma)
+
+
+def compare(cuts, rows, start, best):
+    """Of rows: measured, with the constants of the start, with those found."""
+    answers = cuts.many([(row, factors) for factors in (start, best) for row in rows])
+    table = []
+    for k, row in enumerate(rows):
+        for quantity in cuts.case.FITTED:
+            measured, scatter = cuts.case.ROWS[row]["reference"][quantity]
+            table.append({"row": row, "quantity": quantity, "measured": measured, "scatter": scatter,
+                          "start": answers[k][quantity][0], "fitted": answers[len(rows) + k][quantity][0]})
+    return table
+
+
+def show(title, table):
+    print(title)
+    for a in table:
+        print("  %-12s %-14s measured %6.1f +- %-5.1f start %6.1f (%+.0f %%)  fitted %6.1f (%+.0f %%)" % (
+            a["row"], a["quantity"], a["measured"], a["scatter"], a["start"], 100 * (a["start"] / a["measured"] - 1), a["fitted"],
+            100 * (a["fitted"] / a["measured"] - 1)))
+
+
+def main():
+    from scipy.optimize import least_squares
+    options = argparse.ArgumentParser(prog="./sphtm identify", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("case", choices=validate.NAMES)
+    options.add_argument("--fit", nargs="+", required=True, metavar="CONSTANT", help="constants of the card, or friction")
+    options.add_argument("--rows", nargs="+", required=True, metavar="ROW", help="rows that are fitted")
+    options.add_argument("--predict", nargs="*", default=[], metavar="ROW", help="rows that are held out")
+    options.add_argument("--setting", default=None, help="of the case; its quick one without")
+    options.add_argument("--var", nargs=2, action="append", default=[], metavar=("NAME", "VALUE"), help="more variables of the script")
+    options.add_argument("--bounds", nargs=2, type=float, default=(0.4, 2.5), help="of the factors (default 0.4 2.5)")
+    options.add_argument("--step", type=float, default=0.15, help="of the slopes (default 0.15)")
+    options.add_argument("--evaluations", type=int, default=8, help="at most so many points without those of slopes (default 8)")
+    options.add_argument("--jobs", type=int, default=1, help="cuts at once")
+    options.add_argument("--lmp", default="", help='more arguments of lmp, for example "-k on g 1 -sf kk"')
+    given = options.parse_args()
+    case = validate.load(given.case)
+    for wrong in [r for r in given.rows + given.predict if r not in case.ROWS]:
+        options.error("case '%s' has no row '%s'; there are: %s" % (given.case, wrong, ", ".join(case.ROWS)))
+    for wrong in [n for n in given.fit if n not in case.CONSTANTS and n != "friction"]:
+        options.error("no constant '%s'; there are: %s, friction" % (wrong, ", ".join(case.CONSTANTS)))
+    setting = given.setting or case.QUICK
+    if setting not in case.SETTINGS or "material" in case.SETTINGS[setting]:
+        options.error("no setting '%s' without a material of its own" % setting)
+    if len(given.rows) * len(case.FITTED) <= len(given.fit):
+        options.error("%d forces cannot give %d constants and their scatter" % (len(given.rows) * len(case.FITTED), len(given.fit)))
+    low, high = given.bounds
+    if not 0 < low < 1 < high or not 0 < given.step < min(1 - low, high - 1):
+        options.error("bounds must lie about 1 and be above 0, and leave room for the step")
+    cuts = Cuts(case, given.case, given.fit, setting, dict(given.var), given.jobs, given.lmp)
+    fit, start = Fit(cuts, given.rows, given.step), np.ones(len(given.fit))
+    done = least_squares(fit.at, start, jac=fit.slopes, bounds=(low + given.step, high - given.step), max_nfev=given.evaluations, xtol=0.01,
+                         ftol=0.02, x_scale=1.0)
+    half, correlation = intervals(done.jac, done.fun)
+    tables = {"fitted": compare(cuts, given.rows, start, done.x), "held_out": compare(cuts, given.predict, start, done.x)}
+    constants = {n: {"factor": float(f), "half_width": float(h), "value": case.CONSTANTS.get(n, 1.0) * float(f)}
+                 for n, f, h in zip(given.fit, done.x, half)}
+    print("found, with intervals of 95 %:")
+    for name, c in constants.items():
+        print("  %-10s %.4g, factor %.3f +- %.3f" % (name, c["value"], c["factor"], c["half_width"]))
+    show("rows of the fit:", tables["fitted"])
+    show("held out:", tables["held_out"])
+    summary = dict(provenance("./sphtm identify " + " ".join(sys.argv[1:])), constants=constants, correlation=correlation.tolist(),
+                   chi_square=float(done.fun @ done.fun), stopped=done.message, history=fit.history, cuts=cuts.runs, **tables)
+    with open(os.path.join(OUT, "summary.json"), "w") as f:
+        json.dump(summary, f, indent=1)
+        f.write("\n")
+    print("written to", os.path.join(OUT, "summary.json"))
+
+
+if __name__ == "__main__":
+    main()
