@@ -53,6 +53,8 @@ SETTINGS = {
     "heat_table": {"material": "density 4430 elastic 113.8e9 0.34 strength johnson/cook %s %s expansion 8.6e-6" % (JC, HEAT)},
     "tool_293_K": {"contact": "heat conductance 1e5 temperature 293"},
     "tool_293_K_perfect": {"contact": "heat perfect temperature 293"},
+    "heat_table_tool": {"contact": "heat conductance 1e5 temperature 293",
+                        "material": "density 4430 elastic 113.8e9 0.34 strength johnson/cook %s %s expansion 8.6e-6" % (JC, HEAT)},
     "shear_limit": {"contact": "heat none friction/shear 1"},
     "no_expansion": {"material": CARD + " set expansion 0"},
     "softening": {"material": "density 4430 elastic 113.8e9 0.34 strength johnson/cook/tanh %s 1.6 0.4 1 6 1 heat 6.3 531 0.9 "
@@ -65,6 +67,7 @@ SETTINGS = {
 SAID = {
     "dx_10": "spacing 10 um", "dx_5": "spacing 5 um", "dx_2.5": "spacing 2.5 um", "run_25": "5 um, time scaled half as much",
     "run_100": "5 um, time scaled twice as much", "heat_table": "5 um, conductivity and heat capacity by temperature (Mills 2002)",
+    "heat_table_tool": "5 um, both: by temperature, and tool at 293 K behind 1e5 W/m2K",
     "tool_293_K": "5 um, tool at 293 K behind 1e5 W/m2K", "tool_293_K_perfect": "5 um, tool at 293 K, perfect contact",
     "shear_limit": "5 um, friction at most the shear flow stress", "no_expansion": "5 um, without thermal expansion",
     "softening": "5 um, strain softening, constants of the page of the pair style", "klippel_2026": "5 um, card ti6al4v (other constants)",

@@ -86,10 +86,21 @@ def intervals(jacobian, residual):
     """Half widths of 95 % for each factor, and the correlation of the factors."""
     from scipy.stats import t
     freedom = len(residual) - jacobian.shape[1]
-    inverse = np.linalg.inv(jacobian.T @ jacobian)
+    try:
+        inverse = np.linalg.inv(jacobian.T @ jacobian)
+    except np.linalg.LinAlgError:    # the forces cannot tell them apart
+        return np.full(jacobian.shape[1], np.inf), np.eye(jacobian.shape[1])
     widen = max(1.0, residual @ residual / freedom) if freedom > 0 else 1.0
     sigma = np.sqrt(np.diag(inverse))
     return t.ppf(0.975, max(1, freedom)) * sigma * np.sqrt(widen), inverse / np.outer(sigma, sigma)
+
+
+def solve(fit, count, bounds, evaluations):
+    """The least squares of count factors that begin at 1: SciPy's answer, half widths of 95 %, correlation."""
+    from scipy.optimize import least_squares
+    done = least_squares(fit.at, np.ones(count), jac=fit.slopes, bounds=(bounds[0] + fit.step, bounds[1] - fit.step), max_nfev=evaluations,
+                         xtol=0.01, ftol=0.02, x_scale=1.0)
+    return (done,) + intervals(done.jac, done.fun)
 
 
 def compare(cuts, rows, start, best):
@@ -113,7 +124,6 @@ def show(title, table):
 
 
 def main():
-    from scipy.optimize import least_squares
     options = argparse.ArgumentParser(prog="./sphtm identify", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("case", choices=validate.NAMES)
     options.add_argument("--fit", nargs="+", required=True, metavar="CONSTANT", help="constants of the card, or friction")
@@ -142,9 +152,7 @@ def main():
         options.error("bounds must lie about 1 and be above 0, and leave room for the step")
     cuts = Cuts(case, given.case, given.fit, setting, dict(given.var), given.jobs, given.lmp)
     fit, start = Fit(cuts, given.rows, given.step), np.ones(len(given.fit))
-    done = least_squares(fit.at, start, jac=fit.slopes, bounds=(low + given.step, high - given.step), max_nfev=given.evaluations, xtol=0.01,
-                         ftol=0.02, x_scale=1.0)
-    half, correlation = intervals(done.jac, done.fun)
+    done, half, correlation = solve(fit, len(given.fit), given.bounds, given.evaluations)
     tables = {"fitted": compare(cuts, given.rows, start, done.x), "held_out": compare(cuts, given.predict, start, done.x)}
     constants = {n: {"factor": float(f), "half_width": float(h), "value": case.CONSTANTS.get(n, 1.0) * float(f)}
                  for n, f, h in zip(given.fit, done.x, half)}

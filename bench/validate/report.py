@@ -63,6 +63,13 @@ def of_case(case, answers):
             "mean_errors": mean_errors(case, answers)}
 
 
+def results(case, summary):
+    """For the table of results: setting -> quantity -> mean absolute and mean error in percent, rows."""
+    return {setting: dict({"rows": max(e[2] for e in errors.values())},
+                          **{q.replace(" ", "_"): {"absolute": 100 * e[0], "mean": 100 * e[1]} for q, e in errors.items()})
+            for setting, errors in summary["mean_errors"].items()}
+
+
 def cell(q, unit):
     return "%.3g +- %.2g" % (q["value"], q["uncertainty"]), "%.3g +- %.2g" % (q["measured"], q["scatter"]), "%+.0f %%" % (100 * q["error"])
 

@@ -126,6 +126,7 @@ def main():
                     answers[row][setting] = answer
         summary["cases"][name] = report.of_case(case, answers)
         report.draw(case, summary["cases"][name], os.path.join(OUT, name + ".png"))
+    summary["results"] = {"validate." + name: report.results(cases[name], summary["cases"][name]) for name in cases}
     with open(os.path.join(OUT, "summary.json"), "w") as f:
         json.dump(summary, f, indent=1)
         f.write("\n")

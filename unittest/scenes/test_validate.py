@@ -1,0 +1,99 @@
+"""./sphtm validate and ./sphtm identify: what they refuse; one cut from the command line to its table, taken from its folder the
+second time; errors and uncertainties of made-up answers; constants found again from forces that a closed form gives, with
+intervals that hold them, and one that a force cannot tell."""
+import json
+import os
+import subprocess
+import sys
+import time
+
+import numpy as np
+
+from sphtm_scene import SKIPPED, SOURCE, Checks, new_folder
+
+if not os.environ.get("SPHTM_LMP"):
+    print("no SPHTM_LMP in the environment: skipped")
+    sys.exit(SKIPPED)
+FOLDER, TOOLS = new_folder(), os.path.join(SOURCE, "bench", "validate")
+os.environ["SPHTM_OUT"] = FOLDER
+sys.path.insert(0, TOOLS)
+import report                                                                          # noqa: E402
+
+checks = Checks()
+
+
+def command(program, *arguments):
+    return subprocess.run(["/usr/bin/python3", os.path.join(TOOLS, program + ".py"), *arguments], stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True, env=dict(os.environ, SPHTM_OUT=FOLDER))
+
+
+for program, arguments, word in (("run", ["ti6al4w"], "'ti6al4w'"), ("run", ["ti6al4v", "--rows", "50_um_5"], "'50_um_5'"),
+                                 ("run", ["ti6al4v", "--settings", "dx_3"], "'dx_3'"),
+                                 ("identify", ["ti6al4v", "--fit", "jc_q", "--rows", "40_um_30"], "'jc_q'"),
+                                 ("identify", ["ti6al4v", "--fit", "jc_a", "jc_b", "--rows", "40_um_30"], "cannot give"),
+                                 ("identify", ["ti6al4v", "--fit", "jc_a", "--rows", "40_um_30", "--bounds", "1.1", "2"], "bounds")):
+    done = command(program, *arguments)
+    checks.true("refused: %s %s" % (program, " ".join(arguments)), done.returncode != 0 and word in done.stdout,
+                done.stdout.strip().splitlines()[-1])
+
+done = command("run", "ti6al4v", "--rows", "40_um_30", "--settings", "dx_10")
+with open(os.path.join(FOLDER, "summary.json")) as f:
+    row = json.load(f)["cases"]["ti6al4v"]["rows"]["40_um_30"]
+checks.true("a cut", done.returncode == 0, done.stdout.splitlines()[0])
+checks.near("its cutting force, N/mm; 10 um are coarse", row["quantities"]["cutting force"]["value"], 88.4, relative=0.25)
+checks.below("its energy sum, drift over the work", abs(row["all"]["dx_10"]["drift of the energy sum"][0]), 1e-3)
+with open(os.path.join(FOLDER, "table.rst")) as f:
+    checks.true("its table", "40 um, 30 m/min" in f.read())
+started = time.time()
+command("run", "ti6al4v", "--rows", "40_um_30", "--settings", "dx_10")
+checks.below("the second time it is there, s", time.time() - started, 5)
+
+
+class Case:
+    __doc__, TITLE, REFERENCE = "made up", "made up", "made up"
+    COMPARED, MESH, SCALING = {"force": ("N", 0.05)}, ("coarse", "fine"), ("slow", "fine")
+    SETTINGS, SAID = dict.fromkeys(("coarse", "fine", "slow")), {s: s for s in ("coarse", "fine", "slow")}
+    ROWS = {"one": {"title": "one", "reference": {"force": (100.0, 10.0)}}}
+    FITTED = ("force",)
+
+
+made = lambda value: {"quantities": {"force": (value, 0.3)}, "error": "", "seconds": 1.0, "particles": 1, "commit": "", "date": ""}
+found = report.of_case(Case, {"one": {"coarse": made(92.0), "fine": made(95.0), "slow": made(94.6)}})["rows"]["one"]["quantities"]["force"]
+checks.near("error at the finest spacing", found["error"], -0.05, relative=1e-9)
+checks.near("uncertainty of spacing, scaling and window", found["uncertainty"], np.sqrt(3.0**2 + 0.4**2 + 0.3**2), relative=1e-9)
+
+import identify                                                                        # noqa: E402
+
+TRUE = np.array([1.3, 0.7])
+
+
+class Cuts:
+    """force = a (2 + x f), with a measured force that the true factors give."""
+    names, noise = ("strength", "friction"), 0.01
+    places = {"row %d" % k: 1.0 + k for k in range(4)}
+
+    class case:
+        FITTED, ROWS = ("force",), {}
+
+    def force(self, row, factors):
+        return 10 * factors[0] * (2 + self.places[row] * factors[1] ** 2)
+
+    def many(self, asked):
+        return [{"force": (self.force(row, f), self.noise)} for row, f in asked]
+
+
+cuts = Cuts()
+rng = np.random.default_rng(5)
+for row in cuts.places:
+    cuts.case.ROWS[row] = {"reference": {"force": (cuts.force(row, TRUE) + 0.1 * rng.standard_normal(), 0.2)}}
+fit = identify.Fit(cuts, list(cuts.places), 0.1)
+done, half, correlation = identify.solve(fit, 2, (0.4, 2.5), 20)
+for k, name in enumerate(cuts.names):
+    checks.below("found again: %s, off by" % name, abs(done.x[k] - TRUE[k]), half[k])
+    checks.below("its half width", half[k], 0.1)
+jacobian = np.array([[10 * (2 + x * TRUE[1] ** 2), 20 * TRUE[0] * x * TRUE[1]] for x in cuts.places.values()]) / np.hypot(0.1, cuts.noise)
+least = np.sqrt(np.diag(np.linalg.inv(jacobian.T @ jacobian)))
+checks.below("half widths are not below two standard deviations of the closed form", (2 * least / half).max(), 1.02)
+one = identify.Fit(cuts, ["row 0", "row 0", "row 0"], 0.1)    # one force cannot tell strength from friction
+checks.above("counter-case, one row: half width", identify.solve(one, 2, (0.4, 2.5), 20)[1].max(), 100)
+checks.end()
