@@ -3,6 +3,7 @@ height within 4 %; a criterion of strain that splits what is stretched alone, an
 Counter-cases: with the artificial stress the profile is off; bare, neighbors part without plastic
 strain."""
 import os
+import re
 import sys
 
 from sphtm_scene import SOURCE, Checks, run
@@ -43,11 +44,17 @@ checks.above("refined: split", found["split"], 30)
 checks.above("half of the beam is shortened", sum(e < 0 for e in strain.values()) / len(strain), 0.3)
 checks.below("refined: of those split, shortened in the unrefined beam", found["split_shortened"] / found["split"], 0.05)
 checks.above("refined: neighbors in the stretched half, the 3 % with the fewest", found["neighbors_fewest"], 14)
-# With the default the unrefined beam has a seventh of the bare one's gap. Refined it blows up (courant 0.4 and 0.6) or has a gap of 0.84
-# (courant 0.3): child particles beside whole ones, in passes of their own (hourglass 0, or correction no) they hold.
+# With the default the unrefined beam has a seventh of the bare one's gap. Refined it keeps its energy, but child particles part from
+# whole ones; with courant 0.6 it makes energy and is stopped (passes of their own, hourglass 0 or correction no, hold).
 result = run(SCRIPT, dict(down, **scene.ROWS["unrefined_default"]))
 _, tip = scene.at_sag(result, 1.0)
 checks.below("default, unrefined: the end is down, mm", 1e3 * tip, -25)
 checks.below("default, unrefined: gap, spacings", scene.opens(result, read_dump(result.path("elastic.dump"))[-1], ROWS)["widest_gap"],
              0.2)
+refined = run(SCRIPT, dict(down, **scene.ROWS["refined_default"]))
+_, tip = scene.at_sag(refined, 1.0)
+checks.below("default, refined: the end is down, mm", 1e3 * tip, -25)
+checks.below("default, refined: drift of the energy sum, %", abs(float(re.findall(r"the sum drifted by (\S+) %", refined.output)[-1])), 0.1)
+stopped = run(SCRIPT, dict(down, courant=0.6, **scene.ROWS["refined_default"]), expect_error=True)
+checks.true("counter-case, courant 0.6: stopped by its energies", "sum of the energies" in stopped.errors(), stopped.errors()[:120])
 checks.end()
