@@ -22,7 +22,6 @@ SCRIPT = os.path.join(EXAMPLE, "in.orthogonal_ti6al4v")
 FILES = [os.path.join(EXAMPLE, "insert.stl")]
 BASE = {"dx": 5, "run": 50, "length": 10}
 COMPARED = {"cutting force": ("N/mm", 0.05), "feed force": ("N/mm", 0.15), "chip ratio": ("", 0.10)}    # unit, goal
-TOLD = ("hottest particle", "artificial share", "drift of the energy sum", "particles torn off numerically")
 
 FRICTION = {5: (0.24, 1.0), 10: (0.21, 0.80), 30: (0.18, 0.55)}    # m/min: coefficient, part of its heat into the work
 # uncut chip thickness (um), speed (m/min): cutting, feed force (N per mm of width), chip ratio, each with two standard deviations
