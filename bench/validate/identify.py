@@ -5,8 +5,8 @@ method with bounds), the cuts of all rows and of all slopes at once, then a chec
   ./sphtm identify ti6al4v --fit jc_a friction --rows 40_um_10 60_um_10 80_um_10 --predict 60_um_5 60_um_30 --jobs 8
 
 Each parameter is a factor on what the case has: a constant of the material card by its name in 'pair_coeff ... set', or
-'friction' on the friction coefficient of every row. A residual is computed less measured force over the standard deviation of
-both. Slopes are differences over --step, wide enough for the noise of a mean force. Intervals are of 95 %, from the slopes at the end
+'friction' on the friction coefficient of every row. A residual is computed less measured force over its standard deviation: of the measured force, of the
+mean over the window, and of the numerics at that spacing as ./sphtm validate found it (NUMERICAL in the case's file). Slopes are differences over --step, wide enough for the noise of a mean force. Intervals are of 95 %, from the slopes at the end
 and Student's t; where the fit is worse than the scatter explains, they are widened by the root of chi square over the degrees
 of freedom."""
 import argparse
@@ -30,6 +30,7 @@ class Cuts:
 
     def __init__(self, case, name, names, setting, more, jobs, lmp):
         self.case, self.name, self.names, self.setting, self.more, self.lmp = case, name, names, setting, more, lmp
+        self.numerical = case.NUMERICAL[setting]
         self.pool, self.runs = concurrent.futures.ThreadPoolExecutor(jobs), 0
 
     def variables(self, row, factors):
@@ -65,7 +66,8 @@ class Fit:
         for row, answer in zip(self.rows, answers):
             for quantity, (value, noise) in answer.items():
                 measured, scatter = self.cuts.case.ROWS[row]["reference"][quantity]
-                found.append((value - measured) / np.hypot(0.5 * scatter, noise))
+                numerical = self.cuts.numerical.get(quantity, 0.0) * measured
+                found.append((value - measured) / np.sqrt((0.5 * scatter) ** 2 + noise**2 + numerical**2))
         return np.array(found)
 
     def at(self, factors):
@@ -143,8 +145,8 @@ def main():
     for wrong in [n for n in given.fit if n not in case.CONSTANTS and n != "friction"]:
         options.error("no constant '%s'; there are: %s, friction" % (wrong, ", ".join(case.CONSTANTS)))
     setting = given.setting or case.QUICK
-    if setting not in case.SETTINGS or "material" in case.SETTINGS[setting]:
-        options.error("no setting '%s' without a material of its own" % setting)
+    if setting not in case.NUMERICAL:
+        options.error("no setting '%s'; there are: %s" % (setting, ", ".join(case.NUMERICAL)))
     if len(given.rows) * len(case.FITTED) <= len(given.fit):
         options.error("%d forces cannot give %d constants and their scatter" % (len(given.rows) * len(case.FITTED), len(given.fit)))
     low, high = given.bounds

@@ -69,7 +69,7 @@ TRUE = np.array([1.3, 0.7])
 
 class Cuts:
     """force = a (2 + x f), with a measured force that the true factors give."""
-    names, noise = ("strength", "friction"), 0.01
+    names, noise, numerical = ("strength", "friction"), 0.01, {}
     places = {"row %d" % k: 1.0 + k for k in range(4)}
 
     class case:
