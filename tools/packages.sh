@@ -1,23 +1,25 @@
 #!/bin/sh
 # Installs what is missing of the Debian packages that a command needs; does nothing when all are there.
-#   packages.sh demo|test|effects|bench|all
+#   packages.sh demo|identify|test|effects|bench|all
 set -eu
 . "$(dirname -- "$0")/common.sh"
 
 demo='build-essential cmake ninja-build pkg-config libopenmpi-dev openmpi-bin libpng-dev libjpeg-dev zlib1g-dev
   xz-utils ca-certificates debian-archive-keyring python3 python3-numpy python3-matplotlib'
-test="$demo libgtest-dev libgmock-dev libyaml-dev"
+identify="$demo python3-scipy"
+test="$identify libgtest-dev libgmock-dev libyaml-dev"
 effects="$demo valgrind"
-bench="$test libeigen3-dev python3-scipy"
+bench="$test libeigen3-dev"
 all="$bench liggghts clang libclang-rt-14-dev imagemagick"    # tests that want these skip without them
 
 case ${1:-demo} in
   demo) wanted=$demo ;;
+  identify) wanted=$identify ;;
   test) wanted=$test ;;
   effects) wanted=$effects ;;
   bench) wanted=$bench ;;
   all) wanted=$all ;;
-  *) die "packages.sh demo|test|effects|bench|all" ;;
+  *) die "packages.sh demo|identify|test|effects|bench|all" ;;
 esac
 
 if ! command -v apt-get > /dev/null; then

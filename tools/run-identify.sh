@@ -3,6 +3,6 @@
 set -eu
 . "$(dirname -- "$0")/common.sh"
 
-prepare bench or-given
+prepare identify or-given
 [ -n "${SPHTM_OUT:-}" ] || make_folder "$root/out/identify"
 exec /usr/bin/python3 "$root/bench/validate/identify.py" "$@"

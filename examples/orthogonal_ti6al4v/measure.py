@@ -1,5 +1,4 @@
 """What is compared of a run of in.orthogonal_ti6al4v: forces per width, chip ratio, each with the error of its mean."""
-import os
 import re
 
 import numpy as np
@@ -51,10 +50,3 @@ def measure(result, variables):
     found["particles torn off numerically"] = (int(torn[-1][0]) / int(torn[-1][1]) if torn else 0.0, 0.0)
     found["cut, um"] = (1e6 * float(cut), 0.0)
     return found
-
-
-def inserted(folder, path):
-    """The mesh of the tool, where the script looks for it."""
-    target = os.path.join(folder, "insert.stl")
-    if not os.path.exists(target):
-        os.symlink(os.path.join(path, "insert.stl"), target)
