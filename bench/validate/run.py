@@ -133,6 +133,9 @@ def main():
     with open(os.path.join(OUT, "table.rst"), "w") as f:
         f.write("\n".join(report.table(cases[name], summary["cases"][name]) for name in cases))
     print("\n".join(report.text(name, cases[name], summary["cases"][name]) for name in cases))
+    commits = {a["commit"] for c in summary["cases"].values() for a in c["rows"].values()}
+    if commits - {summary["commit"]}:
+        print("values at the finest spacing were computed with commit %s; now it is %s" % (", ".join(sorted(commits)), summary["commit"]))
     print("written to", OUT)
     sys.exit(1 if failed else 0)
 
