@@ -162,7 +162,7 @@ def collect(files):
             print("left out: %s (no results, commit, command and date in it)" % path)
             continue
         for name, values in of["results"].items():
-            put(name, dict(values, **{k: of[k] for k in ("command", "commit", "date")}))
+            put(name, dict({k: of[k] for k in ("command", "commit", "date")}, **values))    # values may say themselves when they were made
 
 
 def number(text):

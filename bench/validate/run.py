@@ -9,6 +9,7 @@ import hashlib
 import importlib.util
 import json
 import os
+import re
 import shlex
 import shutil
 import sys
@@ -27,11 +28,21 @@ OUT = os.environ.get("SPHTM_OUT", os.path.join(ROOT, "out", "validate"))
 NAMES = sorted(f[5:-3] for f in os.listdir(HERE) if f.startswith("case_") and f.endswith(".py"))
 
 
+# what a case may leave out: files beside the script, variables of all rows, settings from slow to the base time scaling, settings
+# that are run for some rows only, what makes files and the script's variables from those of a row, cost of a run (any unit)
+DEFAULTS = {"FILES": (), "BASE": {}, "SCALING": (), "only": None, "prepare": None, "cost": lambda variables: 1.0, "make": None}
+
+
 def load(name):
+    """A case's module, with what it leaves out."""
     spec = importlib.util.spec_from_file_location("case_" + name, os.path.join(HERE, "case_%s.py" % name))
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    case = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(case)
+    for key, value in DEFAULTS.items():
+        if not hasattr(case, key):
+            setattr(case, key, value)
+    case.only = case.only or (lambda setting: list(case.ROWS))
+    return case
 
 
 def variables_of(case, row, setting):
@@ -39,11 +50,16 @@ def variables_of(case, row, setting):
 
 
 def mark_of(case, variables):
-    """What a run was made with: the script, the material cards, the variables."""
-    text = json.dumps({k: str(v) for k, v in sorted(variables.items())})
-    for path in (case.SCRIPT, os.path.join(ROOT, "materials", "materials.sphtm")):
-        with open(path) as f:
-            text += f.read()
+    """What a run was made with: the script, the material cards that it or the variables name, the variables."""
+    script = case.SCRIPT
+    if "\n" not in script:
+        with open(script) as f:
+            script = f.read()
+    text = json.dumps({k: str(v) for k, v in sorted(variables.items())}) + script
+    with open(os.path.join(ROOT, "materials", "materials.sphtm")) as f:
+        cards = {card.split()[0]: card for card in re.split(r"^material ", f.read(), flags=re.M)[1:]}
+    for card in sorted(set(re.findall(r"materials\.sphtm (\S+)", text))):
+        text += cards.get(card.strip('",'), "")
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
@@ -55,6 +71,25 @@ def kept(folder, mark):
         return answer if answer["mark"] == mark else None
     except (OSError, ValueError, KeyError):
         return None
+
+
+class Scene:
+    """Runs a case's script in its folder, or in one below it, where a value needs several runs."""
+
+    def __init__(self, folder, case, lmp):
+        self.folder, self.case, self.lmp = folder, case, lmp
+
+    def __call__(self, variables, below="."):
+        folder = os.path.normpath(os.path.join(self.folder, below))
+        os.makedirs(folder, exist_ok=True)
+        for path in self.case.FILES:
+            shutil.copy(path, folder)
+        if self.case.prepare:
+            variables = self.case.prepare(folder, variables)
+        result = sphtm_scene.run(self.case.SCRIPT, variables, folder=folder, timeout=100000, arguments=shlex.split(self.lmp), expect_error=True)
+        with open(os.path.join(folder, "output"), "w") as f:
+            f.write(result.output)
+        return result
 
 
 def make(case, name, row, setting, lmp):
@@ -69,17 +104,15 @@ def make_in(folder, case, variables, lmp):
         return answer
     shutil.rmtree(folder, ignore_errors=True)
     os.makedirs(folder)
-    for path in case.FILES:
-        shutil.copy(path, folder)
     started = time.time()
-    result = sphtm_scene.run(case.SCRIPT, variables, folder=folder, timeout=100000, arguments=shlex.split(lmp), expect_error=True)
-    with open(os.path.join(folder, "output"), "w") as f:
-        f.write(result.output)
-    steps, particles = last_loop(result.output)
-    answer = dict(provenance(), mark=mark, variables=variables, lmp=lmp, error=result.errors(), steps=steps, particles=particles,
-                  seconds=round(loop_times(result.output)[0], 1), wall=round(time.time() - started, 1))
+    one = Scene(folder, case, lmp)
+    results = case.make(one, variables) if case.make else [one(variables)]
+    loops = [last_loop(r.output) for r in results]
+    answer = dict(provenance(), mark=mark, variables=variables, lmp=lmp, error="; ".join(r.errors() for r in results if r.errors()),
+                  steps=max(n for n, _ in loops), particles=max(n for _, n in loops),
+                  seconds=round(sum(loop_times(r.output)[0] for r in results), 1), wall=round(time.time() - started, 1))
     if not answer["error"]:
-        answer["quantities"] = {k: list(v) for k, v in case.measure(result, variables).items()}
+        answer["quantities"] = {k: list(v) for k, v in case.measure(results[0] if len(results) == 1 else results, variables).items()}
     with open(os.path.join(folder, "answer.json"), "w") as f:
         json.dump(answer, f, indent=1)
         f.write("\n")
@@ -126,7 +159,7 @@ def main():
                     answers[row][setting] = answer
         summary["cases"][name] = report.of_case(case, answers)
         report.draw(case, summary["cases"][name], os.path.join(OUT, name + ".png"))
-    summary["results"] = {"validate." + name: report.results(cases[name], summary["cases"][name]) for name in cases}
+    summary["results"] = {"validate." + name: report.results(name, cases[name], summary["cases"][name]) for name in cases}
     with open(os.path.join(OUT, "summary.json"), "w") as f:
         json.dump(summary, f, indent=1)
         f.write("\n")

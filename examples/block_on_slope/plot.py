@@ -7,7 +7,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-A, G, DX, RAMP = np.radians(20), 10.0, 0.01, 0.02
+from measure import A, DX, G, RAMP, acceleration, theory as theory_of
+
 runs = sorted(((float(f[4:-4]), np.loadtxt(f)) for f in glob.glob("way_*.dat")), key=lambda r: r[0])
 
 plt.rcParams.update({"font.size": 9})
@@ -16,8 +17,7 @@ print("mu/tan a   acceleration   theory   force along, across over weight")
 for share, rows in runs:
     time, way, speed, along, across = rows[:, 1:].T
     late = time > 1.5 * RAMP
-    found = 2 * np.polyfit(time[late], way[late], 2)[0]
-    theory = G * np.sin(A) * max(1 - share, 0)
+    found, theory = acceleration(time, way), theory_of(share)
     print("%8g   %12.6f   %.6f   %.5f %.5f" % (share, found, theory, along[late].mean(), across[late].mean()))
     if share > 1:
         print("           creeps by %.1e spacings in %.2f s" % (np.ptp(way[late]) / DX, np.ptp(time[late])))

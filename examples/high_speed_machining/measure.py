@@ -173,11 +173,13 @@ def clusters(x, y, z, bond):
 class Run:
     """History, frames and log of one variant."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, dp=None):
+        """dp: the spacing, where it is not that of the script."""
         self.folder = folder
         rows = np.loadtxt(os.path.join(folder, "history.dat"), comments="#", ndmin=2)
         self.h = dict(zip(COLUMNS, rows.T))
         self.dp, self.depth, self.width = (script_variable(k) for k in ("dp", "depth", "width"))
+        self.dp = dp or self.dp
         self.speed, self.start = script_variable("speed"), script_variable("start")
         with open(os.path.join(folder, "log.lammps")) as f:
             log = f.read()
