@@ -131,7 +131,9 @@ def rows_table(case, summary):
     rows = [["row"] + ["%s; reference; error" % titled(case, q) for q in case.COMPARED]]
     for row, answer in sorted(summary["rows"].items(), key=worst):
         rows.append([case.ROWS[row]["title"]] + ["; ".join(cell(answer["quantities"][q])) if q in answer["quantities"] else "-" for q in case.COMPARED])
-    return rst_rows(rows)
+    made = sorted({(a["commit"], a["date"], case.SAID[a["setting"]]) for a in summary["rows"].values()})
+    return rst_rows(rows) + ["Each at the finest spacing that was run (%s): commit %s." % (
+        "; ".join(sorted({s for _, _, s in made})), "; ".join(sorted({"%s, %s" % (c, d) for c, d, _ in made}))), ""]
 
 
 def spacings_table(case, summary):

@@ -19,6 +19,7 @@ sys.dont_write_bytecode = True
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 sys.path[:0] = [HERE, os.path.join(ROOT, "bench"), os.path.join(ROOT, "unittest", "scenes")]
+import page                                                                            # noqa: E402
 import report                                                                          # noqa: E402
 import sphtm_scene                                                                     # noqa: E402
 from provenance import provenance                                                      # noqa: E402
@@ -119,6 +120,18 @@ def make_in(folder, case, variables, lmp):
     return answer
 
 
+def answers_of(case, name, runs=True):
+    """row -> setting -> answer, of the runs that are there, or else of those that the project keeps, if made with the same."""
+    answers, old = {row: {} for row in case.ROWS}, page.kept(name)
+    for row in case.ROWS:
+        for setting in case.SETTINGS:
+            mark = mark_of(case, variables_of(case, row, setting))
+            answer = runs and kept(os.path.join(OUT, name, row, setting), mark) or old.get(row, {}).get(setting)
+            if answer and answer["mark"] == mark:
+                answers[row][setting] = answer
+    return answers
+
+
 def main():
     options = argparse.ArgumentParser(prog="./sphtm validate", description=__doc__.split("\n\n")[0])
     options.add_argument("names", nargs="*", metavar="CASE", help="of %s; all without" % ", ".join(NAMES))
@@ -128,10 +141,16 @@ def main():
     options.add_argument("--jobs", type=int, default=1, help="runs at once")
     options.add_argument("--lmp", default="", help='more arguments of lmp, for example "-k on g 1 -sf kk"')
     options.add_argument("--look", action="store_true", help="run nothing, make tables and pictures of what is there")
+    options.add_argument("--keep", action="store_true", help="take the answers into doc/validation, and make the tables of doc/validation.rst anew")
+    options.add_argument("--check", action="store_true", help="say whether those tables are what doc/validation gives, and no more")
     given = options.parse_args()
     for wrong in [n for n in given.names if n not in NAMES]:
         options.error("no case '%s'; there are: %s" % (wrong, ", ".join(NAMES)))
     cases = {name: load(name) for name in given.names or NAMES}
+    if given.check:
+        stale = page.stale(cases, {name: report.of_case(case, answers_of(case, name, runs=False)) for name, case in cases.items()})
+        print("doc/validation.rst %s what doc/validation gives" % ("is not" if stale else "has"))
+        sys.exit(stale)
     jobs = []
     for name, case in cases.items():
         for kind, asked, there in (("row", given.rows, case.ROWS), ("setting", given.settings, case.SETTINGS)):
@@ -142,7 +161,7 @@ def main():
     jobs.sort(key=lambda job: -cases[job[0]].cost(variables_of(cases[job[0]], *job[1:])))
     os.makedirs(OUT, exist_ok=True)
     failed = []
-    if not given.look:
+    if not given.look and not given.keep:
         with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
             runs = {pool.submit(make, cases[name], name, row, setting, given.lmp): (name, row, setting) for name, row, setting in jobs}
             for run in concurrent.futures.as_completed(runs):
@@ -151,14 +170,16 @@ def main():
                 failed += [runs[run]] if answer["error"] else []
     summary = dict(provenance(" ".join(["./sphtm validate"] + [a for a in sys.argv[1:] if a != "--look"])), cases={})
     for name, case in cases.items():
-        answers = {row: {} for row in case.ROWS}
-        for row in case.ROWS:
-            for setting in case.SETTINGS:
-                answer = kept(os.path.join(OUT, name, row, setting), mark_of(case, variables_of(case, row, setting)))
-                if answer:
-                    answers[row][setting] = answer
-        summary["cases"][name] = report.of_case(case, answers)
-        report.draw(case, summary["cases"][name], os.path.join(OUT, name + ".png"))
+        found = answers_of(case, name)
+        if given.keep:
+            page.keep(name, found)
+        summary["cases"][name] = report.of_case(case, found)
+        if summary["cases"][name]["rows"]:
+            report.draw(case, summary["cases"][name], os.path.join(OUT, name + ".png"))
+        if given.keep and os.path.exists(os.path.join(OUT, name + ".png")):
+            shutil.copy(os.path.join(OUT, name + ".png"), os.path.join(ROOT, "doc", "validation", name + ".png"))
+    if given.keep:
+        page.write(cases, summary["cases"])
     summary["results"] = {"validate." + name: report.results(name, cases[name], summary["cases"][name]) for name in cases}
     with open(os.path.join(OUT, "summary.json"), "w") as f:
         json.dump(summary, f, indent=1)
