@@ -117,7 +117,7 @@ for page in reference:
     places = [[i for i, pattern in enumerate(SECTIONS) if re.fullmatch(pattern, head)] for head in heads]
     found = [p[0] for p in places if p]
     missing = set(range(len(SECTIONS))) - set(found) - {4}    # variants: mostly in one line below the title
-    variant = re.search(r"^Accelerator variant: ", text, re.M)
+    variant = re.search(r"^Accelerator variant: .*\n\n\.\. versionadded:: [\d.]+\n", text, re.M)
     if not all(places) or missing or found != sorted(found) or not variant or not text.startswith(".. index:: "):
         wrong.append("%s: %s" % (page, ", ".join(heads)))
 checks.true("reference: sections of each page", len(reference) > 8 and not wrong,
