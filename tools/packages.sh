@@ -1,13 +1,14 @@
 #!/bin/sh
 # Installs what is missing of the Debian packages that a command needs; does nothing when all are there.
-#   packages.sh demo|identify|test|effects|bench|all
+#   packages.sh demo|identify|manual|test|effects|bench|all
 set -eu
 . "$(dirname -- "$0")/common.sh"
 
 demo='build-essential cmake ninja-build pkg-config libopenmpi-dev openmpi-bin libpng-dev libjpeg-dev zlib1g-dev
   xz-utils ca-certificates debian-archive-keyring python3 python3-numpy python3-matplotlib'
 identify="$demo python3-scipy"
-test="$identify libgtest-dev libgmock-dev libyaml-dev"
+manual='python3 python3-sphinx python3-sphinx-rtd-theme libjs-mathjax'
+test="$identify $manual libgtest-dev libgmock-dev libyaml-dev"
 effects="$demo valgrind"
 bench="$test libeigen3-dev"
 all="$bench liggghts clang libclang-rt-14-dev imagemagick"    # tests that want these skip without them
@@ -15,15 +16,18 @@ all="$bench liggghts clang libclang-rt-14-dev imagemagick"    # tests that want 
 case ${1:-demo} in
   demo) wanted=$demo ;;
   identify) wanted=$identify ;;
+  manual) wanted=$manual ;;
   test) wanted=$test ;;
   effects) wanted=$effects ;;
   bench) wanted=$bench ;;
   all) wanted=$all ;;
-  *) die "packages.sh demo|identify|test|effects|bench|all" ;;
+  *) die "packages.sh demo|identify|manual|test|effects|bench|all" ;;
 esac
 
 if ! command -v apt-get > /dev/null; then
-  for tool in c++ cmake ninja mpirun /usr/bin/python3; do
+  tools='c++ cmake ninja mpirun /usr/bin/python3'
+  [ "${1:-demo}" != manual ] || tools=/usr/bin/python3
+  for tool in $tools; do
     command -v $tool > /dev/null || die "not a Debian system, and there is no $tool: install what is the like of" $wanted
   done
   exit 0

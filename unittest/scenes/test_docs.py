@@ -1,6 +1,6 @@
 """The pages in doc/ against the plugin: every keyword, kernel, effect, constant and attribute that a style knows, as
 its error message lists them, stands in the Syntax of its page, and the page has no others. README.md names every
-example. The tables of doc/theory.rst have all equations of the papers; functions and files that they name exist, and each
+example. Pages of the reference have LAMMPS's sections in its order, and pair_sph_tm names every card. The tables of doc/theory.rst have all equations of the papers; functions and files that they name exist, and each
 C test calls a function of its row. The table of results is what doc/results gives. Functions of doc/one_time_step.rst and files that pages name exist."""
 import glob
 import os
@@ -98,6 +98,31 @@ same("compute sph/tm/atom", known(READY + "compute p all sph/tm/atom nonsense"),
      starred(re.sub(r"=.*", "", part(syntax("compute_sph_tm_atom"), "one or more attributes", r"\Z"))))
 same("compute cutting/force", known(READY + "compute f all cutting/force t nonsense"),
      keywords(syntax("compute_cutting_force")))
+
+with open(os.path.join(SOURCE, "materials", "materials.sphtm")) as f:
+    cards = set(re.findall(r"^material (\S+)", f.read(), re.M))
+with open(os.path.join(SOURCE, "doc", "pair_sph_tm.rst")) as f:
+    text = " ".join(f.read().split())
+listed = re.search(r"with the cards(.*?), each constant with its source", text).group(1)
+same("pair_sph_tm: cards", cards, starred(listed))
+with open(os.path.join(SOURCE, "doc", "index.rst")) as f:
+    reference = re.search(r":caption: Reference\n\n((?:   .*\n)+)", f.read()).group(1).split()
+SECTIONS = ("Syntax", "Examples", "Description", "Restart.*|Mixing.*|Output info", "Accelerator variants", "Restrictions",
+            "Related commands", "Default")
+wrong = []
+for page in reference:
+    with open(os.path.join(SOURCE, "doc", page + ".rst")) as f:
+        text = f.read()
+    heads = re.findall(r'^(.+)\n"{5,}$', text, re.M)
+    places = [[i for i, pattern in enumerate(SECTIONS) if re.fullmatch(pattern, head)] for head in heads]
+    found = [p[0] for p in places if p]
+    missing = set(range(len(SECTIONS))) - set(found) - {4}    # variants: mostly in one line below the title
+    variant = re.search(r"^Accelerator variant: .*\n\n\.\. versionadded:: [\d.]+\n", text, re.M)
+    if not all(places) or missing or found != sorted(found) or not variant or not text.startswith(".. index:: "):
+        wrong.append("%s: %s" % (page, ", ".join(heads)))
+checks.true("reference: sections of each page", len(reference) > 8 and not wrong,
+            "%d pages; wrong: %s" % (len(reference), "; ".join(wrong) or "none"))
+
 
 def rows_of_tables(page):
     """Rows of list-tables with four columns, each a list of texts, without the heads."""
