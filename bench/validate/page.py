@@ -1,6 +1,7 @@
 """Answers that the project keeps, doc/validation/CASE.json, and their tables in doc/validation.rst.
 
-A table stands between the comments '.. table CASE KIND' and '.. end'; KIND is rows, spacings or settings."""
+A table stands between the comments '.. table CASE KIND' and '.. end'; KIND is rows, spacings or settings, or CASE KIND are 'all
+overview'."""
 import json
 import os
 import re
@@ -46,6 +47,8 @@ def written(text, cases, summaries):
     """The page with its tables made anew."""
     def one(match):
         name, kind = match.groups()
+        if kind == "overview":
+            return ".. table all overview\n\n" + "\n".join(report.overview(cases, summaries)) + "\n.. end"
         if name not in summaries:
             return match.group()
         head = ".. table %s %s\n\n" % (name, kind)

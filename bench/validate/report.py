@@ -162,6 +162,20 @@ def settings_table(case, summary):
     return rst_rows(rows + stopped)
 
 
+def overview(cases, summaries):
+    """Of all cases: mean absolute error of each quantity at the finest spacing of each row, the largest over its goal first."""
+    found = []
+    for name, summary in summaries.items():
+        for quantity, (_, goal) in cases[name].COMPARED.items():
+            errors = [a["quantities"][quantity]["error"] for a in summary["rows"].values() if a["quantities"].get(quantity, {}).get("error") is not None]
+            if errors:
+                mean = statistics.mean(abs(e) for e in errors)
+                found.append((mean / goal, [cases[name].TITLE, quantity, "%d" % len(errors), "%.2g %%" % (100 * mean) if mean < 0.995 else "%.0f %%" % (100 * mean), "%+.2g %%" % (100 * statistics.mean(errors)),
+                                            "%.0f %%" % (100 * goal), "missed" if mean > goal else "met", cases[name].REFERENCE]))
+    return rst_rows([["case", "quantity", "rows", "mean absolute error", "mean error", "goal", "", "reference"]] + [
+        row for _, row in sorted(found, key=lambda item: -item[0])])
+
+
 def table(case, summary):
     """For doc/validation.rst."""
     return "\n".join(rows_table(case, summary) + spacings_table(case, summary) + settings_table(case, summary))

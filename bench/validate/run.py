@@ -178,8 +178,9 @@ def main():
             report.draw(case, summary["cases"][name], os.path.join(OUT, name + ".png"))
         if given.keep and os.path.exists(os.path.join(OUT, name + ".png")):
             shutil.copy(os.path.join(OUT, name + ".png"), os.path.join(ROOT, "doc", "validation", name + ".png"))
-    if given.keep:
-        page.write(cases, summary["cases"])
+    if given.keep:    # of all cases, since one table is
+        everything = {name: cases.get(name) or load(name) for name in NAMES}
+        page.write(everything, {name: report.of_case(case, answers_of(case, name, runs=False)) for name, case in everything.items()})
     summary["results"] = {"validate." + name: report.results(name, cases[name], summary["cases"][name]) for name in cases}
     with open(os.path.join(OUT, "summary.json"), "w") as f:
         json.dump(summary, f, indent=1)
