@@ -17,17 +17,21 @@ import sys
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
 
-def example(name, module="measure"):
-    """A module of an example, by a name of its own: several are called measure."""
-    folder = os.path.join(ROOT, "examples", name)
+def module(path):
+    """A Python file by a name of its own: several are called measure."""
+    folder, name = os.path.split(path)
     sys.path.insert(0, folder)
     try:
-        spec = importlib.util.spec_from_file_location("%s_%s" % (name, module), os.path.join(folder, module + ".py"))
+        spec = importlib.util.spec_from_file_location("%s_%s" % (os.path.basename(folder), name[:-3]), path)
         found = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(found)
     finally:
         sys.path.remove(folder)
     return found
+
+
+def example(name, file="measure"):
+    return module(os.path.join(ROOT, "examples", name, file + ".py"))
 
 
 def script_of(name):

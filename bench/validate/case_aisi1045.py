@@ -9,6 +9,7 @@ friction and edge allow, and brackets the temperature.
 What was chosen, before the first run: card c45e (Jaspers 1999); friction 0.5, at most the shear flow stress; edge radius 20 um; heat of friction into
 the chip alone and no heat into the tool, which has long been hot where such cuts are measured: an upper bound; the variant has a tool that stays at
 293 K in perfect contact: a lower one. Cuts of 10 uncut thicknesses at 50 m/s with time scaled, means over the last half; 300 um below the cut."""
+import math
 import os
 import subprocess
 import sys
@@ -20,7 +21,7 @@ TITLE = "orthogonal cuts of AISI 1045"
 REFERENCE = "measured, Ivester et al. 2000, second-hand"
 WIDTH = 1.6     # mm
 with open(case.script_of("orthogonal_ti6al4v")) as f:
-    SCRIPT = "variable below index 300\n" + f.read().replace("0.16e-3", "1e-6*v_below").replace("0.14e-3", "1e-6*(v_below-40)").replace(
+    SCRIPT = "variable below index 300\nvariable lead index 0\n" + f.read().replace("$(v_L+1e-7)", "$(v_L+1e-7+1e-6*v_lead)").replace("0.16e-3", "1e-6*v_below").replace("0.14e-3", "1e-6*(v_below-40)").replace(
         "$(-v_h-0.3e-3)", "$(-v_h-1e-6*v_below-0.14e-3)")
 BASE = {"dx": 10, "run": 50, "length": 10, "speed": 200, "mu": 0.5, "share": 1, "material": "materials.sphtm c45e", "contact": "heat none friction/shear 1"}
 COMPARED = {"cutting force": ("N/mm", 0.1), "feed force": ("N/mm", 0.15), "rake face, mean temperature": ("K", 0.1)}
@@ -44,8 +45,13 @@ def prepare(folder, variables):
     subprocess.run([sys.executable, os.path.join(case.ROOT, "tools", "make_tool.py"), "insert", "--rake", str(variables["rake"]), "--clearance", "6", "--radius",
                     "0.02", "--segments", "8", "--height", "3", "--length", "3", "--width", "1", "-o", os.path.join(folder, "insert.stl")],
                    check=True, stdout=subprocess.DEVNULL)
-    return {k: v for k, v in variables.items() if k != "rake"}
+    return dict({k: v for k, v in variables.items() if k != "rake"}, lead=lead(variables))
+
+
+def lead(variables):
+    """A rake face that leans forward starts clear of the work piece: by how much the edge lies behind, um."""
+    return round(max(0.0, -math.tan(math.radians(float(variables["rake"])))) * 1.2 * float(variables["chip"]), 3)
 
 
 def measure(result, variables):
-    return EXAMPLE.measure(result, variables, float(variables["rake"]))
+    return EXAMPLE.measure(result, dict(variables, lead=lead(variables)), float(variables["rake"]))

@@ -44,7 +44,7 @@ def rake_temperature(frame, tip, h, dx, rake):
 def measure(result, variables, rake=RAKE):
     """Of a finished run: quantity -> (value, error of the mean). variables: of the script, um and m/s."""
     h, run, dx = 1e-6 * float(variables["chip"]), float(variables["run"]), 1e-6 * float(variables["dx"])
-    length = dx * np.ceil(round((float(variables["length"]) + 3) * h / dx, 6)) + 1e-7
+    length = dx * np.ceil(round((float(variables["length"]) + 3) * h / dx, 6)) + 1e-7 + 1e-6 * float(variables.get("lead", 0))
     forces = result.columns("force.dat")
     way, cut = forces[:, 1], forces[-1, 1]
     found = {"cutting force": mean_of(way, forces[:, 2], cut), "feed force": mean_of(way, forces[:, 3], cut)}

@@ -62,6 +62,30 @@ found = report.of_case(Case, {"one": {"coarse": made(92.0), "fine": made(95.0), 
 checks.near("error at the finest spacing", found["error"], -0.05, relative=1e-9)
 checks.near("uncertainty of spacing, scaling and window", found["uncertainty"], np.sqrt(3.0**2 + 0.4**2 + 0.3**2), relative=1e-9)
 
+sizes = (4.0, 2.0, 1.0)
+checks.near("order of three spacings", report.order(sizes, [3.0 + 0.5 * h**1.7 for h in sizes]), 1.7, relative=1e-6)
+checks.true("no order where they do not approach a value", report.order(sizes, [3.0, 2.0, 3.0]) is None and report.order(sizes, [3.0, 2.9, 2.0]) is None)
+rows = "\n".join(report.rows_table(Case, report.of_case(Case, {"one": {"coarse": made(92.0), "fine": made(95.0)}})))
+checks.true("its row: value, reference, error", "95 +- 3; 100 +- 10; -5.0 %" in rows, rows.splitlines()[-4])
+done = command("run", "--check")
+checks.true("the tables of doc/validation.rst are of the answers in doc/validation", done.returncode == 0, done.stdout.strip().splitlines()[-1])
+import page                                                                            # noqa: E402
+import run as validate                                                                 # noqa: E402
+
+for name in validate.NAMES:    # what a case must have, before a run of it
+    case = validate.load(name)
+    whole = set(case.SETTINGS) == set(case.SAID) and set(case.MESH) <= set(case.SETTINGS) and case.QUICK in case.SETTINGS and set(case.MESH) == set(
+        case.SPACING) and all(set(r["reference"]) <= set(case.COMPARED) for r in case.ROWS.values()) and (case.__doc__ or "").count("hosen") > 0
+    checks.true("case %s: settings have words, spacings sizes, references quantities, and its choices are written down" % name, whole)
+    checks.true("    it has its tables on the page", all(".. table %s %s\n" % (name, k) in open(page.PAGE).read() for k in page.TABLES))
+for name, row, quantity, value, within in (("slope", "share_0.7", "acceleration", 1.026, 0.01), ("impact", "bars", "contact time", 1.0, 0.06),
+                                           ("layers", "ratio_10", "heat that has crossed", None, 0.02), ("plate", "gray_2001", "period", 0.2621, 0.08)):
+    quick = validate.load(name)
+    done = command("run", name, "--rows", row, "--settings", quick.QUICK)
+    with open(os.path.join(FOLDER, "summary.json")) as f:
+        found = json.load(f)["cases"][name]["rows"][row]["quantities"][quantity]
+    checks.near("%s, %s: %s" % (name, row, quantity), found["value"], value or found["measured"], relative=within)
+
 import identify                                                                        # noqa: E402
 
 TRUE = np.array([1.3, 0.7])
