@@ -1,5 +1,5 @@
 """Two layers that conduct differently, brought together: temperatures against the closed form (REFERENCE: erf, shown in
-examples/two_layer_heat/measure.py). Layers, times and particles as in the example's table; both layers end where no heat has come."""
+examples/two_layer_heat/measure.py). What was chosen: layers, times and particles as in the table of the example; both layers end where no heat has come."""
 import numpy as np
 
 import case
