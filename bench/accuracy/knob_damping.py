@@ -1,28 +1,25 @@
-"""Strength of the artificial stress and of the artificial viscosity."""
+"""Strength of the artificial stress and viscosity of the former default, for comparison, and viscosity beside the default's hourglass
+control."""
 from cases import plate, rings
 from frame import CLOSED
 
 TITLE = "artificial stress and viscosity"
 STRENGTHS = ((0, 0, ""), (0, 0.3, ""), (0, 1, ""), (0.1, 1, ""), (0.3, 0, ""), (0.3, 0.3, ""), (0.3, 1, ""),
              (0.3, 1, "balanced"))
+VISCOSITIES = ("0 0", "0 1", "0 2", "0.3 0.3", "1 1")
 
 
-def label(stress, alpha, how=""):
-    return "stress %g%s, viscosity %g" % (stress, how and " " + how, alpha)
-
-
-def plates(rows):
-    return {label(s, a, how): {"rows": rows,
-                               "options": "viscosity %g %g artstress %g 4 %s correction yes" % (a, a, s, how)}
-            for s, a, how in STRENGTHS}
-
-
-def all_rings():
-    return {label(s, a, how): {"eps": s, "options": "%s viscosity %g %g" % (how, a, a)} for s, a, how in STRENGTHS}
+def by(**more):
+    """The default with a viscosity, then artificial stress, corrected, without hourglass control."""
+    rows = {"default, viscosity %s" % v: dict(more, options="viscosity " + v) for v in VISCOSITIES}
+    for stress, alpha, how in STRENGTHS:
+        rows["stress %g%s, viscosity %g" % (stress, how and " " + how, alpha)] = dict(
+            more, options="stabilize artstress artstress %g 4 %s viscosity %g %g correction yes" % (stress, how, alpha, alpha))
+    return rows
 
 
 SWEEPS = [
-    plate({"quick": plates(6), "full": plates(10), "large": plates(20)}, baseline=label(0, 1),
+    plate({"quick": by(rows=6), "full": by(rows=10), "large": by(rows=20)}, baseline="default, viscosity 0 1",
           also=[("decay", "net energy that artificial terms take from the swing", "elastic: nothing", CLOSED, "lost")]),
-    rings({"quick": all_rings(), "full": all_rings()}, baseline=label(0.3, 1)),
+    rings({"quick": by(), "full": by()}, baseline="default, viscosity 0 1"),
 ]

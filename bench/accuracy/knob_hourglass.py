@@ -1,4 +1,4 @@
-"""Resistance to patterns that no gradient sees, in place of the artificial stress."""
+"""Stiffness of the hourglass control: that of the default, which follows the flow (auto), constant ones, none, and artificial stress instead."""
 import os
 
 from cases import plate, taylor
@@ -11,19 +11,16 @@ STRESS = "artificial stress 0.3 instead"
 
 
 def by(before, **more):
-    rows = {"xi %g" % xi: dict(more, options=before + "artstress 0 4 hourglass %g" % xi) for xi in XI}
+    rows = {"auto": dict(more, options=before)}
+    rows.update({"xi %g" % xi: dict(more, options=before + "hourglass %g" % xi) for xi in XI})
     rows[STRESS] = dict(more, options=before + "artstress 0.3 4 balanced")
     return rows
-
-
-def plates(rows):
-    return by("viscosity 1 1 correction yes ", rows=rows)
 
 
 SWEEPS = [
     asph.tension({size: by("plane stress ", rows=rows, speed=20)
                   for size, rows in (("quick", 8), ("full", 14), ("large", 28))}),
-    taylor({size: by("viscosity 0.3 0.3 balsara yes correction yes ", rings=rings)
-            for size, rings in (("quick", 3), ("full", 4), ("large", 8))}, baseline="xi 0"),
-    plate({"quick": plates(6), "full": plates(10), "large": plates(20)}, baseline="xi 0"),
+    taylor({size: by("", rings=rings)
+            for size, rings in (("quick", 3), ("full", 4), ("large", 8))}, baseline="auto"),
+    plate({size: by("", rows=rows) for size, rows in (("quick", 6), ("full", 10), ("large", 20))}, baseline="auto"),
 ]

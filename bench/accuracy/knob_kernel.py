@@ -6,7 +6,7 @@ from frame import CLOSED, ROOT, Sweep, module
 
 TITLE = "kernel and gradient correction"
 forms = module(os.path.join(ROOT, "unittest", "scenes", "test_kernels_forms.py"))
-BASE = "viscosity 1 1 artstress 0 4 correction "
+BASE = "correction "
 
 
 def patch_script(variables):
