@@ -35,10 +35,13 @@ def chip_ratio(frame, tip, run, h, rake=RAKE):
 
 
 def rake_temperature(frame, tip, h, dx, rake):
-    """Mean and largest temperature of the particles that touch the rake face, up to one uncut thickness from the edge."""
+    """Mean and largest temperature of the particles nearest to the rake face, one for each spacing along it, from a tenth of the
+    uncut thickness to all of it from the edge."""
     along, off = of_rake(frame, tip, h, rake)
-    touch = (along > 0.1 * h) & (along < h) & (off < dx)
-    return (frame["c_p[1]"][touch].mean(), frame["c_p[1]"][touch].max()) if touch.any() else (np.nan, np.nan)
+    near = (along > 0.1 * h) & (along < h) & (off > -dx) & (off < 4 * dx)
+    place, off, T = np.floor(along[near] / dx), off[near], frame["c_p[1]"][near]
+    touch = [T[place == k][off[place == k].argmin()] for k in np.unique(place)]
+    return (np.mean(touch), np.max(touch)) if touch else (np.nan, np.nan)
 
 
 def measure(result, variables, rake=RAKE):
