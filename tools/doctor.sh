@@ -90,7 +90,12 @@ END
       row ok LAMMPS "$lmp: $about; it loads $plugin"
       [ -n "$runs" ] || runs="$lmp|$plugin"
     elif [ "$why" = 'there is no plugin' ]; then row ok LAMMPS "$lmp: $about"
-    else row unfit LAMMPS "$lmp $why"; misfits=$((misfits + 1))
+    else
+      case $why in
+        'cannot start: MPI'*) row broken LAMMPS "$lmp $why" ;;    # the row of MPI says the rest
+        'cannot start'*) row broken LAMMPS "$lmp $why" "ldd $lmp    # names all that it lacks" ;;
+        *) row unfit LAMMPS "$lmp $why"; misfits=$((misfits + 1)) ;;
+      esac
     fi
   done <<END
 $hosts

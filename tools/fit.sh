@@ -18,6 +18,7 @@ about_lmp() {
     /^KOKKOS package API/ { kokkos = 1 }
     /(^|[[:space:]])plugin([[:space:]]|$)/ { plugin = 1 }
     /error while loading shared libraries/ { sub(/.*: error while/, "error while"); broken = $0 }
+    /MPI_Init|orte_init/ && !version { broken = "MPI does not (Open MPI wants its programs too: openmpi-bin)" }
     END {
       if (mpi ~ /STUBS/) mpi = "no MPI"
       if (broken) print "cannot start: " broken
