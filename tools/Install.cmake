@@ -1,10 +1,11 @@
 # cmake --install and cpack. Included by CMakeLists.txt; the files that tell where things are know only the way from one to
 # the other, so that an installed tree may move, and nothing in it points to the source.
 #   <lib>/lammps/plugins   the plugin: a folder for LAMMPS_PLUGIN_PATH
-#   <lib>/sphtm            with SPHTM_INSTALL_HOST the LAMMPS it is for; only the command runs it, not everyone's PATH
+#   <lib>/sphtm            the LAMMPS it is for, for the command alone: component host, only with --component host and in packages
 #   <share>/sphtm          materials, examples, pages, tools, studies, in the folders of the source: links and imports hold
 #   <bin>/sphtm            the command
 include(GNUInstallDirs)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME sphtm)
 set(SPHTM_PLUGIN_DIR ${CMAKE_INSTALL_LIBDIR}/lammps/plugins)
 set(SPHTM_HOST_DIR ${CMAKE_INSTALL_LIBDIR}/sphtm)
 set(SPHTM_DATA_DIR ${CMAKE_INSTALL_DATADIR}/sphtm)
@@ -24,17 +25,12 @@ way(SPHTM_BIN_TO_DATA ${CMAKE_INSTALL_BINDIR} ${SPHTM_DATA_DIR})
 way(SPHTM_BIN_TO_PLUGIN ${CMAKE_INSTALL_BINDIR} ${SPHTM_PLUGIN_DIR})
 way(SPHTM_BIN_TO_HOST ${CMAKE_INSTALL_BINDIR} ${SPHTM_HOST_DIR})
 
-find_package(Git QUIET)
-set(SPHTM_COMMIT unknown)
-if(GIT_FOUND AND EXISTS ${PROJECT_SOURCE_DIR}/.git)
-  execute_process(COMMAND ${GIT_EXECUTABLE} -C ${PROJECT_SOURCE_DIR} describe --always --dirty=+ --abbrev=7 --exclude=*
-    OUTPUT_VARIABLE SPHTM_COMMIT OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-endif()
 configure_file(${PROJECT_SOURCE_DIR}/tools/sphtm-installed.in ${PROJECT_BINARY_DIR}/config/sphtm @ONLY)
 
 install(TARGETS sphtmplugin sphtm_styles LIBRARY DESTINATION ${SPHTM_PLUGIN_DIR})
 install(PROGRAMS ${PROJECT_BINARY_DIR}/config/sphtm DESTINATION ${CMAKE_INSTALL_BINDIR})
 set(no_leftovers PATTERN __pycache__ EXCLUDE PATTERN "*.pyc" EXCLUDE PATTERN log.lammps EXCLUDE)
+install(FILES packaging/sphtm.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(DIRECTORY materials examples DESTINATION ${SPHTM_DATA_DIR} ${no_leftovers})
 install(DIRECTORY doc DESTINATION ${SPHTM_DATA_DIR} PATTERN results EXCLUDE)
 install(FILES README.md CHANGELOG.md CITATION.cff LICENSE DESTINATION ${SPHTM_DATA_DIR})
@@ -46,15 +42,27 @@ install(DIRECTORY bench/accuracy bench/stability bench/validate DESTINATION ${SP
 install(FILES unittest/scenes/sphtm_scene.py unittest/scenes/sph_kernels.py unittest/scenes/test_kernels_forms.py
   unittest/scenes/test_oscillating_plate.py unittest/scenes/test_rings.py DESTINATION ${SPHTM_DATA_DIR}/unittest/scenes)
 
-if(SPHTM_INSTALL_HOST)
-  if(CMAKE_VERSION VERSION_LESS 3.21)
-    message(FATAL_ERROR "SPHTM_INSTALL_HOST needs CMake 3.21")
+# the commit, asked when it is installed
+find_package(Git QUIET)
+foreach(variable SPHTM_DATA_DIR SPHTM_HOST_DIR)
+  set(at_${variable} "\$ENV{DESTDIR}")
+  if(NOT IS_ABSOLUTE ${${variable}})
+    string(APPEND at_${variable} "\${CMAKE_INSTALL_PREFIX}/")
   endif()
-  if(NOT EXISTS ${LAMMPS_BUILD_DIR}/lmp OR NOT EXISTS ${LAMMPS_BUILD_DIR}/liblammps.so.0)
-    message(FATAL_ERROR "SPHTM_INSTALL_HOST needs a LAMMPS_BUILD_DIR with lmp and liblammps.so.0")
+  string(APPEND at_${variable} "${${variable}}")
+endforeach()
+install(CODE "set(commit unknown)
+  if(EXISTS \"${PROJECT_SOURCE_DIR}/.git\")
+    execute_process(COMMAND \"${GIT_EXECUTABLE}\" -C \"${PROJECT_SOURCE_DIR}\" describe --always --dirty=+ --abbrev=7 --exclude=*
+      OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
   endif()
-  install(PROGRAMS ${LAMMPS_BUILD_DIR}/lmp DESTINATION ${SPHTM_HOST_DIR})
-  install(FILES ${LAMMPS_BUILD_DIR}/liblammps.so.0 DESTINATION ${SPHTM_HOST_DIR})
+  file(WRITE \"${at_SPHTM_DATA_DIR}/commit\" \"\${commit}\\n\")")
+
+set(SPHTM_WITH_HOST OFF)
+if(EXISTS ${LAMMPS_BUILD_DIR}/lmp AND EXISTS ${LAMMPS_BUILD_DIR}/liblammps.so.0 AND NOT CMAKE_VERSION VERSION_LESS 3.21)
+  set(SPHTM_WITH_HOST ON)
+  install(PROGRAMS ${LAMMPS_BUILD_DIR}/lmp DESTINATION ${SPHTM_HOST_DIR} COMPONENT host EXCLUDE_FROM_ALL)
+  install(FILES ${LAMMPS_BUILD_DIR}/liblammps.so.0 DESTINATION ${SPHTM_HOST_DIR} COMPONENT host EXCLUDE_FROM_ALL)
   # A build folder's run paths may have an empty one, which is the current folder. On a system with multiarch folders the
   # loader finds MPI by itself.
   set(host_rpath $ORIGIN)
@@ -66,15 +74,10 @@ if(SPHTM_INSTALL_HOST)
     list(REMOVE_DUPLICATES host_rpath)
   endif()
   string(REPLACE ";" ":" host_rpath "${host_rpath}")
-  if(IS_ABSOLUTE ${SPHTM_HOST_DIR})
-    set(host_at ${SPHTM_HOST_DIR})
-  else()
-    set(host_at "\${CMAKE_INSTALL_PREFIX}/${SPHTM_HOST_DIR}")
-  endif()
   string(REPLACE "$" "\\$" host_rpath "${host_rpath}")
   install(CODE "foreach(file lmp liblammps.so.0)
-    file(RPATH_SET FILE \"\$ENV{DESTDIR}${host_at}/\${file}\" NEW_RPATH \"${host_rpath}\")
-  endforeach()")
+    file(RPATH_SET FILE \"${at_SPHTM_HOST_DIR}/\${file}\" NEW_RPATH \"${host_rpath}\")
+  endforeach()" COMPONENT host EXCLUDE_FROM_ALL)
 endif()
 
 include(Package)

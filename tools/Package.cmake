@@ -1,5 +1,5 @@
-# cpack: a .deb of what cmake --install installs, with the LAMMPS host in it where SPHTM_INSTALL_HOST is on: a plugin fits one
-# LAMMPS, so the two belong together, and the lammps package of Debian 12 is of 2022. ./sphtm package builds it.
+# cpack: one .deb with what cmake --install installs and the LAMMPS host. A plugin fits one LAMMPS, so the two belong together;
+# Debian 12 has a lammps package of its own, of 2022, into which the plugin cannot be loaded. ./sphtm package builds it.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME sphtm)
 set(CPACK_PACKAGE_VENDOR "SPH-TM developers")
@@ -10,7 +10,7 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "thermo-mechanical SPH for metal cutting, 
 set(CPACK_PACKAGE_DESCRIPTION "Plugin for LAMMPS ${LAMMPS_VERSION}: smoothed particle hydrodynamics of solids with
 strength, damage and heat, contact and friction with tools of triangles.
 The command sphtm runs LAMMPS with it.")
-if(SPHTM_INSTALL_HOST)
+if(SPHTM_WITH_HOST)
   string(APPEND CPACK_PACKAGE_DESCRIPTION " That LAMMPS is in the package.")
 endif()
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
@@ -21,13 +21,18 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_HOMEPAGE "https://www.lammps.org")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS python3)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "openmpi-bin, python3-numpy, python3-matplotlib")
+if("${MPI_CXX_LIBRARIES}" MATCHES "openmpi")    # without its programs Open MPI 4 does not even start a single process
+  string(APPEND CPACK_DEBIAN_PACKAGE_DEPENDS ", openmpi-bin")
+endif()
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-numpy, python3-matplotlib")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-scipy, paraview")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
-if(CMAKE_INSTALL_PREFIX STREQUAL "/usr")    # what Debian's packages have there
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS CHANGELOG.md)
-  execute_process(COMMAND gzip -9nc ${PROJECT_SOURCE_DIR}/CHANGELOG.md OUTPUT_FILE ${PROJECT_BINARY_DIR}/config/changelog.gz)
-  install(FILES packaging/debian/copyright ${PROJECT_BINARY_DIR}/config/changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR})
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
+set(CPACK_COMPONENTS_ALL sphtm debian)
+if(SPHTM_WITH_HOST)
+  list(APPEND CPACK_COMPONENTS_ALL host)
 endif()
-install(FILES packaging/sphtm.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES packaging/debian/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT debian EXCLUDE_FROM_ALL)
 include(CPack)

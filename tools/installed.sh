@@ -3,6 +3,8 @@
 set -eu
 . "$(dirname -- "$0")/common.sh"
 . "$root/tools/fit.sh"
+SPHTM_COMMIT=$(cat "$root/commit" 2> /dev/null || echo unknown)
+export SPHTM_COMMIT
 for name in SPHTM_PLUGIN_DIR SPHTM_HOST_DIR; do
   eval "folder=\$$name"
   [ ! -d "$folder" ] || eval "$name=\$(CDPATH='' cd -- \"\$folder\" && pwd)"
@@ -10,7 +12,7 @@ done
 
 usage() {
   cat <<END
-usage: sphtm COMMAND        SPH-TM ${SPHTM_VERSION:-}, commit ${SPHTM_COMMIT:-unknown}
+usage: sphtm COMMAND        SPH-TM ${SPHTM_VERSION:-}, commit $SPHTM_COMMIT
 
   lmp [args]       run LAMMPS with the plugin loaded
   env              print shell exports:  eval "\$(sphtm env)"  sets SPHTM_LMP, LAMMPS_PLUGIN_PATH, SPHTM_MPIRUN

@@ -8,19 +8,18 @@ command -v dpkg-shlibdeps > /dev/null ||
   die "a .deb needs dpkg-dev: apt-get install dpkg-dev; elsewhere cmake --install makes a tree to pack by other means"
 "$root/tools/packages.sh" demo
 host=$("$root/tools/host-plain.sh")
-build=$root/build/package-${host##*/host-plain-}
-make_folder "$build"
-lock "$(build_lock "$build")"
-say "configuring $build"
-cmake -S "$root" -B "$build" -G Ninja -D LAMMPS_SOURCE_DIR="$(cat "$host/source")" -D LAMMPS_BUILD_DIR="$host" \
-  -D CMAKE_INSTALL_PREFIX=/usr -D SPHTM_INSTALL_HOST=ON -D SPHTM_TESTS=OFF > "$build/configure.log" 2>&1 ||
-  { cat "$build/configure.log" >&2; rm -f "$build/build.ninja"; die "CMake failed"; }
-thin_ninja "$build/build.log" -C "$build" || die "the build failed"
+build=$("$root/tools/build-plugin.sh" "$host")
+mkdir -p "$root/build"
+work=$(mktemp -d "$root/build/packing.XXXXXX")
+make_folder "$work"
+trap 'rm -rf "$work"' EXIT
+trap 'exit 130' INT TERM
 say "packing"
-rm -f "$build"/*.deb
-(umask 022; cd "$build" && cpack -G DEB) > "$build/cpack.log" 2>&1 || { cat "$build/cpack.log" >&2; die "cpack failed"; }
-results_in package
-file=$(basename -- "$build"/*.deb)
-mv "$build/$file" "$SPHTM_OUT/$file"
+(umask 022; cd "$work" && cpack -G DEB --config "$build/CPackConfig.cmake" -B "$work") > "$work/log" 2>&1 ||
+  { cat "$work/log" >&2; die "cpack failed$(cause_in "$work/log")"; }
+SPHTM_OUT=$root/out/package
+make_folder "$SPHTM_OUT"
+file=$(basename -- "$work"/*.deb)
+mv "$work/$file" "$SPHTM_OUT/$file"
 say "install it with: apt-get install $SPHTM_OUT/$file"
 echo "$SPHTM_OUT/$file"
