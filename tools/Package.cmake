@@ -1,5 +1,5 @@
 # cpack: one .deb with what cmake --install installs and the LAMMPS host. A plugin fits one LAMMPS, so the two belong together;
-# Debian 12 has a lammps package of its own, of 2022, into which the plugin cannot be loaded. ./sphtm package builds it.
+# Debian 12's lammps package is of 2021 and loads no plugins. ./sphtm package builds it.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME sphtm)
 set(CPACK_PACKAGE_VENDOR "SPH-TM developers")

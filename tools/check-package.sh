@@ -1,7 +1,7 @@
 #!/bin/sh
 # The .deb in a bare Debian: debootstrap of the release this machine runs, in a folder of its own, from the mirror that apt
 # uses here; the package is installed without what it only recommends, and a user without rights cuts metal with it.
-#   check-package.sh [--lammps]      --lammps: Debian's own lammps too, into which the plugin is not loaded
+#   check-package.sh [--lammps]      --lammps: with Debian's own lammps beside it, which does not fit
 # Without root, debootstrap or a mirror it exits with 77. Mounts are in a namespace that ends with the script.
 set -eu
 . "$(dirname -- "$0")/common.sh"
@@ -20,7 +20,7 @@ mirror=$(apt-get indextargets --format '$(ORIGIN)|$(LABEL)|$(COMPONENT)|$(IDENTI
 
 package=$("$root/tools/package.sh")
 work=$(mktemp -d)
-trap 'umount "$work"/root/* "$work/root/dev/shm" 2> /dev/null || true; rm -rf --one-file-system "$work"' EXIT
+trap 'umount -l "$work/root/proc" "$work/root/dev/shm" 2> /dev/null || true; rm -rf --one-file-system "$work"' EXIT
 trap 'exit 130' INT TERM
 there=$work/root
 
@@ -83,12 +83,12 @@ holds 'two ranks, and a study with its results in out/ of the current folder'
 
 if [ "${1:-}" = --lammps ]; then
   quiet inside apt-get -q -y --no-install-recommends install lammps
-  as_user 'echo "pair_style sph/tm hyperbolic 1.2 spacing 1" | LAMMPS_PLUGIN_PATH=/usr/lib/lammps/plugins lmp -log none' \
-    > "$work/other" 2>&1 && die "Debian's lammps took the plugin"
-  grep -E 'WARNING' "$work/other" || { cat "$work/other"; die "Debian's lammps says nothing of the plugin"; }
-  as_user 'SPHTM_LMP=/usr/bin/lmp sphtm lmp' > "$work/other" 2>&1 && die 'sphtm runs a LAMMPS that does not fit'
-  cat "$work/other"
-  as_user 'sphtm doctor' | grep LAMMPS
+  as_user 'SPHTM_LMP=/usr/bin/lmp sphtm lmp' > "$work/other" 2>&1 && die "sphtm runs Debian's lammps, which cannot fit"
+  grep '^sphtm:' "$work/other"
+  as_user 'sphtm doctor' > "$work/doctor"
+  grep LAMMPS "$work/doctor"
+  grep -q 'unfit *LAMMPS */usr/bin/lmp' "$work/doctor" || die "doctor takes Debian's lammps"
+  holds "Debian's lammps is not taken, and a run can start"
 fi
 
 quiet inside apt-get -q -y purge sphtm
