@@ -33,6 +33,8 @@ set(no_leftovers PATTERN __pycache__ EXCLUDE PATTERN "*.pyc" EXCLUDE PATTERN log
 install(FILES packaging/sphtm.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(DIRECTORY materials examples DESTINATION ${SPHTM_DATA_DIR} ${no_leftovers})
 install(DIRECTORY doc DESTINATION ${SPHTM_DATA_DIR} PATTERN results EXCLUDE)
+# the manual, where ./sphtm manual has made it
+install(DIRECTORY out/manual/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/html OPTIONAL PATTERN ".*" EXCLUDE)
 install(FILES README.md CHANGELOG.md CITATION.cff LICENSE DESTINATION ${SPHTM_DATA_DIR})
 install(FILES tools/make_tool.py tools/common.sh tools/fit.sh DESTINATION ${SPHTM_DATA_DIR}/tools)
 install(PROGRAMS tools/doctor.sh tools/installed.sh tools/packages.sh tools/print-env.sh DESTINATION ${SPHTM_DATA_DIR}/tools)

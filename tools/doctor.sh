@@ -159,7 +159,7 @@ look_at_python() {
 
 look_at_packages() {
   [ "$mode" = source ] && command -v dpkg-query > /dev/null || return 0
-  for set in demo test; do
+  for set in demo manual test; do
     missing=$("$root/tools/packages.sh" $set list)
     [ -n "$missing" ] || { row ok packages "all that ./sphtm $set needs"; continue; }
     row missing packages "for ./sphtm $set, which installs them itself:$missing" "$(install_command $missing)"

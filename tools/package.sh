@@ -14,6 +14,7 @@ work=$(mktemp -d "$root/build/packing.XXXXXX")
 make_folder "$work"
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
+[ -f "$root/out/manual/index.html" ] || say "without the manual as HTML: ./sphtm manual makes it"
 say "packing"
 (umask 022; cd "$work" && cpack -G DEB --config "$build/CPackConfig.cmake" -B "$work") > "$work/log" 2>&1 ||
   { cat "$work/log" >&2; die "cpack failed$(cause_in "$work/log")"; }
