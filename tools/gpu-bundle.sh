@@ -35,8 +35,8 @@ git -C "$root" describe --always --dirty > "$top/version" 2> /dev/null || echo u
 ${CC:-cc} -std=c11 -D_POSIX_C_SOURCE=199309L -O2 -shared -fPIC "$root/bench/gpu/kernel_table.c" -o "$top/lib/libkernel_table.so"
 cp "$host/lmp" "$top/libexec/lmp"
 cp "$(command -v orterun)" "$top/libexec/mpirun"
-cp "$plugin/sphtmplugin.so" "$top/plugin/"
-strip --strip-unneeded "$top/plugin/sphtmplugin.so"
+cp "$plugin/sphtmplugin.so" "$plugin/sphtm_styles.so" "$top/plugin/"
+strip --strip-unneeded "$top"/plugin/*.so
 if [ $devices = cuda ]; then
   toolkit=$(dirname -- "$(dirname -- "$(readlink -f "$(command -v nvcc || echo /usr/local/cuda/bin/nvcc)")")")
   mpicc -std=c11 -O2 -Wall -Wextra -shared -fPIC "-I$toolkit/include" "$root/tools/device-mpi/device_mpi.c" \

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Installs what is missing of the Debian packages that a command needs; does nothing when all are there.
-#   packages.sh demo|identify|manual|test|effects|bench|all
+#   packages.sh demo|identify|manual|test|effects|bench|all [list]      list: only prints those that are missing
 set -eu
 . "$(dirname -- "$0")/common.sh"
 
@@ -25,6 +25,7 @@ case ${1:-demo} in
 esac
 
 if ! command -v apt-get > /dev/null; then
+  [ "${2:-}" != list ] || exit 0
   tools='c++ cmake ninja mpirun /usr/bin/python3'
   [ "${1:-demo}" != manual ] || tools=/usr/bin/python3
   for tool in $tools; do
@@ -40,6 +41,7 @@ for package in $wanted; do
     *) missing="$missing $package" ;;
   esac
 done
+[ "${2:-}" != list ] || { echo "$missing"; exit 0; }
 [ -n "$missing" ] || exit 0
 
 if [ "$(id -u)" = 0 ]; then sudo=

@@ -1,6 +1,7 @@
 #!/bin/sh
 # All tests, or those that match:  run-test.sh [LABEL | REGEX]
-# Labels: unit, headers, driver, manual, harness, scene, kokkos, userbuild. The last line tells how many passed, failed and were skipped.
+# Labels: unit, headers, driver, manual, harness, scene, kokkos, userbuild, install, package. The last line tells how many passed,
+# failed and were skipped.
 set -eu
 . "$(dirname -- "$0")/common.sh"
 

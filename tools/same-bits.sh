@@ -3,7 +3,7 @@
 #   same-bits.sh record FOLDER      what all scene tests and the harness compute with this build, into FOLDER
 #   same-bits.sh compare OLD NEW    two such folders
 # A record has the thermo tables of every run with all their digits, wall times left out, the particles at its end and
-# the values of LAMMPS's test harness. SPHTM_PLUGIN=FOLDER records with the sphtmplugin.so there: so the tests of one
+# the values of LAMMPS's test harness. SPHTM_PLUGIN=FOLDER records with the plugin there: so the tests of one
 # commit run with the plugin of another. SPHTM_SCENES='test_a test_b' records only these, and no harness.
 set -eu
 . "$(dirname -- "$0")/common.sh"

@@ -32,7 +32,7 @@ LD_PRELOAD="$libasan $libubsan" "$host/lmp" "\$@" 2> "$build/stderr.\$\$"
 status=\$?
 cat "$build/stderr.\$\$" >&2
 grep -qE 'runtime error|AddressSanitizer' "$build/stderr.\$\$" &&
-  grep -qE 'runtime error|sphtmplugin|$root/src/' "$build/stderr.\$\$" && mv "$build/stderr.\$\$" "$build/report.\$\$"
+  grep -qE 'runtime error|sphtmplugin|sphtm_styles|$root/src/' "$build/stderr.\$\$" && mv "$build/stderr.\$\$" "$build/report.\$\$"
 rm -f "$build/stderr.\$\$"
 exit \$status
 END

@@ -2,6 +2,7 @@
 #include "material_card.h"
 
 #include "material_constants.h"
+#include "plugin_folder.h"
 #include "sphtm_config.h"
 
 #include "comm.h"
@@ -25,7 +26,8 @@ static std::string find_file(const char *name)
   std::string path = utils::get_potential_file_path(name);
   if (!path.empty()) return path;
   std::vector<std::string> folders = platform::list_pathenv("SPHTM_MATERIALS");
-  folders.emplace_back(SPHTM_MATERIALS_DIR);
+  folders.push_back(plugin_folder() + "/materials");                   // where it is built
+  folders.push_back(plugin_folder() + "/" SPHTM_DATA "/materials");    // where it is installed
   for (const auto &folder : folders) {
     path = platform::path_join(folder, platform::path_basename(name));
     if (platform::file_is_readable(path)) return path;

@@ -20,7 +20,7 @@ struct CardLine {
 };
 
 // the lines between 'material name' and 'end'; the file is looked for as given, in LAMMPS_POTENTIALS,
-// then in SPHTM_MATERIALS. Rank 0 reads. Stops, with the names there are, when the card is not there.
+// in SPHTM_MATERIALS, then with the plugin. Rank 0 reads. Stops, with the names there are, when the card is not there.
 std::vector<CardLine> find_card(LAMMPS_NS::LAMMPS *lmp, const char *style, const char *file, const char *name);
 
 }    // namespace SPHTM_NS

@@ -1,0 +1,38 @@
+# cpack: one .deb with what cmake --install installs and the LAMMPS host. A plugin fits one LAMMPS, so the two belong together;
+# Debian 12's lammps package is of 2021 and loads no plugins. ./sphtm package builds it.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME sphtm)
+set(CPACK_PACKAGE_VENDOR "SPH-TM developers")
+if(NOT CPACK_PACKAGE_CONTACT)    # who passes a package on gives the own address
+  set(CPACK_PACKAGE_CONTACT "SPH-TM developers <sphtm@localhost>")
+endif()
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "thermo-mechanical SPH for metal cutting, in LAMMPS")
+set(CPACK_PACKAGE_DESCRIPTION "Plugin for LAMMPS ${LAMMPS_VERSION}: smoothed particle hydrodynamics of solids with
+strength, damage and heat, contact and friction with tools of triangles.
+The command sphtm runs LAMMPS with it.")
+if(SPHTM_WITH_HOST)
+  string(APPEND CPACK_PACKAGE_DESCRIPTION " That LAMMPS is in the package.")
+endif()
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_VERBATIM_VARIABLES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_HOMEPAGE "https://www.lammps.org")
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS python3)
+if("${MPI_CXX_LIBRARIES}" MATCHES "openmpi")    # without its programs Open MPI 4 does not even start a single process
+  string(APPEND CPACK_DEBIAN_PACKAGE_DEPENDS ", openmpi-bin")
+endif()
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-numpy, python3-matplotlib")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-scipy, paraview")
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
+set(CPACK_COMPONENTS_ALL sphtm debian)
+if(SPHTM_WITH_HOST)
+  list(APPEND CPACK_COMPONENTS_ALL host)
+endif()
+install(FILES packaging/debian/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT debian EXCLUDE_FROM_ALL)
+include(CPack)
