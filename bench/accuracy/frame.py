@@ -124,6 +124,8 @@ def measure(sweep, size, repeats, clock, lmp="", say=print):
             if p["setting"] == sweep.against:
                 p.update(error=None, note="the reference")
     base = next(p for p in answer if p["setting"] == (sweep.baseline or next(iter(settings))))
+    if not base["wall"] > 0:
+        sys.exit("sphtm accuracy: '%s' of %s, to which times are relative, stopped: %s" % (base["setting"], sweep.name, base.get("note", "")))
     for p in answer:
         p["relative_time"], p["relative_processor"] = p["wall"] / base["wall"], p["processor"] / base["processor"]
     finish(answer, clock, say)
