@@ -114,6 +114,8 @@ def text(name, case, summary):
 
 
 def rst_rows(rows):
+    if len(rows) < 2:
+        return ["(No run of it is kept.)", ""]
     lines = [".. list-table::", "   :header-rows: 1", ""]
     for row in rows:
         lines += ["   * - " + row[0]] + ["     - " + v for v in row[1:]]
