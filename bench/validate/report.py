@@ -173,7 +173,7 @@ def overview(cases, summaries):
             if errors:
                 mean = statistics.mean(abs(e) for e in errors)
                 found.append((mean / goal, [cases[name].TITLE, quantity, "%d" % len(errors), "%.2g %%" % (100 * mean) if mean < 0.995 else "%.0f %%" % (100 * mean), "%+.2g %%" % (100 * statistics.mean(errors)),
-                                            "%.0f %%" % (100 * goal), "missed" if mean > goal else "met", cases[name].REFERENCE]))
+                                            "%g %%" % (100 * goal), "missed" if mean > goal else "met", cases[name].REFERENCE]))
     return rst_rows([["case", "quantity", "rows", "mean absolute error", "mean error", "goal", "", "reference"]] + [
         row for _, row in sorted(found, key=lambda item: -item[0])])
 
@@ -228,14 +228,16 @@ def draw_values(plt, case, summary):
     for ax, (quantity, (unit, goal)) in zip(axes[0], case.COMPARED.items()):
         points = [(row, a["quantities"][quantity]) for row, a in summary["rows"].items()
                   if a["quantities"].get(quantity, {"measured": None})["measured"] is not None]
-        top = 1.15 * max([max(q["measured"] + q["scatter"], q["value"] + q["uncertainty"]) for _, q in points] or [1])
-        ax.plot([0, top], [0, top], color="0.3", lw=1)
-        ax.fill_between([0, top], [0, top * (1 - goal)], [0, top * (1 + goal)], color="0.9", lw=0, label="goal, %.0f %%" % (100 * goal))
+        values = [v for _, q in points for v in (q["measured"] + q["scatter"], q["value"] + q["uncertainty"], q["measured"] - q["scatter"],
+                                                 q["value"] - q["uncertainty"])] or [0, 1]
+        low, top = 0.9 * min(values), 1.1 * max(values)
+        ax.plot([low, top], [low, top], color="0.3", lw=1)
+        ax.fill_between([low, top], [low * (1 - goal), top * (1 - goal)], [low * (1 + goal), top * (1 + goal)], color="0.9", lw=0, label="goal, %.0f %%" % (100 * goal))
         for k, (row, q) in enumerate(points):
             ax.errorbar(q["measured"], q["value"], xerr=q["scatter"], yerr=q["uncertainty"], fmt="o", ms=5, capsize=2, lw=1,
                         label=case.ROWS[row]["title"], color=plt.cm.viridis(k / max(1, len(points) - 1)))
-        ax.set(xlim=(0, top), ylim=(0, top), aspect="equal", xlabel="measured%s" % (", " + unit if unit else ""), ylabel="computed",
+        ax.set(xlim=(low, top), ylim=(low, top), aspect="equal", xlabel="measured%s" % (", " + unit if unit else ""), ylabel="computed",
                title=quantity)
         ax.spines[["top", "right"]].set_visible(False)
-    axes[0][-1].legend(frameon=False, fontsize=7, loc="lower right")
+    axes[0][-1].legend(frameon=False, fontsize=7, loc="center left", bbox_to_anchor=(1, 0.5))
     return figure
