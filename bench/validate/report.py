@@ -228,8 +228,7 @@ def draw_values(plt, case, summary):
     for ax, (quantity, (unit, goal)) in zip(axes[0], case.COMPARED.items()):
         points = [(row, a["quantities"][quantity]) for row, a in summary["rows"].items()
                   if a["quantities"].get(quantity, {"measured": None})["measured"] is not None]
-        values = [v for _, q in points for v in (q["measured"] + q["scatter"], q["value"] + q["uncertainty"], q["measured"] - q["scatter"],
-                                                 q["value"] - q["uncertainty"])] or [0, 1]
+        values = [v for _, q in points for v in (q["measured"] + q["scatter"], q["measured"] - q["scatter"], q["value"])] or [0, 1]
         low, top = 0.9 * min(values), 1.1 * max(values)
         ax.plot([low, top], [low, top], color="0.3", lw=1)
         ax.fill_between([low, top], [low * (1 - goal), top * (1 - goal)], [low * (1 + goal), top * (1 + goal)], color="0.9", lw=0, label="goal, %.0f %%" % (100 * goal))
