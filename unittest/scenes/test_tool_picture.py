@@ -36,7 +36,7 @@ def red(path):
     """Where a PPM picture has the tool's color, in any light: rows and columns."""
     with open(path, "rb") as f:
         raw = f.read()
-    wide, high = map(int, re.match(rb"P6\s+(\d+)\s+(\d+)\s+255\s", raw).groups())
+    wide, high = map(int, re.match(rb"P6\s+(\d+)\s+(\d+)\s+(?:#.*\n)*255\s", raw).groups())
     pixels = np.frombuffer(raw[-3 * wide * high:], np.uint8).reshape(high, wide, 3).astype(int)
     return pixels[..., 0] > 20 + pixels[..., 1:].max(axis=2)
 
