@@ -9,7 +9,7 @@ held() { is_plain "$1" && command -v flock > /dev/null && ! flock -n "$1" true; 
 is_lock() { is_plain "$1" && case $1 in *.lock) [ "$(head -n 1 "$1")" = "$lock_text" ] ;; *) false ;; esac; }
 in_use() {
   case $1 in
-    "$root/build/sanitize") held "$cache/sanitize.lock" ;;
+    "$root/build/sanitize"*) held "$cache/sanitize.lock" ;;
     "$root/build/"*) held "$cache/$(build_lock "$1").lock" ;;
     *) false ;;
   esac

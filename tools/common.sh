@@ -6,9 +6,14 @@ cache=${SPHTM_CACHE:-}    # empty: nobody says where
 [ -n "$cache" ] || [ -z "${HOME:-}" ] || cache=$HOME/.cache/sphtm
 case $cache in /*|'') ;; *) cache=$PWD/$cache ;; esac
 jobs=${SPHTM_JOBS:-$(getconf _NPROCESSORS_ONLN)}
+lammps=${SPHTM_LAMMPS:-20250204}    # of which date is the LAMMPS that is fetched and built
 
 say() { echo "sphtm: $*" >&2; }
 die() { echo "sphtm: $*" >&2; exit 1; }
+case $lammps in
+  20250204|20260704) ;;
+  *) die "no LAMMPS '$lammps' here: SPHTM_LAMMPS, or --lammps, is 20250204 or 20260704" ;;
+esac
 
 # What clean.sh may remove carries a mark: a folder the file $mark with the folder's name, so that no copy counts; a
 # file such a file beside it, with its checksum; a lock its text.

@@ -54,6 +54,11 @@ try_lmp() {
   LD_LIBRARY_PATH=$stub${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH} ./lmp -h
 }
 
+# from 4 Jul 2026 on LAMMPS needs Kokkos 5 and C++20, for which the Kokkos styles are not written
+if [ $lammps -ge 20260000 ]; then
+  [ -n "$quiet" ] || say "no host with Kokkos of LAMMPS $lammps: the Kokkos styles need that of 20250204"
+  exit 77
+fi
 source=$("$root/tools/lammps-source.sh")
 options="$host_options -DPKG_PLUGIN=ON -DPKG_KOKKOS=ON -DCMAKE_CXX_STANDARD=17"
 prepare_tree=without_unused check_host=try_lmp

@@ -24,7 +24,7 @@ if ctest -N "$@" | grep -q ': kokkos_'; then
   case $status in
     0) kokkos_plugin=$("$root/tools/build-plugin.sh" "$kokkos_host")
        export SPHTM_LMP_KK="$kokkos_host/lmp" LAMMPS_PLUGIN_PATH_KK="$kokkos_plugin" ;;
-    77) echo 'SKIPPED: Kokkos tests, no Kokkos found'
+    77) echo 'SKIPPED: Kokkos tests, no Kokkos for this LAMMPS found'
         [ "$filter" != kokkos ] || exit 0
         set -- "$@" -LE '^kokkos$' ;;
     *) exit $status ;;

@@ -12,6 +12,7 @@ host=$("$root/tools/host-plain.sh")
   restart rings runtime_stops effects between_runs restart_adapt tool_checks tool_files faults
 
 build=$root/build/sanitize
+[ $lammps = 20250204 ] || build=$build-$lammps
 flags='-g1 -O1 -fno-omit-frame-pointer -fsanitize=address,undefined'
 flags="$flags -fno-sanitize=vptr,object-size,pointer-overflow,null -fno-sanitize-recover=undefined"    # address sees those too
 make_folder "$build"

@@ -34,7 +34,7 @@ class Case:
         shutil.copy(os.path.join(SOURCE, "sphtm"), self.checkout)
         shutil.copytree(os.path.join(SOURCE, "tools"), os.path.join(self.checkout, "tools"))
         self.environment = dict(os.environ, SPHTM_CACHE=self.cache, PATH=self.stubs + ":" + os.environ["PATH"])
-        for name in "SPHTM_LAMMPS_SOURCE", "SPHTM_LMP", "XDG_CACHE_HOME":
+        for name in "SPHTM_LAMMPS", "SPHTM_LAMMPS_SOURCE", "SPHTM_LMP", "XDG_CACHE_HOME":
             self.environment.pop(name, None)
 
     def stub(self, name, lines):

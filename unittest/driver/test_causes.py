@@ -1,6 +1,9 @@
 """Messages of ./sphtm name the true cause, and what to do: no network, no HOME, a cache that cannot be written, a full
 disk, no mpirun; and paths may have spaces."""
+import hashlib
 import os
+import re
+import subprocess
 
 from driver_case import SOURCE, Case, end, say
 
@@ -68,6 +71,53 @@ says("the place of the source is taken", c.sphtm("build"), "is in the way", "SPH
 unpack = c.write(c.cache, "unpack.mine", "mine")
 c.sphtm("build")
 say(os.path.exists(mine) and os.path.exists(unpack), "folders of the user stay where LAMMPS's source is fetched")
+
+# which LAMMPS
+c = fresh()
+says("a LAMMPS that there is not", c.sphtm("build", "--lammps", "20220101"), "no LAMMPS '20220101'", "20260704")
+says("an option without its word", c.sphtm("build", "--lammps"), "--lammps 20250204|20260704")
+says("the other LAMMPS", c.sphtm("host", "plain", "--lammps", "20260704"), "Debian testing no longer has lammps_20260704",
+     never=["trixie"])
+says("the other LAMMPS, by the environment", c.run("./sphtm", "build", SPHTM_LAMMPS="20260704"),
+     "Debian testing no longer has lammps_20260704", never=["trixie"])
+out, status = c.run("tools/host-kokkos.sh", "openmp", SPHTM_LAMMPS="20260704")
+say(status == 77 and "20250204" in out, "no Kokkos host of the other LAMMPS", out)
+
+
+# an archive of its own takes the place of LAMMPS's, with a top folder and without
+def archive(c, version, tarball, top):
+    tree = os.path.join(c.top, "tree")
+    for folder in "src", "examples/PACKAGE", "cmake":
+        c.write(tree, folder, "version.h" if folder == "src" else "file", text="%s of %s" % (folder, version))
+    subprocess.run(["tar", "-caf", os.path.join(c.top, tarball)] + (["--transform", "s,^,%s/," % top] if top else []) +
+                   ["src", "examples", "cmake"], cwd=tree, check=True)
+    with open(os.path.join(c.top, tarball), "rb") as f:
+        digest = hashlib.sha256(f.read()).hexdigest()
+    script = os.path.join(c.checkout, "tools", "lammps-source.sh")
+    with open(script) as f:
+        text = re.sub(r"sha256=[0-9a-f]{64}", "sha256=" + digest, f.read())
+    with open(script, "w") as f:
+        f.write(text)
+    c.stub("apt-get", """case "$*" in
+indextargets*) echo 'Debian|Debian|main|Packages|file:/nowhere/debian' ;;
+*print-uris*) echo "'file:%s' %s 1 SHA256:%s" ;;
+esac
+""" % (os.path.join(c.top, tarball), tarball, digest))
+
+
+for version, tarball, top in (("20250204", "lammps_20250204+dfsg.1.orig.tar.xz", "lammps-20250204"),
+                              ("20260704", "lammps_20260704+dfsg.orig.tar.gz", "")):
+    c = fresh()
+    archive(c, version, tarball, top)
+    for again in "", ", again":
+        out, status = c.run("tools/lammps-source.sh", SPHTM_LAMMPS=version)
+        folder = out.splitlines()[-1] if out else ""
+        say(status == 0 and os.path.isfile(os.path.join(folder, "src", "version.h")) and
+            os.path.isfile(os.path.join(folder, "cmake", "file")) and
+            not os.path.exists(os.path.join(folder, "examples", "PACKAGE", "file")),
+            "the source of %s is unpacked, %s a top folder%s" % (version, "with" if top else "without", again), out)
+    says("clean takes it again", (str(c.run("./sphtm", "clean", "all")) + str(os.path.exists(folder)), 1), "False",
+         never=["no mark"])
 
 # builds that stop
 c = fresh()

@@ -73,7 +73,7 @@ dump 1 all custom 10 a.*.dump id type x y c_p[*] f_atoms v_twice c_s[1] c_s[2] c
 dump_modify 1 format float %.17g sort id
 dump 2 all custom 20 few.*.dump id c_p[2]
 dump_modify 2 thresh c_p[2] > 0.01
-dump 3 all image 20 picture.*.ppm c_p[2] type adiam 1e-3 size 128 128 fix tool type 1 0
+dump 3 all image 20 picture.*.ppm c_p[2] type adiam 1e-3 size 128 128 fix tool type 3e-4 0
 dump_modify 3 amap min max cf 0 2 min blue max red
 thermo_style custom step time dt temp ke pe etotal press v_ke f_body f_body[1] f_body[2] f_body[9] f_body[10] &
   f_body[12]   c_m[1] c_m[2] c_a c_t c_se c_ss c_pr v_both f_tool f_tool[2] f_tool[12]

@@ -2,9 +2,9 @@
 
 #include "adapt_part.h"
 #include "loop_array.h"
+#include "nearest_image.h"
 
 #include "atom.h"
-#include "domain.h"
 #include "lammps.h"
 
 #include <algorithm>
@@ -51,10 +51,10 @@ void BetweenRuns::compare(int i, int tag, const double *x)
 {
   if (i >= (int) tag_then.size() || tag_then[i] == 0) return;
   const double *was = &x_then[3 * (size_t) i];
-  double dx = x[0] - was[0], dy = x[1] - was[1], dz = x[2] - was[2];
-  parts.host()->domain->minimum_image(dx, dy, dz);
+  double d[3] = {x[0] - was[0], x[1] - was[1], x[2] - was[2]};
+  to_nearest_image(*parts.host()->domain, d);
   renamed = renamed || tag != tag_then[i];
-  moved = moved || dx * dx + dy * dy + dz * dz > least * least;
+  moved = moved || d[0] * d[0] + d[1] * d[1] + d[2] * d[2] > least * least;
 }
 
 void BetweenRuns::clear()

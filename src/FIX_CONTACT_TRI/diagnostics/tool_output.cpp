@@ -1,6 +1,8 @@
 #include "tool_output.h"
 
 #include "comm.h"
+#include "domain.h"
+#include "dump_shapes.h"
 #include "error.h"
 #include "memory.h"
 #include "tm_mesh_write.h"
@@ -125,21 +127,45 @@ void ToolOutput::fill_local(const std::vector<double> &x, const tm_pose &p, Tria
   }
 }
 
+// Where the plane z = 0 cuts the triangle: false where it does not. A corner in the plane counts as above, so that an
+// edge in the plane belongs to the triangle below.
+static bool cut_by_plane(const double *const corner[3], double *line)
+{
+  int found = 0;
+  for (int k = 0; k < 3; k++) {
+    const double *a = corner[k], *b = corner[(k + 1) % 3];
+    if ((a[2] < 0.0) == (b[2] < 0.0)) continue;
+    const double along = a[2] / (a[2] - b[2]);
+    for (int d = 0; d < 2; d++) line[3 * found + d] = a[d] + along * (b[d] - a[d]);
+    line[3 * found + 2] = 0.0;
+    found++;
+  }
+  return found == 2;
+}
+
 int ToolOutput::image(const tm_pose &p, int *&kinds, double **&rows)
 {
-  enum { SPHERE, LINE, TRI };    // of dump image
   const tm_mesh &m = tool.mesh();
   if (lmp->comm->me) return 0;
+  const bool flat = lmp->domain->dimension == 2;    // dump image draws no triangles there
   const std::vector<double> x = world_vertices(p);
-  image_kind.assign(m.nt, TRI);
-  if (!image_rows) lmp->memory->create(image_rows, m.nt, 10, "contact/tri:image");
+  image_kind.assign(m.nt, flat ? DumpShapes::LINE : DumpShapes::TRIANGLE);
+  if (!image_rows) lmp->memory->create(image_rows, m.nt, DumpShapes::COLUMNS, "contact/tri:image");
+  int n = 0;
   for (int t = 0; t < m.nt; t++) {
-    image_rows[t][0] = set.body_type ? set.body_type : 1;
-    for (int k = 0; k < 3; k++) std::copy_n(&x[3 * (size_t) m.tri[3 * (size_t) t + k]], 3, image_rows[t] + 1 + 3 * k);
+    const double *corner[3];
+    for (int k = 0; k < 3; k++) corner[k] = &x[3 * (size_t) m.tri[3 * (size_t) t + k]];
+    double *row = image_rows[n];
+    row[0] = set.body_type ? set.body_type : 1;
+    if (flat) {
+      if (!cut_by_plane(corner, row + 1)) continue;
+    } else
+      for (int k = 0; k < 3; k++) std::copy_n(corner[k], 3, row + 1 + 3 * k);
+    n++;
   }
   kinds = image_kind.data();
   rows = image_rows;
-  return m.nt;
+  return n;
 }
 
 }    // namespace SPHTM_NS

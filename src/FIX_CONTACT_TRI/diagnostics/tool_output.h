@@ -1,4 +1,4 @@
-/* SPH-TM: what a tool writes and draws: VTK and STL files, a local array, triangles for dump image. */
+/* SPH-TM: what a tool writes and draws: VTK and STL files, a local array, triangles or lines for dump image. */
 #ifndef SPHTM_TOOL_OUTPUT_H
 #define SPHTM_TOOL_OUTPUT_H
 
@@ -26,7 +26,7 @@ class ToolOutput {
   // what is due in this step; values of all ranks
   void write(const tm_pose &, double temperature, TriangleValues &);
   double **local_rows() const { return local; }    // one per triangle on the first rank, or nullptr
-  // triangles for dump image; returns how many
+  // triangles for dump image, in 2d lines where they cross z = 0; returns how many
   int image(const tm_pose &, int *&kinds, double **&rows);
 
  private:
