@@ -60,7 +60,7 @@ if __name__ == "__main__":
     for name in os.listdir(EXAMPLE):
         if not name.endswith(".png") and not name.startswith(("log", "__")):
             shutil.copy(os.path.join(EXAMPLE, name), folder)
-    for line in re.findall(r"^   tools/make_tool.py (.*)", page, re.M):
+    for line in re.findall(r"^   \.\./tools/make_tool.py (.*)", page, re.M):
         name = line.split()[-1]
         call([sys.executable, os.path.join(SOURCE, "tools", "make_tool.py"), *shlex.split(line)[:-1], "new_" + name], folder)
         with open(os.path.join(folder, name), "rb") as a, open(os.path.join(folder, "new_" + name), "rb") as b:
