@@ -1,0 +1,54 @@
+"""One tooth of the milling cutter (examples/peripheral_milling), coarse: 40 um, so 3.5 spacings over the thickest chip. No force before
+the edge meets the work piece, forces that fall with the chip thickness, a torque that belongs to the tangential force, a mean near the
+mechanistic model with the constants of the example's README, and the energy balance. plot.py of the example measures."""
+import os
+import re
+import shutil
+import sys
+
+import numpy as np
+from sphtm_scene import SKIPPED, SOURCE, Checks, new_folder, run
+
+sys.dont_write_bytecode = True
+EXAMPLE = os.path.join(SOURCE, "examples", "peripheral_milling")
+
+if __name__ == "__main__":
+    checks = Checks()
+    try:
+        import matplotlib  # noqa: F401
+    except ImportError:
+        print("no matplotlib, which plot.py of the example needs: skipped")
+        sys.exit(SKIPPED)
+    # two scripts are called plot.py: that of the tutorial is found by the one of the example
+    import importlib.util
+    spec = importlib.util.spec_from_file_location("milling", os.path.join(EXAMPLE, "plot.py"))
+    milling = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(milling)
+
+    with open(os.path.join(EXAMPLE, "README.md")) as f:
+        text = f.read()
+    slope, edge = (float(v) for v in re.search(r"tangential \| (\d+) N/mm\^2 h \+ ([\d.]+) N/mm", text).groups())
+    folder = new_folder()
+    shutil.copy(os.path.join(EXAMPLE, "cutter.stl"), folder)
+    with open(os.path.join(EXAMPLE, "in.peripheral_milling")) as f:
+        script = "".join(line for line in f if not line.startswith(("dump ", "write_dump")))
+    result = run(script, {"dx": 40e-6, "teeth": 1}, folder=folder,
+                 environment={"SPHTM_MATERIALS": os.path.join(SOURCE, "materials")})
+    tooth, = milling.teeth(result.path("force.dat"))
+    phi, tangential, radial = tooth
+    t = result.columns("force.dat")
+    before = np.abs(tangential[phi > milling.ENTRY + 4]).max() if (phi > milling.ENTRY + 4).any() else 0.0
+    checks.below("force before the edge meets the work piece", before, 0.0)
+    # the force acts on the rake face, somewhat inward of the edge
+    checks.near("torque against radius times tangential force", t[:, 4].sum(), milling.RADIUS * tangential.sum(), relative=0.1)
+    model = 1e6 * slope * milling.FEED * np.sin(np.radians(np.clip(phi, 0, 90))) + 1e3 * edge
+    cutting = (phi > 0) & (phi < milling.ENTRY)
+    checks.near("mean tangential force (N/m) over 60 degrees against the model", tangential[cutting].mean(), model[cutting].mean(),
+                relative=0.5)
+    thick, thin = (tangential[(phi > a) & (phi < b)].mean() for a, b in ((20, 50), (0, 10)))
+    checks.above("    thick chip over thin chip", thick / thin, 1.5)
+    checks.above("    the cutter is pushed away from the surface", radial[cutting].mean(), 0.0)
+    energy = result.thermo[-1]
+    checks.note("sum of the energies at the end", "%.3g J/m" % energy["f_body[9]"][-1])
+    checks.note("mean tangential force", "%.1f N/mm" % (1e-3 * tangential[cutting].mean()))
+    checks.end()
