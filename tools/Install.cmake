@@ -42,7 +42,7 @@ install(FILES bench/study.py bench/provenance.py DESTINATION ${SPHTM_DATA_DIR}/b
 install(DIRECTORY bench/accuracy bench/stability bench/validate DESTINATION ${SPHTM_DATA_DIR}/bench ${no_leftovers})
 # what the studies take from the tests
 install(FILES unittest/scenes/sphtm_scene.py unittest/scenes/sph_kernels.py unittest/scenes/test_kernels_forms.py
-  unittest/scenes/test_oscillating_plate.py unittest/scenes/test_rings.py DESTINATION ${SPHTM_DATA_DIR}/unittest/scenes)
+  unittest/scenes/test_oscillating_plate.py unittest/scenes/test_rings.py unittest/scenes/test_spinning_block.py DESTINATION ${SPHTM_DATA_DIR}/unittest/scenes)
 
 # the commit, asked when it is installed
 find_package(Git QUIET)
