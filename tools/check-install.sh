@@ -17,7 +17,7 @@ there="$work/moved it"
 named=$(grep -rlF -e "$root/" -e "$build" "$there" || true)
 [ -z "$named" ] || die "they name the source or the build: $named"
 for file in "$there"/lib*/lammps/plugins/*.so "$there"/lib*/*/lammps/plugins/*.so; do
-  [ ! -f "$file" ] || ! grep -qF -e "${HOME:-/nowhere}/" -e "$cache/" "$file" || die "$file names a folder of this machine"
+  [ ! -f "$file" ] || ! grep -qF -e /home/ -e "${HOME:-/nowhere}/" -e "$cache/" "$file" || die "$file names a folder of this machine"
 done
 echo 'ok    no file names the source or the build'
 [ -z "$(find "$there" -name '__pycache__' -o -name 'log.lammps' -o -name '*.sphtm-made')" ] || die 'leftovers are installed'
