@@ -11,13 +11,19 @@
 #include "fix_sph_tm_relax.h"
 #include "pair_sph_tm.h"
 #ifdef LMP_KOKKOS
-#include "fix_ave_time_kokkos.h"
 #include "compute_sph_tm_atom_kokkos.h"
 #include "fix_adapt_neigh_kokkos.h"
 #include "fix_contact_tri_kokkos.h"
+#include "fix_setforce_later_kokkos.h"
 #include "fix_sph_tm_kokkos.h"
+#include "fixes_of_host_kokkos.h"
 #include "on_loops_kokkos.h"
 #include "pair_sph_tm_kokkos.h"
+
+#include "fix_ave_time.h"
+#include "fix_halt.h"
+#include "fix_print.h"
+#include "fix_vector.h"
 #endif
 
 using namespace LAMMPS_NS;
@@ -55,8 +61,12 @@ extern "C" __attribute__((visibility("default"))) void sphtm_register_styles(voi
   registry.state_fix<FixAdaptNeigh, AdaptKokkos>("adapt/neigh",
                                                  "what follows the deformation: lists, smoothing length, refinement");
 #ifdef LMP_KOKKOS
-  registry.kokkos_fix<FixAveTimeKokkos>("ave/time",
-                                        "time averages, without particles on the host where none are needed");
+  const char *const without = "without particles on the host where none are needed";
+  registry.kokkos_fix<SPHTM_NS::FixOfHostKokkos<FixAveTime>>("ave/time", without);
+  registry.kokkos_fix<SPHTM_NS::FixOfHostKokkos<FixHalt>>("halt", without);
+  registry.kokkos_fix<SPHTM_NS::FixOfHostKokkos<FixPrint>>("print", without);
+  registry.kokkos_fix<SPHTM_NS::FixOfHostKokkos<FixVector>>("vector", without);
+  registry.in_place_of_kokkos_fix<FixSetForceLaterKokkos>("setforce");
 #endif
   registry.compute<ComputeCuttingForce>("cutting/force", "forces of a tool in terms of cutting");
 }

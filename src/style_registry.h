@@ -77,6 +77,13 @@ class Registry {
     plugin_.creator.v2 = (lammpsplugin_factory2 *) &create_with_args<KOKKOS, KOKKOS>;
     if (kokkos_) add_kokkos_names("fix", name, info);
   }
+  // a fix of LAMMPS's with Kokkos, for this LAMMPS; quietly, as nothing that a user sees is another
+  template <class KOKKOS> void in_place_of_kokkos_fix(const std::string &name)
+  {
+    if (!kokkos_) return;
+    for (const char *suffix : {"/kk", "/kk/device"})
+      (*lmp_->modify->fix_map)[name + suffix] = (LAMMPS_NS::Modify::FixCreator) &create_with_args<KOKKOS, KOKKOS>;
+  }
   // a fix with values of particles in restart files: LAMMPS looks for them under the whole name of the
   // style, so there is one name, and none with /kk that a suffix would find
   template <class STYLE, class KOKKOS = STYLE> void state_fix(const char *name, const char *info)

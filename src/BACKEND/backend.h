@@ -32,9 +32,15 @@ class Backend {
   virtual void fill(unsigned char *, unsigned char value, size_t n);
   virtual void wait() {}    // until all loops are done
 
+  // times of loops that are not waited for: mark number k lies behind all loops so far; the time between two marks waits
+  // for the second
+  virtual void mark(int /*k*/) {}
+  virtual double seconds_between(int /*first*/, int /*second*/) { return 0.0; }
+
   // for results of loops that are not waited for: memory that host and loops see
   virtual void *allocate_result(size_t);
   virtual void release_result(void *);
+  virtual void copy_to_result(void *result, const void *of_loops, size_t bytes);    // not waited for either
 
   // loops on the host: f(begin, end) for the blocks that make up 0..n-1
   virtual void blocks(int n, const std::function<void(int, int)> &f);

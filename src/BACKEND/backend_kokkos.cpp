@@ -5,8 +5,10 @@
 #include "tm_layout.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <vector>
 
 namespace SPHTM_NS {
 
@@ -57,7 +59,46 @@ class DeviceBackend : public Backend {
   {
     if (p) Kokkos::kokkos_free<Kokkos::SharedHostPinnedSpace>(p);
   }
+  void copy_to_result(void *result, const void *of_loops, size_t n) override
+  {
+    Kokkos::deep_copy(LMPDeviceType(), bytes_at<Kokkos::SharedHostPinnedSpace>(result, n),
+                      bytes_at<Memory>(of_loops, n));
+  }
   void wait() override { LMPDeviceType().fence("sph/tm wait"); }
+#if defined(KOKKOS_ENABLE_CUDA)
+  void mark(int k) override
+  {
+    while ((int) events.size() <= k) {
+      events.emplace_back();
+      cudaEventCreate(&events.back());
+    }
+    cudaEventRecord(events[k], LMPDeviceType().cuda_stream());
+  }
+  double seconds_between(int first, int second) override
+  {
+    float milliseconds = 0.0f;
+    cudaEventSynchronize(events[second]);
+    cudaEventElapsedTime(&milliseconds, events[first], events[second]);
+    return 1e-3 * milliseconds;
+  }
+
+ private:
+  std::vector<cudaEvent_t> events;    // until the process ends
+#else                                 // where there are none, the loops are waited for
+  void mark(int k) override
+  {
+    wait();
+    if ((int) times.size() <= k) times.resize(k + 1);
+    times[k] = std::chrono::steady_clock::now();
+  }
+  double seconds_between(int first, int second) override
+  {
+    return std::chrono::duration<double>(times[second] - times[first]).count();
+  }
+
+ private:
+  std::vector<std::chrono::steady_clock::time_point> times;
+#endif
 };
 
 /* ---------------------------------------------------------------------- threads of the host */

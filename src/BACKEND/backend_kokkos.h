@@ -12,10 +12,18 @@ namespace SPHTM_NS {
 // its own, in its own memory. SPHTM_KOKKOS_LOOPS=device lets the host run the GPU's, for tests.
 Backend &kokkos_backend();
 
+// Particles 0..n-1. The arguments of a loop go with its launch, up to 4 kB. Kokkos would keep those over 512 bytes in one
+// place, and the host would wait there for the loop before.
+template <class BOUNDS = Kokkos::LaunchBounds<>> auto kokkos_range(int n)
+{
+  using Property = Kokkos::Experimental::WorkItemProperty::HintLightWeight_t;
+  return Kokkos::RangePolicy<LMPDeviceType, BOUNDS, Property>(0, n);
+}
+
 // one(i) for i = 0..n-1
 template <class BOUNDS = Kokkos::LaunchBounds<>, class ONE> void kokkos_each(const char *label, int n, const ONE &one)
 {
-  Kokkos::parallel_for(label, Kokkos::RangePolicy<LMPDeviceType, BOUNDS>(0, n), one);
+  Kokkos::parallel_for(label, kokkos_range<BOUNDS>(n), one);
 }
 
 // the sum of one(i), i = 0..n-1; JOIN()(&sum, &value) adds
@@ -37,9 +45,7 @@ template <class RESULT, class ONE, class JOIN>
 RESULT kokkos_sum(const char *label, int n, const RESULT &nothing, const ONE &one, const JOIN &join)
 {
   RESULT sum = nothing;
-  if (n > 0)
-    Kokkos::parallel_reduce(label, Kokkos::RangePolicy<LMPDeviceType>(0, n),
-                            KokkosSum<RESULT, ONE, JOIN>{nothing, one, join}, sum);
+  if (n > 0) Kokkos::parallel_reduce(label, kokkos_range(n), KokkosSum<RESULT, ONE, JOIN>{nothing, one, join}, sum);
   return sum;
 }
 
@@ -49,8 +55,8 @@ void kokkos_sum_later(const char *label, int n, const RESULT &nothing, const ONE
 {
   using Result = Kokkos::View<RESULT, Kokkos::SharedHostPinnedSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
   if (n > 0)
-    Kokkos::parallel_reduce(label, Kokkos::RangePolicy<LMPDeviceType, BOUNDS>(0, n),
-                            KokkosSum<RESULT, ONE, JOIN>{nothing, one, join}, Result(result));
+    Kokkos::parallel_reduce(label, kokkos_range<BOUNDS>(n), KokkosSum<RESULT, ONE, JOIN>{nothing, one, join},
+                            Result(result));
   else *result = nothing;
 }
 

@@ -248,6 +248,20 @@ TM_FN tm_real tm_lanes_sum(tm_sum v)
 }
 #undef TM_PART
 
+/* The sum of v over `group` threads side by side of a GPU, for each of them; group: a power of two up to 32. */
+TM_FN tm_sum tm_group_sum(tm_sum v, int group)
+{
+#if defined(__CUDA_ARCH__)
+  unsigned lane;
+  asm("mov.u32 %0, %%laneid;" : "=r"(lane));
+  const unsigned those = (group < 32 ? (1u << group) - 1u : ~0u) << (lane & ~(group - 1u));
+  for (int far = group / 2; far > 0; far /= 2) v += __shfl_xor_sync(those, v, far);
+#else
+  (void) group;
+#endif
+  return v;
+}
+
 /* out[k] = tm_lanes_sum(v[k]), k < n, to the bit; n is a literal. */
 TM_FN void tm_lanes_sums(const tm_sum *v, int n, tm_real *out)
 {

@@ -92,7 +92,7 @@ void FixAdaptNeigh::setup(int)
 void FixAdaptNeigh::pre_exchange()
 {
   between.stop();    // with 'run pre no' it is still on
-  const auto timed = parts.state().clock().timed(this);
+  const auto timed = parts.state().clock().timed_rarely(this);
   for (AdaptPart *p : parts.used()) p->pre_exchange();
 }
 void FixAdaptNeigh::pre_force(int)

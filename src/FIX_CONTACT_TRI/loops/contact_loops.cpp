@@ -1,5 +1,7 @@
 #include "contact_loops.h"
 
+#include <algorithm>
+
 namespace SPHTM_NS {
 
 namespace {
@@ -31,6 +33,19 @@ void contact(Backend &backend, int n, const tm_contact_args &a, unsigned effects
 {
   // sums per triangle are not for several threads
   for_contact_set(effects, Contact{effects & TM_CT_OUTPUT ? Backend::host() : backend, n, a, effects, result});
+}
+
+void divide_heat(Backend &backend, int n, const tm_spread_args &a, unsigned, int *first)
+{
+  *first = backend.sum_blocks(
+      n, n,
+      [&a, n](int begin, int end) {
+        int found = n;
+        for (int i = begin; i < end; i++)
+          if (tm_spread_divide(i, &a) && i < found) found = i;
+        return found;
+      },
+      [](int *sum, const int *part) { *sum = std::min(*sum, *part); });
 }
 
 CONTACT_LOOPS(SPHTM_HOST_LOOP)

@@ -7,8 +7,6 @@
 #include "tm_spread.h"
 #include "tm_tool_move.h"
 
-#include <climits>
-
 namespace SPHTM_NS {
 
 struct HeatMessage {    // of values heat, those in the list are sent, or n from the first on received
@@ -17,15 +15,12 @@ struct HeatMessage {    // of values heat, those in the list are sent, or n from
   double *buf;
 };
 
-TM_FN int tm_first_nothing(void) { return INT_MAX; }
-TM_FN void tm_first_sum(int *first, const int *i) { *first = *i < *first ? *i : *first; }
-
 #define CONTACT_LOOPS(LOOP)                                                                       \
   /* effects: of tm_contact_effect; the result is there once the loop is waited for */            \
   LOOP(OWN, contact, void, int n, const tm_contact_args &, unsigned effects, tm_contact_result *) \
   LOOP(EACH, move, tm_tool_move_args, tm_tool_move(i, &a))                                        \
-  /* the first particle whose heat no other takes */                                              \
-  LOOP(SUM, divide_heat, tm_spread_args, int, tm_first, tm_spread_divide(i, &a) ? i : INT_MAX)    \
+  /* the first particle whose heat no other takes, or n, once the loop is waited for */           \
+  LOOP(OWN, divide_heat, void, int n, const tm_spread_args &, unsigned effects, int *first)       \
   LOOP(EACH, collect_heat, tm_spread_args, tm_spread_collect(i, &a))                              \
   LOOP(EACH, send_heat, HeatMessage, a.buf[i] = a.heat[a.list[i]])                                \
   LOOP(EACH, receive_heat, HeatMessage, a.heat[i] = a.buf[i])

@@ -34,6 +34,20 @@ void contact(Backend &, int n, const tm_contact_args &a, unsigned effects, tm_co
   for_contact_set(effects, Contact{n, a, effects, result});
 }
 
+struct DivideHeat {
+  tm_spread_args a;
+  int *first;
+  KOKKOS_FUNCTION void operator()(int i) const
+  {
+    if (tm_spread_divide(i, &a)) Kokkos::atomic_min(first, i);
+  }
+};
+void divide_heat(Backend &, int n, const tm_spread_args &a, unsigned, int *first)
+{
+  *first = n;
+  kokkos_each("sph/tm divide_heat", n, DivideHeat{a, first});
+}
+
 CONTACT_LOOPS(SPHTM_KOKKOS_LOOP)
 
 const ContactLoops kernels = {CONTACT_LOOPS(SPHTM_LOOP_NAME)};

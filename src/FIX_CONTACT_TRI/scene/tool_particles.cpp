@@ -9,6 +9,7 @@
 #include "fix.h"
 
 #include <algorithm>
+#include <limits>
 
 using namespace LAMMPS_NS;
 
@@ -20,10 +21,26 @@ void ToolParticles::live_in(LAMMPS *l, const Scene &s)
   scene = &s;
   loops = &s.state()->loops();
   heat.live_in(*loops);
+  if (!untaken) untaken = (int *) loops->allocate_result(sizeof(int));
+}
+
+ToolParticles::~ToolParticles()
+{
+  if (untaken) loops->release_result(untaken);
+}
+
+// the way of all particles of a tool; of one that turns it is not asked for
+static double way_of(const tm_pose &from, const tm_pose &to)
+{
+  const tm_mat3 &a = from.turn, &b = to.turn;
+  const bool turns = a.xx != b.xx || a.xy != b.xy || a.xz != b.xz || a.yx != b.yx || a.yy != b.yy || a.yz != b.yz ||
+                     a.zx != b.zx || a.zy != b.zy || a.zz != b.zz;
+  return turns ? std::numeric_limits<double>::infinity() : tm_vec_norm(tm_vec_sub(to.shift, from.shift));
 }
 
 void ToolParticles::move(const tm_pose &from, const tm_pose &to) const
 {
+  scene->state()->neighbor_check().of_tool(way_of(from, to));
   ContactLoops::of(*loops).move(*loops, lmp->atom->nlocal,
                                 {scene->state()->arrays(), fix->groupbit, type, lmp->domain->dimension == 3, from, to},
                                 0);
@@ -49,17 +66,24 @@ void ToolParticles::take_heat()
   a.h = set.h;
   a.heat = heat.loop_write();
   a.source = scene->state()->heat_source();
-  const int i = ContactLoops::of(*loops).divide_heat(*loops, n, a, 0);
-  if (i < n) {
+  ContactLoops::of(*loops).divide_heat(*loops, n, a, 0, untaken);
+  untaken_of = n;
+  lmp->comm->forward_comm(fix);
+  a.heat = heat.loop_write();
+  ContactLoops::of(*loops).collect_heat(*loops, n, a, 0);
+}
+
+void ToolParticles::check_heat()
+{
+  const int i = untaken_of ? *untaken : 0;
+  if (i < untaken_of) {
     const tm_real *x = scene->results().host_records().main + (size_t) i * TM_REC;
     lmp->error->one(FLERR,
                     "Fix contact/tri {} particles: no particle of type {} near the contact at {:.6g} {:.6g} {:.6g} "
                     "takes up the friction heat; fill the tool with particles up to its surface",
                     fix->id, type, x[0], x[1], x[2]);
   }
-  lmp->comm->forward_comm(fix);
-  a.heat = heat.loop_write();
-  ContactLoops::of(*loops).collect_heat(*loops, n, a, 0);
+  untaken_of = 0;
 }
 
 void ToolParticles::pack(int n, const int *list, double *buf)

@@ -275,6 +275,7 @@ void FixContactTri::post_force(int)
 void FixContactTri::finish_contact()
 {
   if (!results.finish()) return;
+  particles.check_heat();
   if (state->time_step().ahead() > 0.0) results.add_to(state->energy(), state->time_step().now(), set.body_type != 0);
   const tm_contact_result &sums = results.mine();
   if (sums.inner > 0.5 * spacing && !warned_deep) {

@@ -78,7 +78,7 @@ void FractureWatch::begin(Pair *pair)
 void FractureWatch::look(Pair *pair)
 {
   if (!state.has(TM_FX_FRACTURE) || scene.rows().keeps_all()) return;    // pairs that are kept hold at any distance
-  const auto timed = state.clock().timed(RunClock::FRACTURE);
+  const auto timed = state.clock().timed_rarely(RunClock::FRACTURE);
   if (refer(pair)) return;
   tell(pair);
   const tm_fracture_result mine =

@@ -34,7 +34,7 @@ RunTable::RunTable(LAMMPS *lmp, const Fix &f, ParticleState &s, const Scene &sc)
 void RunTable::want(bool table, bool waits)
 {
   wanted = table;
-  state.clock().wait_for(waits ? &state.loops() : nullptr);
+  state.clock().set_waits(waits);
 }
 
 bool RunTable::start_clock()
@@ -95,6 +95,7 @@ void RunTable::print(const EnergyWatch &energy, const std::string &fracture)
 {
   const bigint steps = this->steps();
   if (!wanted || !timing || steps < TABLE_STEPS || atom->natoms == 0) return;
+  state.clock().settle();
   const double total = state.clock().total();
   timing = false;
 
@@ -107,7 +108,6 @@ void RunTable::print(const EnergyWatch &energy, const std::string &fracture)
   double part[RunClock::PARTS];
   for (int k = 0; k < RunClock::PARTS; k++) part[k] = mean(state.clock().of((RunClock::Part) k));
   const double whole = mean(total);
-  const bool asynchronous = !state.loops().shared() && !state.clock().is_waiting();
   const auto share = probe_effects(whole, steps);
   auto bytes = bytes_by_effect();
 
@@ -163,9 +163,9 @@ void RunTable::print(const EnergyWatch &energy, const std::string &fracture)
                  : energy.says()          ? energy.in_words()
                                           : "nothing went in");
   if (!fracture.empty()) utils::logmesg(lmp, "  numerical fracture: {}\n", fracture);
-  if (asynchronous)
-    utils::logmesg(lmp, "  The loops run beside the host: a part may wait for those before it. 'table wait' tells them "
-                        "apart, and slows the run.\n");
+  if (state.clock().samples())
+    utils::logmesg(lmp, "  The parts were timed on the device, in some of the steps; what the host does meanwhile is not "
+                        "among them.\n");
 }
 
 // wall time of the run so far, mean over the ranks. Rows: all, rates, prediction and update, neighbor rows;
@@ -176,6 +176,7 @@ double RunTable::value(int row, int column)
   const bigint steps = this->steps();
   if (!timing || steps <= 0) return 0.0;
   double mine = 0.0, sum;
+  state.clock().settle();
   if (row == 0) mine = state.clock().total();
   if (row == 1) mine = state.clock().of(C::RATES) + state.clock().of(C::MOMENTS) + state.clock().of(C::HOURGLASS);
   if (row == 2) mine = state.clock().of(C::PREDICT) + state.clock().of(C::UPDATE) + state.clock().of(C::DRIFT);

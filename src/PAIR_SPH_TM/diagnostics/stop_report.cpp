@@ -39,13 +39,24 @@ void StopReport::limit(tm_update_args &a) const
 
 bool StopReport::scene_has(const char *fix_style) const { return !modify->get_fix_by_style(fix_style).empty(); }
 
-void StopReport::stop_on_lost(int i)
+// gone: time since the half step, where it left
+void StopReport::stop_on_lost(int i, double gone)
 {
   state.atoms().to_host_in_step();
   const tm_drift_args a = drift_args(state, *domain);
-  const double *x = atom->x[i], *v = atom->v[i];
-  int d = 0;
-  while ((!a.closed[d][0] || x[d] >= a.lo[d]) && (!a.closed[d][1] || x[d] <= a.hi[d])) d++;
+  const double *v = atom->v[i];
+  double x[3], beyond = -1e300;    // the face that it is farthest beyond
+  int d = 0, upper = 0;
+  for (int k = 0; k < 3; k++) {
+    x[k] = atom->x[i][k] - gone * v[k];
+    for (int side = 0; side < 2; side++) {
+      const double by = side ? x[k] - a.hi[k] : a.lo[k] - x[k];
+      if (!a.closed[k][side] || by <= beyond) continue;
+      beyond = by;
+      d = k;
+      upper = side;
+    }
+  }
   error->one(FLERR,
              "Fix sph/tm stops at step {}: particle {} (type {}) at {:.6g} {:.6g} {:.6g} with "
              "velocity {:.6g} {:.6g} {:.6g} leaves the box through its {} {} boundary. Likely "
@@ -53,7 +64,7 @@ void StopReport::stop_on_lost(int i)
              "larger, use boundary m or s, or let it go with 'lost ignore' of fix "
              "sph/tm and 'thermo_modify lost ignore'",
              update->ntimestep, atom->tag[i], atom->type[i], x[0], x[1], x[2], v[0], v[1], v[2], "xyz"[d],
-             x[d] < a.lo[d] ? "lower" : "upper",
+             upper ? "upper" : "lower",
              scene_has("^contact/tri") || state.has(TM_FX_BODIES) ? " by an unstable contact" : "");
 }
 

@@ -23,9 +23,9 @@ class StopReport : protected LAMMPS_NS::Pointers {
   void temperatures_were_set() { temperature_set = true; }    // by fix_modify
 
   void init();
-  void limit(tm_update_args &) const;    // what goes on
-  void stop_on_lost(int i);              // a particle beyond a fixed boundary
-  void warn_of_melting(int i);           // once a rank
+  void limit(tm_update_args &) const;       // what goes on
+  void stop_on_lost(int i, double gone);    // a particle beyond a fixed boundary
+  void warn_of_melting(int i);              // once a rank
   void stop_on(const tm_update_result &);
 
  private:

@@ -62,8 +62,9 @@ void rates_in_single(Backend &, int n, const tm_rates_args &a, unsigned effects)
 // What the update of a step finds, lowered by each particle; the same in any order. Positive reals are
 // in the order of their bits.
 struct Limits {
-  unsigned long long dt[3], trouble;    // trouble: particle and status
-  int melted;                           // a particle
+  unsigned long long dt[3], slow,
+      trouble;    // slow: all bits of the square of the speed but those set; trouble: particle and status
+  int melted;     // a particle
 };
 KOKKOS_INLINE_FUNCTION void lower(unsigned long long *least, unsigned long long value)
 {
@@ -78,17 +79,22 @@ KOKKOS_INLINE_FUNCTION void lower(unsigned long long *least, unsigned long long 
   if (value < *(volatile unsigned long long *) least) Kokkos::atomic_min(least, value);
 }
 
+// where the particles lower them, and where the host reads them; until Kokkos ends
+struct LimitsOfStep {
+  Limits *there = nullptr, *here = nullptr;
+} of_step;
 Limits *limits()
 {
-  static Limits *of_step = nullptr;    // until Kokkos ends
-  if (!of_step) {
-    of_step = (Limits *) kokkos_backend().allocate(sizeof(Limits));
+  if (!of_step.there) {
+    of_step.there = (Limits *) kokkos_backend().allocate(sizeof(Limits));
+    of_step.here = (Limits *) kokkos_backend().allocate_result(sizeof(Limits));
     Kokkos::push_finalize_hook([] {
-      kokkos_backend().release(of_step);
-      of_step = nullptr;
+      kokkos_backend().release(of_step.there);
+      kokkos_backend().release_result(of_step.here);
+      of_step = {};
     });
   }
-  return of_step;
+  return of_step.there;
 }
 
 struct Predict {
@@ -98,7 +104,8 @@ struct Predict {
   KOKKOS_FUNCTION void operator()(int i) const
   {
     if (i == 0) {
-      for (unsigned long long *p : {limits->dt, limits->dt + 1, limits->dt + 2, &limits->trouble}) *p = ~0ull;
+      for (unsigned long long *p : {limits->dt, limits->dt + 1, limits->dt + 2, &limits->slow, &limits->trouble})
+        *p = ~0ull;
       limits->melted = INT_MAX;
     }
     tm_predict(i, &a, effects);
@@ -135,6 +142,7 @@ template <unsigned OFF> struct Update {
   {
     const tm_update_result r = tm_update(i, &a, effects & ~(OFF | TM_FX_LEDGER));
     for (int k = 0; k < 3; k++) lower(limits->dt + k, Kokkos::bit_cast<unsigned long long>(r.dt[k]));
+    lower(&limits->slow, ~Kokkos::bit_cast<unsigned long long>(r.speed2));
     if (r.status != TM_OK) Kokkos::atomic_min(&limits->trouble, (unsigned long long) i << 8 | r.status);
     if (r.melted < INT_MAX) Kokkos::atomic_min(&limits->melted, r.melted);
   }
@@ -164,14 +172,16 @@ tm_update_result update(Backend &backend, int n, const tm_update_args &a, unsign
   else if (effects & HEAT) run_update<RARE | FLOW>(n, a, effects, limits());
   else if (effects & FLOW) run_update<RARE | HEAT>(n, a, effects, limits());
   else run_update<RARE | HEAT | FLOW>(n, a, effects, limits());
-  Limits found;
-  backend.to_host(&found, limits(), sizeof(found));
+  backend.copy_to_result(of_step.here, of_step.there, sizeof(Limits));
+  backend.wait();
+  const Limits &found = *of_step.here;
   for (int k = 0; k < 3; k++) r.dt[k] = Kokkos::bit_cast<double>(found.dt[k]);
   if (found.trouble != ~0ull) {
     r.status = (int) (found.trouble & 255u);
     r.particle = (int) (found.trouble >> 8);
   }
   r.melted = found.melted;
+  r.speed2 = Kokkos::bit_cast<double>(~found.slow);
   return r;
 }
 

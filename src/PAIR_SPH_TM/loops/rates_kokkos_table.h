@@ -1,7 +1,7 @@
 /* SPH-TM: the rate pass of a GPU for sets of effects; in single where TM_PAIR_SINGLE is defined. */
 #include "rates_kokkos.h"
 
-#include "kokkos_type.h"
+#include "backend_kokkos.h"
 
 #include <utility>
 
@@ -9,9 +9,14 @@ namespace SPHTM_NS {
 
 namespace {
 
-template <unsigned EFFECTS> struct Rates {
+// GROUP threads side by side share a row
+template <unsigned EFFECTS, int GROUP> struct Rates {
   tm_rates_args a;
-  KOKKOS_FUNCTION void operator()(int i) const { tm_rates(a.which ? a.which[i] : i, &a, EFFECTS); }
+  KOKKOS_FUNCTION void operator()(int thread) const
+  {
+    const int k = thread / GROUP;
+    tm_rates_shared(a.which ? a.which[k] : k, thread % GROUP, GROUP, &a, EFFECTS);
+  }
 };
 // How many threads share a multiprocessor decides: most of the time a warp waits for its neighbors' records. 6 blocks
 // of 64 leave a thread 168 registers, 4 of 128 leave 128: just enough without spills, but for loops that test effects
@@ -19,10 +24,23 @@ template <unsigned EFFECTS> struct Rates {
 constexpr int RATE_THREADS = sizeof(tm_pair) == sizeof(double) ? 64 : 128;
 constexpr int rate_blocks(unsigned effects) { return (effects & TM_FX_EXTENDED) ? 1 : RATE_THREADS == 64 ? 6 : 4; }
 
+template <unsigned EFFECTS, int GROUP> void run_in_groups(int n, const tm_rates_args &a)
+{
+  using Bounds = Kokkos::LaunchBounds<RATE_THREADS, rate_blocks(EFFECTS)>;
+  kokkos_each<Bounds>("sph/tm rates", n * GROUP, Rates<EFFECTS, GROUP>{a});
+}
 template <unsigned EFFECTS> void run(int n, const tm_rates_args &a)
 {
-  using Policy = Kokkos::RangePolicy<LMPDeviceType, Kokkos::LaunchBounds<RATE_THREADS, rate_blocks(EFFECTS)>>;
-  Kokkos::parallel_for("sph/tm rates", Policy(0, n), Rates<EFFECTS>{a});
+#if defined(LMP_KOKKOS_GPU)
+  constexpr bool usual = (EFFECTS & TM_FX_ONE_PASS) && (EFFECTS & TM_FX_VISCOSITY) && !(EFFECTS & TM_FX_SMOOTHING);
+  static const int group = getenv("SPHTM_GROUP") ? atoi(getenv("SPHTM_GROUP")) : 1;
+  if constexpr (usual) {
+    if (group == 2) return run_in_groups<EFFECTS, 2>(n, a);
+    if (group == 4) return run_in_groups<EFFECTS, 4>(n, a);
+    if (group == 8) return run_in_groups<EFFECTS, 8>(n, a);
+  }
+#endif
+  run_in_groups<EFFECTS, 1>(n, a);
 }
 
 typedef void (*device_rate_loop_t)(int, const tm_rates_args &);

@@ -12,7 +12,8 @@
    moved out of the support radius: the kernel makes their terms zero.
 
    On a GPU a chunk is one entry of the row, with n = 0 where it is outside the support radius: so the threads of a warp,
-   whose particles are side by side, stay at the same entry and fetch records that are side by side. */
+   whose particles are side by side, stay at the same entry and fetch records that are side by side. Where there are
+   few particles several threads share a row (tm_chunk_share()). */
 #ifndef TM_CHUNK_H
 #define TM_CHUNK_H
 
@@ -128,6 +129,7 @@ typedef struct {
   int end;
   /* the chunk */
   int k, last;  /* next entry of the row; the row ends in this chunk */
+  int step;     /* 1; on a GPU the number of threads that share the row */
   int n, lanes; /* neighbors, and with the lanes that are filled up */
 } tm_chunk;
 
@@ -151,8 +153,18 @@ TM_FN void tm_chunk_begin(tm_chunk *c, int i, const tm_rates_args *a, const tm_p
   c->stride = a->rows.stride;
   c->end = a->rows.mechanical[i];
   c->k = c->last = c->n = c->lanes = 0;
+  c->step = 1;
   jj[0] = i;
   if (TM_COLUMN == 1) jj[1] = c->end > 0 ? c->row[0] : i;
+}
+
+/* On a GPU: behind tm_chunk_begin(), where a row is shared by `group` threads, for one of them. Thread number `lane` takes
+   the entries lane, lane + group, ... */
+TM_FN void tm_chunk_share(tm_chunk *c, int lane, int group, int *jj)
+{
+  c->k = lane;
+  c->step = group;
+  if (lane > 0 && lane < c->end) jj[1] = c->row[lane * c->stride];
 }
 
 /* The neighbors of the next chunk behind those carried over; 0: there are none left.
@@ -168,7 +180,7 @@ TM_FN int tm_chunk_gather(tm_chunk *c, int *jj, tm_pair *position, int dim3)
 #if TM_COLUMN == 1
   if (c->k >= end) return 0;
   jj[0] = jj[1];
-  jj[1] = row[(c->k + 1 < end ? c->k + 1 : c->k) * stride];
+  jj[1] = row[(c->k + c->step < end ? c->k + c->step : c->k) * stride];
   tm_fetch(rec + tm_pair_record(jj[0], TM_REC), 4, position);
   const tm_pair dx = tm_apart(x, tm_coord_load(position), unit), dy = tm_apart(y, tm_coord_load(position + 1), unit);
   const tm_pair dz = dim3 ? tm_apart(z, tm_coord_load(position + 2), unit) : 0;
@@ -230,7 +242,7 @@ TM_FN int tm_chunk_gather(tm_chunk *c, int *jj, tm_pair *position, int dim3)
 /* The neighbors that do not fill a vector go into the next chunk. */
 TM_FN void tm_chunk_carry(tm_chunk *c, int *jj)
 {
-  if (TM_COLUMN == 1) c->k++;
+  if (TM_COLUMN == 1) c->k += c->step;
   else if (!c->last) {
     for (int l = c->lanes; l < c->n; l++) jj[tm_at(l - c->lanes)] = jj[tm_at(l)];
     c->n -= c->lanes;

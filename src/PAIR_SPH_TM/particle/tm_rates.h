@@ -190,6 +190,50 @@ TM_FN tm_rates_sums tm_rates_sums_zero(void)
   return s;
 }
 
+TM_FN tm_sum_vec tm_group_sum_vec(tm_sum_vec v, int dim3, int group)
+{
+  v.x = tm_group_sum(v.x, group);
+  v.y = tm_group_sum(v.y, group);
+  if (dim3) v.z = tm_group_sum(v.z, group);
+  return v;
+}
+
+/* Over the threads of a GPU that share the row. */
+TM_FN void tm_rates_sums_of_group(tm_rates_sums *s, const tm_rates_terms *t, int group)
+{
+  tm_sum_mat *G = &s->gradient;
+  tm_sum_sym *M = &s->moment;
+  const int dim3 = t->dim3;
+  G->xx = tm_group_sum(G->xx, group);
+  G->xy = tm_group_sum(G->xy, group);
+  G->yx = tm_group_sum(G->yx, group);
+  G->yy = tm_group_sum(G->yy, group);
+  if (dim3) {
+    G->xz = tm_group_sum(G->xz, group);
+    G->yz = tm_group_sum(G->yz, group);
+    G->zx = tm_group_sum(G->zx, group);
+    G->zy = tm_group_sum(G->zy, group);
+    G->zz = tm_group_sum(G->zz, group);
+  }
+  s->acceleration = tm_group_sum_vec(s->acceleration, dim3, group);
+  if (t->artstress || t->viscosity || t->one_pass) s->artificial = tm_group_sum(s->artificial, group);
+  if (t->conduction) s->heat = tm_group_sum(s->heat, group);
+  if (t->xsph) s->xsph = tm_group_sum_vec(s->xsph, dim3, group);
+  if (t->surface) s->surface = tm_group_sum_vec(s->surface, dim3, group);
+  if (!t->one_pass) return;
+  M->xx = tm_group_sum(M->xx, group);
+  M->yy = tm_group_sum(M->yy, group);
+  M->xy = tm_group_sum(M->xy, group);
+  if (dim3) {
+    M->zz = tm_group_sum(M->zz, group);
+    M->xz = tm_group_sum(M->xz, group);
+    M->yz = tm_group_sum(M->yz, group);
+  }
+  s->weights = tm_group_sum(s->weights, group);
+  s->gd = tm_group_sum_vec(s->gd, dim3, group);
+  s->gv = tm_group_sum_vec(s->gv, dim3, group);
+}
+
 /* The pairs with TM_LANES neighbors of a chunk, from neighbor l on, into the sums. */
 TM_FN void tm_rates_add(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own, tm_values *col, int l,
                         tm_rates_sums *s)
@@ -315,7 +359,9 @@ TM_FN void tm_rates_store(int i, const tm_rates_args *a, const tm_rates_terms *t
   }
 }
 
-TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
+/* On a GPU the row of particle i may be shared by `group` threads side by side, of which this is number `lane`; elsewhere
+   0 of 1. */
+TM_FN void tm_rates_shared(int i, int lane, int group, const tm_rates_args *a, unsigned effects)
 {
   const tm_rates_terms t = tm_rates_terms_of(effects, a->effects);
   const tm_pair_records rec = tm_pair_records_of(a);
@@ -326,7 +372,9 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
   tm_chunk c;
   int jj[TM_CHUNK_ROOM];
   tm_pair TM_ALIGNED col[TM_COLUMNS][TM_COLUMN];
-  for (tm_chunk_begin(&c, i, a, own.r, t.sizes, jj); tm_chunk_gather(&c, jj, col[0], t.dim3); tm_chunk_carry(&c, jj)) {
+  tm_chunk_begin(&c, i, a, own.r, t.sizes, jj);
+  if (group > 1) tm_chunk_share(&c, lane, group, jj);
+  for (; tm_chunk_gather(&c, jj, col[0], t.dim3); tm_chunk_carry(&c, jj)) {
     if (c.n == 0) continue;
     const int lanes = c.lanes;
     tm_rates_fetch(&c, jj, &t, &rec, col);
@@ -334,7 +382,10 @@ TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
     for (int l = 0; l < lanes; l++) tm_rates_coefficients(&c, &t, &own, col, l);
     for (int l = 0; l < lanes; l += TM_LANES) tm_rates_add(&c, &t, &own, col, l, &sums);
   }
-  tm_rates_store(i, a, &t, &rec, &own, &sums);
+  if (group > 1) tm_rates_sums_of_group(&sums, &t, group);
+  if (lane == 0) tm_rates_store(i, a, &t, &rec, &own, &sums);
 }
+
+TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects) { tm_rates_shared(i, 0, 1, a, effects); }
 
 #endif

@@ -61,10 +61,11 @@ typedef struct {
 } tm_update_args;
 
 typedef struct {
-  int status;    /* enum tm_status */
-  int particle;  /* whose status it is */
-  int melted;    /* the first particle above its melting temperature, or INT_MAX */
-  tm_real dt[3]; /* limits by sound, force, conduction (without safety factor) */
+  int status;     /* enum tm_status */
+  int particle;   /* whose status it is */
+  int melted;     /* the first particle above its melting temperature, or INT_MAX */
+  tm_real dt[3];  /* limits by sound, force, conduction (without safety factor) */
+  tm_real speed2; /* square of the largest speed */
   /* energies of the step, with the ledger. stress_work: of the stress that acted, sigma(n+1/2) : L; failure: what was
      stored in a particle that failed; thermal_pressure: work of the part of the pressure that heat makes; compression:
      stored energy that compression turns into heat;
@@ -79,6 +80,7 @@ TM_FN tm_update_result tm_update_nothing(void)
   r.status = TM_OK;
   r.particle = r.melted = INT_MAX;
   r.dt[0] = r.dt[1] = r.dt[2] = TM_DT_NO_LIMIT;
+  r.speed2 = 0.0;
   r.stress_work = r.plastic = r.plastic_heat = r.failure = r.thermal_pressure = r.compression = r.artificial = 0.0;
   r.kinetic_work = r.internal_work = r.heat = 0.0;
   return r;
@@ -93,6 +95,7 @@ TM_FN void tm_update_sum(tm_update_result *sum, const tm_update_result *r, int l
     sum->particle = r->particle;
   }
   if (r->melted < sum->melted) sum->melted = r->melted;
+  if (r->speed2 > sum->speed2) sum->speed2 = r->speed2;
   if (!ledger) return;
   sum->stress_work += r->stress_work;
   sum->plastic += r->plastic;
@@ -351,6 +354,8 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
   }
 
   const tm_vec3 acc = s->mask[i] & a->group ? tm_update_motion(i, a, effects, &out) : tm_vec(0, 0, 0);
+  const tm_vec3 v = tm_load3(s->v + 3 * (ptrdiff_t) i);
+  out.speed2 = tm_vec_dot(v, v);
 
   const tm_real mass = rec[tm_part(TM_REC_M)];
   if (solid) {
@@ -430,9 +435,8 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
 
     out.dt[TM_DT_SOUND] = tm_sound_time_step(h, sound, a->visc_alpha, xi, tm_update_face(i, a, effects), effects);
     out.dt[TM_DT_FORCE] = tm_force_time_step(h, sqrt(tm_vec_dot(acc, acc)));
-    const tm_vec3 v = tm_load3(s->v + 3 * (ptrdiff_t) i);
     const tm_real others = (pl ? pl[0] : 0.0) + (e ? *e : 0.0) + (dmg ? dmg[0] + dmg[tm_column(1)] : 0.0);
-    out.status = tm_update_status(a, m, &q, tm_vec_dot(v, v), sound, others, failed);
+    out.status = tm_update_status(a, m, &q, out.speed2, sound, others, failed);
   } else if (effects & TM_FX_HEAT) {
     out.heat = tm_update_temperature(i, a, m, m->rho0, 0.0, 1.0, 0.0, effects).heat;
   }

@@ -12,8 +12,11 @@
 #include "force.h"
 #include "lammps.h"
 #include "modify.h"
+#include "neighbor.h"
 #include "pair.h"
 #include "update.h"
+
+#include <limits>
 
 using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
@@ -73,6 +76,7 @@ void FixSPHTM::init()
                       "and pair_coeff before the run");
   if (modify->get_fix_by_style("^sph/tm$").size() > 1)
     error->all(FLERR, "More than one fix sph/tm: one owns the state of all particles; use unfix, or its group");
+  state.neighbor_check().end_run();    // after one that was stopped
   start.check_company(pair);
   start.check_begun(begin_anew);
   file.check_rows();
@@ -101,7 +105,11 @@ void FixSPHTM::begin_forces()
     state.source().set_zero(state.loops(), state.has(TM_FX_HEAT), atom->nmax);
     source_of_setup = true;
   }
-  check_lost();
+  if (neighbor->ago == 0) {
+    state.neighbor_check().lists_renewed();
+    state.clock().lists_renewed();
+  }
+  if (state.loops().shared()) check_lost();    // else the update is waited for
   state.energy().begin_step();
   state.history().set_forces();
 }
@@ -114,10 +122,11 @@ void FixSPHTM::setup(int)
   stops.limit(args);
   const tm_update_result r =
       PairLoops::of(state.loops()).initial_limits(state.loops(), atom->nlocal, {args, first}, state.effects());
-  state.time_step().limit(r.dt);
+  state.time_step().limit(r);
   if (first) start.check_start();
   else start.check_changes();
   state.time_step().end_setup(first);
+  state.neighbor_check().begin_run();
   fracture.begin(force->pair_match("^sph/tm", 0));
   table.stop_clock();
   looked = false;
@@ -129,10 +138,12 @@ void FixSPHTM::initial_integrate(int)
   if (!looked) energies.look(EnergyReport::FIRST, stop_on_lost);    // tools and other fixes are set up by now
   looked = true;
   table.start_clock();
+  state.clock().begin_step();
   state.history().begin();
   scene->results().begin_step();
   state.time_step().begin_step();
   state.source().held.forget();
+  state.neighbor_check().before_lists(state.time_step().ahead() * way());
   const auto timed = state.clock().timed(RunClock::DRIFT);
   if (source_of_setup) state.source().set_zero(state.loops(), state.has(TM_FX_HEAT), atom->nmax);
   source_of_setup = false;
@@ -140,13 +151,20 @@ void FixSPHTM::initial_integrate(int)
   PairLoops::of(state.loops()).drift(state.loops(), drifted, drift_args(state, *domain), state.effects(), lost);
 }
 
+// how far a particle can move, per time, with the velocities of now
+double FixSPHTM::way()
+{
+  return state.has(TM_FX_XSPH) ? std::numeric_limits<double>::infinity() : state.time_step().speed();
+}
+
 // asked before LAMMPS would delete the particle, and before the forces; whether there is one that may go
-bool FixSPHTM::check_lost()
+// gone: time since the drift
+bool FixSPHTM::check_lost(double gone)
 {
   if (drifted == 0) return false;
   state.loops().wait();
   const bool some = *lost < drifted;
-  if (some && stop_on_lost) stops.stop_on_lost(*lost);
+  if (some && stop_on_lost) stops.stop_on_lost(*lost, gone);
   drifted = 0;
   return some;
 }
@@ -172,11 +190,14 @@ void FixSPHTM::final_integrate()
     stops.limit(args);
     return PairLoops::of(state.loops()).update(state.loops(), atom->nlocal, args, state.effects());
   }();
+  check_lost(state.time_step().ahead());
   if (sum.status != TM_OK) stops.stop_on(sum);
   if (sum.melted < INT_MAX) stops.warn_of_melting(sum.melted);
-  state.time_step().limit(sum.dt);
+  state.time_step().limit(sum);
   if (state.has(TM_FX_LEDGER)) state.energy().add_step(sum);
+  const double half = state.time_step().ahead();
   state.time_step().end_step();
+  state.neighbor_check().after_lists(half * way());
 }
 
 void FixSPHTM::end_of_step()
@@ -190,6 +211,7 @@ void FixSPHTM::post_run()
   start.remember_particles();
   if (looked) energies.look(table.steps() >= nevery ? EnergyReport::LAST : EnergyReport::GLANCE, stop_on_lost);
   table.print(energies.watch(), fracture.in_words());
+  state.neighbor_check().end_run();
 }
 
 /* ---------------------------------------------------------------------- output */

@@ -62,7 +62,7 @@ class FixSPHTM : public Fix, public SPHTM_NS::StepOwner {
 
  protected:
   FixSPHTM(class LAMMPS *, int, char **, SPHTM_NS::Backend &, std::unique_ptr<SPHTM_NS::AtomArrays>);
-  bool check_lost();    // whether there is a particle that LAMMPS deletes in the exchange that follows
+  bool check_lost(double gone = 0.0);    // whether there is a particle that LAMMPS deletes in the exchange that follows
   std::shared_ptr<SPHTM_NS::Scene> scene;
   SPHTM_NS::ParticleState state;
 
@@ -82,6 +82,7 @@ class FixSPHTM : public Fix, public SPHTM_NS::StepOwner {
   int *lost = nullptr;    // what the drift of so many particles found, once it is through
   int drifted = 0;
 
+  double way();
   void read_keywords(SPHTM_NS::Keywords &&);
   bool read_setting(SPHTM_NS::Keywords &);
 };

@@ -146,10 +146,9 @@ void FixSPHTMKokkos::init()
     atomKK->k_mass.sync<LMPDeviceType>();
   }
   // LAMMPS takes a fix without a Kokkos version for one that changes all that atoms have. These only read, and nothing
-  // has to go back to a GPU after each of their turns.
+  // has to go back to a GPU after each of their turns; see also fixes_of_host_kokkos.h.
   for (Fix *f : modify->get_fix_list())
-    if (!f->kokkosable && (utils::strmatch(f->style, "^ave/") || utils::strmatch(f->style, "^(print|vector)$")))
-      f->datamask_modify = EMPTY_MASK;
+    if (!f->kokkosable && utils::strmatch(f->style, "^ave/")) f->datamask_modify = EMPTY_MASK;
 }
 
 // checks of the set-up look at particles on the host

@@ -260,7 +260,7 @@ void PairSPHTM::rates(const tm_state &s, tm_rates_args &args)
 
 void PairSPHTM::audit(StepAudit &audited, LoopArray<double> &force)
 {
-  const auto timed = state->clock().timed(&audited);
+  const auto timed = state->clock().timed_rarely(&audited);
   const StepResults::Rates r = results.host_rates();
   audited.audit({force.host_read(), r.gradient, r.heat, r.xsph, r.correction});
 }

@@ -1,0 +1,82 @@
+#include "neighbor_check.h"
+
+#include "domain.h"
+#include "fix.h"
+#include "modify.h"
+#include "neighbor.h"
+#include "utils.h"
+
+#include <algorithm>
+#include <climits>
+#include <limits>
+#include <string>
+
+using namespace LAMMPS_NS;
+
+namespace SPHTM_NS {
+
+namespace {
+constexpr double UNKNOWN = std::numeric_limits<double>::infinity();
+constexpr double ROUNDING = 1e-9;    // of the way, summed over the steps
+
+// how the styles begin that move particles only as fix sph/tm and fix contact/tri say here, and those that act on forces
+// or on nothing
+const char *const OURS[] = {"sph/tm", "contact/tri"};
+const char *const HARMLESS[] = {"adapt/neigh", "setforce", "addforce",  "aveforce",  "freeze",    "gravity", "viscous",
+                                "drag",        "spring",   "indent",    "enforce2d", "ave/",      "print",   "halt",
+                                "vector",      "store/",   "property/", "balance",   "controller"};
+
+template <int N> bool is_among(const Fix &f, const char *const (&begins)[N])
+{
+  return std::any_of(begins, begins + N,
+                     [&f](const char *b) { return utils::strmatch(f.style, std::string("^") + b); });
+}
+}    // namespace
+
+// another fix that may change positions or velocities
+bool NeighborCheck::others_move() const
+{
+  for (const auto &f : modify->get_fix_list())
+    if (!is_among(*f, OURS) && (f->time_integrate || !is_among(*f, HARMLESS))) return true;
+  return false;
+}
+
+void NeighborCheck::begin_run()
+{
+  end_run();
+  watching = neighbor->dist_check && !domain->box_change && !domain->triclinic && !others_move();
+  delay_of_user = neighbor->delay;
+  particles = tools = 0.0;
+}
+
+void NeighborCheck::end_run()
+{
+  if (watching && neighbor->delay == INT_MAX) neighbor->delay = delay_of_user;
+  particles = tools = UNKNOWN;
+}
+
+void NeighborCheck::before_lists(double way)
+{
+  particles += way;
+  decide();
+}
+
+void NeighborCheck::of_tool(double way)
+{
+  tools += way;
+  decide();
+}
+
+void NeighborCheck::decide()
+{
+  if (!watching) return;
+  const bool none =
+      particles < 0.5 * (1.0 - ROUNDING) * neighbor->skin && tools < 0.5 * (1.0 - ROUNDING) * neighbor->skin;
+  neighbor->delay = none ? INT_MAX : delay_of_user;
+}
+
+void NeighborCheck::lists_renewed() { particles = tools = 0.0; }
+
+void NeighborCheck::after_lists(double way) { particles += way; }
+
+}    // namespace SPHTM_NS
