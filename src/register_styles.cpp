@@ -11,6 +11,7 @@
 #include "fix_sph_tm_relax.h"
 #include "pair_sph_tm.h"
 #ifdef LMP_KOKKOS
+#include "compute_reduce_kokkos.h"
 #include "compute_sph_tm_atom_kokkos.h"
 #include "fix_adapt_neigh_kokkos.h"
 #include "fix_contact_tri_kokkos.h"
@@ -66,6 +67,7 @@ extern "C" __attribute__((visibility("default"))) void sphtm_register_styles(voi
   registry.kokkos_fix<SPHTM_NS::FixOfHostKokkos<FixHalt>>("halt", without);
   registry.kokkos_fix<SPHTM_NS::FixOfHostKokkos<FixPrint>>("print", without);
   registry.kokkos_fix<SPHTM_NS::FixOfHostKokkos<FixVector>>("vector", without);
+  registry.kokkos_compute<ComputeReduceKokkos>("reduce", without);
   registry.in_place_of_kokkos_fix<FixSetForceLaterKokkos>("setforce");
 #endif
   registry.compute<ComputeCuttingForce>("cutting/force", "forces of a tool in terms of cutting");

@@ -71,11 +71,16 @@ class Registry {
   {
     with_args("compute", name, info, (lammpsplugin_factory2 *) &create_with_args<STYLE, KOKKOS>);
   }
-  // a fix of LAMMPS's that has no variant with Kokkos
+  // styles of LAMMPS's that have no variant with Kokkos
   template <class KOKKOS> void kokkos_fix(const char *name, const char *info)
   {
     plugin_.creator.v2 = (lammpsplugin_factory2 *) &create_with_args<KOKKOS, KOKKOS>;
     if (kokkos_) add_kokkos_names("fix", name, info);
+  }
+  template <class KOKKOS> void kokkos_compute(const char *name, const char *info)
+  {
+    plugin_.creator.v2 = (lammpsplugin_factory2 *) &create_with_args<KOKKOS, KOKKOS>;
+    if (kokkos_) add_kokkos_names("compute", name, info);
   }
   // a fix of LAMMPS's with Kokkos, for this LAMMPS; quietly, as nothing that a user sees is another
   template <class KOKKOS> void in_place_of_kokkos_fix(const std::string &name)

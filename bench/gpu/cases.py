@@ -7,11 +7,13 @@ import shutil
 import scenes
 
 SECTIONS = ("Pair", "Modify", "Neigh", "Comm", "Other")
-BLOCK, CUT = "contact", "orthogonal_cut_2d"    # scenes whose scripts are used
+BLOCK, CUT, MACHINING = "contact", "orthogonal_cut_2d", "high_speed_machining"    # scenes whose scripts are used
 
 # name: scene, variables, steps, (pattern, replacement) pairs for its script, whether copies are counted
 WIDE = (r"hyperbolic 1\.2", "hyperbolic 1.7")          # 164 neighbors in 3D
 WIDE_2D = (r"hyperbolic 1\.2", "hyperbolic 1.48")      # 27 in 2D
+# the tool touches from the first step on
+MACHINING_HERE = ((r"start equal 7\.02e-3", "start equal 7.0e-3"),)
 CASES = {
     "3d_contact_1m": (BLOCK, {"case": "contact", "n": 100, "mesh": "tool.stl"}, 300, (), True),
     "3d_contact_8m": (BLOCK, {"case": "contact", "n": 200, "mesh": "tool.stl"}, 100, (), False),
@@ -22,6 +24,9 @@ CASES = {
     "2d_cut_1400k": (CUT, {"dx": 5.83e-7}, 300, (WIDE_2D,), True),
     "2d_cut_197k": (CUT, {"dx": 1.561e-6}, 1000, (WIDE_2D,), False),
     "2d_cut_7600": (CUT, {"dx": 7.95e-6}, 10000, (WIDE_2D,), True),
+    "hsm_147k": (MACHINING, {"dp": 1e-4}, 1000, MACHINING_HERE, True),
+    "hsm_1160k": (MACHINING, {"dp": 5e-5}, 300, MACHINING_HERE, False),
+    "hsm_147k_mixed": (MACHINING, {"dp": 1e-4}, 1000, MACHINING_HERE, False),
     "3d_contact_1m_mixed": (BLOCK, {"case": "contact", "n": 100, "mesh": "tool.stl"}, 300, (), False),
     "3d_contact_1m_164_mixed": (BLOCK, {"case": "contact", "n": 102, "mesh": "tool.stl"}, 100, (WIDE,), False),
     "2d_cut_1400k_mixed": (CUT, {"dx": 5.83e-7}, 300, (WIDE_2D,), False),

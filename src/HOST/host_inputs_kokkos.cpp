@@ -1,6 +1,8 @@
 #ifdef LMP_KOKKOS
 #include "host_inputs_kokkos.h"
 
+#include "compute_reduce_kokkos.h"
+
 #include "compute.h"
 #include "fix.h"
 #include "info.h"
@@ -72,6 +74,7 @@ bool input_needs_particles(LAMMPS *lmp, const std::string &input)
   if (input[0] == 'v') return variable_needs_particles(lmp, name);
   if (input[0] == 'c') {
     const Compute *c = lmp->modify->get_compute_by_id(name);
+    if (const auto *reduce = dynamic_cast<const ComputeReduceKokkos *>(c)) return reduce->needs_particles();
     return !c || !(c->kokkosable || utils::strmatch(c->style, "^cutting/force"));
   }
   const Fix *f = input[0] == 'f' ? lmp->modify->get_fix_by_id(name) : nullptr;
