@@ -164,8 +164,9 @@ void RunTable::print(const EnergyWatch &energy, const std::string &fracture)
                                           : "nothing went in");
   if (!fracture.empty()) utils::logmesg(lmp, "  numerical fracture: {}\n", fracture);
   if (state.clock().samples())
-    utils::logmesg(lmp, "  The parts were timed on the device, in some of the steps; what the host does meanwhile is not "
-                        "among them.\n");
+    utils::logmesg(lmp,
+                   "  The parts were timed on the device, in some of the steps; what the host does meanwhile is not "
+                   "among them.\n");
 }
 
 // wall time of the run so far, mean over the ranks. Rows: all, rates, prediction and update, neighbor rows;
