@@ -3,6 +3,7 @@
 #define SPHTM_BACKEND_KOKKOS_H
 
 #include "backend.h"
+#include "tm_group.h"
 
 #include "kokkos_type.h"
 
@@ -24,6 +25,40 @@ template <class BOUNDS = Kokkos::LaunchBounds<>> auto kokkos_range(int n)
 template <class BOUNDS = Kokkos::LaunchBounds<>, class ONE> void kokkos_each(const char *label, int n, const ONE &one)
 {
   Kokkos::parallel_for(label, kokkos_range<BOUNDS>(n), one);
+}
+
+// Threads for each of n particles, a power of two up to `most`: as many as keep a GPU busy.
+inline int kokkos_threads_of_one(int n, int most)
+{
+#if defined(LMP_KOKKOS_GPU)
+  constexpr int OCCUPIED = 8;    // of so many threads that the GPU can hold, one is enough
+  static const long threads = LMPDeviceType().concurrency() / OCCUPIED;
+  int group = 1;
+  while (group < most && 2l * group * n <= threads) group *= 2;
+  return group;
+#else
+  (void) n;
+  (void) most;
+  return 1;
+#endif
+}
+
+// for loops in which few particles have a row, and that a long one
+#if defined(LMP_KOKKOS_GPU)
+constexpr int ROW_THREADS = 8;
+#else
+constexpr int ROW_THREADS = 1;
+#endif
+
+// one(i, group) for i = 0..n-1 by GROUP threads side by side
+template <int GROUP, class ONE> struct KokkosShared {
+  ONE one;
+  KOKKOS_FUNCTION void operator()(int thread) const { one(thread / GROUP, tm_group{thread % GROUP, GROUP}); }
+};
+template <int GROUP, class BOUNDS = Kokkos::LaunchBounds<>, class ONE>
+void kokkos_each_shared(const char *label, int n, const ONE &one)
+{
+  kokkos_each<BOUNDS>(label, n * GROUP, KokkosShared<GROUP, ONE>{one});
 }
 
 // the sum of one(i), i = 0..n-1; JOIN()(&sum, &value) adds

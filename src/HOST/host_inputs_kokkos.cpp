@@ -61,7 +61,9 @@ bool variable_needs_particles(LAMMPS *lmp, const std::string &name)
     const auto words = utils::split_words(said.substr(value + 5));
     return words.empty() || variable_needs_particles(lmp, words[0]);
   }
-  return (of != "equal" && of != "vector") || formula_needs_particles(lmp, said.substr(value + 5));
+  std::string formula = said.substr(value + 5);
+  if (of == "equal") formula.resize(formula.rfind(' '));    // its last value follows
+  return (of != "equal" && of != "vector") || formula_needs_particles(lmp, formula);
 }
 
 }    // namespace

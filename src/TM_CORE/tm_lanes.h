@@ -11,6 +11,7 @@
 #ifndef TM_LANES_H
 #define TM_LANES_H
 
+#include "tm_group.h"
 #include "tm_layout.h"
 
 #include <string.h>
@@ -248,16 +249,13 @@ TM_FN tm_real tm_lanes_sum(tm_sum v)
 }
 #undef TM_PART
 
-/* The sum of v over `group` threads side by side of a GPU, for each of them; group: a power of two up to 32. */
-TM_FN tm_sum tm_group_sum(tm_sum v, int group)
+/* The sum over the threads of a GPU that share a row, for each of them. */
+TM_FN tm_sum tm_group_sum(tm_sum v, tm_group g)
 {
-#if defined(__CUDA_ARCH__)
-  unsigned lane;
-  asm("mov.u32 %0, %%laneid;" : "=r"(lane));
-  const unsigned those = (group < 32 ? (1u << group) - 1u : ~0u) << (lane & ~(group - 1u));
-  for (int far = group / 2; far > 0; far /= 2) v += __shfl_xor_sync(those, v, far);
+#if TM_VECTOR
+  (void) g;
 #else
-  (void) group;
+  for (int far = g.size / 2; far > 0; far /= 2) v += TM_GROUP_SHUFFLE(v, far, g);
 #endif
   return v;
 }

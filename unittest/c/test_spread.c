@@ -38,7 +38,7 @@ int main(void)
     all += i == 8 ? 0.0 : given[i];
   }
   heat[8] = 0.0;
-  for (int j = 0; j < N; j++) tm_spread_collect(j, &a);
+  for (int j = 0; j < N; j++) tm_spread_collect(j, tm_group_alone(), &a);
   for (int j = 0; j < N; j++) {
     taken += source[j] - j;
     if (type[j] == 1) UT_TRUE(source[j] == j);
@@ -65,7 +65,7 @@ int main(void)
   }
   heat[0] = 10.0;
   UT_TRUE(!tm_spread_divide(0, &a));
-  for (int j = 1; j <= 3; j++) tm_spread_collect(j, &a);
+  for (int j = 1; j <= 3; j++) tm_spread_collect(j, tm_group_alone(), &a);
   UT_TRUE(source[2] == before);
   const double near = tm_kernel_shape(a.kernel, 0.5), far = tm_kernel_shape(a.kernel, 1.0);
   UT_NEAR(source[1], 10.0 * near / (near + far), 1e-14);

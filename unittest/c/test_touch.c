@@ -29,7 +29,7 @@ static void plane_without_bumps(void)
       const tm_vec3 f = ut_force_at(&s, p, 0);
       worst = fmax(worst, tm_vec_norm(tm_vec_sub(f, tm_vec(0, 0, 0.7 * r))));
       tm_touch t[TM_TOUCH_MAX];
-      if (tm_touch_find(&s.args.mesh, &s.args.grid, p, r, dp, 0, t) == 1) {
+      if (tm_touch_find(&s.args.mesh, &s.args.grid, p, r, dp, 0, tm_group_alone(), t) == 1) {
         edges += t[0].triangle != last;
         last = t[0].triangle;
       } else worst = 1e9;

@@ -43,7 +43,7 @@ static void touch(const tm_mesh *m)
     const double s = 0.3 * reach * (k / m->nv % 7 - 3);
     const tm_vec3 p = tm_vec(v[0] + s, v[1] - 0.5 * s, v[2] + 0.25 * s);
     tm_touch out[TM_TOUCH_MAX];
-    const int n = tm_touch_find(&view, &grid.view, p, 0.5 * reach, reach, k % 2, out);
+    const int n = tm_touch_find(&view, &grid.view, p, 0.5 * reach, reach, k % 2, tm_group_alone(), out);
     require(n >= 0 && n <= TM_TOUCH_MAX);
     for (int j = 0; j < n; j++) require(isfinite(out[j].distance) && isfinite(out[j].normal.x));
     tm_touch_find_f15(&view, &grid.view, p, 0.5 * reach, out);

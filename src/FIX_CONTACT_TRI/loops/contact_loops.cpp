@@ -48,6 +48,13 @@ void divide_heat(Backend &backend, int n, const tm_spread_args &a, unsigned, int
       [](int *sum, const int *part) { *sum = std::min(*sum, *part); });
 }
 
+void collect_heat(Backend &backend, int n, const tm_spread_args &a, unsigned)
+{
+  backend.blocks(n, [&a](int begin, int end) {
+    for (int i = begin; i < end; i++) tm_spread_collect(i, tm_group_alone(), &a);
+  });
+}
+
 CONTACT_LOOPS(SPHTM_HOST_LOOP)
 
 const ContactLoops host = {CONTACT_LOOPS(SPHTM_LOOP_NAME)};

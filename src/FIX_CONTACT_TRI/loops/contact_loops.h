@@ -21,7 +21,7 @@ struct HeatMessage {    // of values heat, those in the list are sent, or n from
   LOOP(EACH, move, tm_tool_move_args, tm_tool_move(i, &a))                                        \
   /* the first particle whose heat no other takes, or n, once the loop is waited for */           \
   LOOP(OWN, divide_heat, void, int n, const tm_spread_args &, unsigned effects, int *first)       \
-  LOOP(EACH, collect_heat, tm_spread_args, tm_spread_collect(i, &a))                              \
+  LOOP(OWN, collect_heat, void, int n, const tm_spread_args &, unsigned effects)                  \
   LOOP(EACH, send_heat, HeatMessage, a.buf[i] = a.heat[a.list[i]])                                \
   LOOP(EACH, receive_heat, HeatMessage, a.heat[i] = a.buf[i])
 

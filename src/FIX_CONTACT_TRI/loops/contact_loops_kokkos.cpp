@@ -6,10 +6,14 @@ namespace SPHTM_NS {
 
 namespace {
 
-template <unsigned SET> struct ContactKernel {
+// GROUP threads look for the contacts of a particle
+template <unsigned SET, int GROUP> struct ContactKernel {
   tm_contact_args a;
   unsigned given;
-  KOKKOS_FUNCTION tm_contact_result operator()(int i) const { return tm_contact_tri(i, &a, SET ? SET : given); }
+  KOKKOS_FUNCTION tm_contact_result operator()(int thread) const
+  {
+    return tm_contact_tri_shared(thread / GROUP, tm_group{thread % GROUP, GROUP}, &a, SET ? SET : given);
+  }
 };
 struct SumContact {
   KOKKOS_FUNCTION void operator()(tm_contact_result *sum, const tm_contact_result *r) const
@@ -17,16 +21,27 @@ struct SumContact {
     if (r->depth > 0.0) tm_contact_sum(sum, r);
   }
 };
+#if defined(LMP_KOKKOS_GPU)
+const int MANY = getenv("SPHTM_MANY") ? atoi(getenv("SPHTM_MANY")) : 100000;
+#endif
+
 struct Contact {
   int n;
   const tm_contact_args &a;
   unsigned given;
   tm_contact_result *result;
-  template <unsigned SET> void with() const
+  template <unsigned SET, int GROUP> void in_groups() const
   {
     using Bounds = Kokkos::LaunchBounds<128, 4>;    // few particles touch: the others should not wait for registers
-    kokkos_sum_later<Bounds>("sph/tm contact", n, tm_contact_nothing(), ContactKernel<SET>{a, given}, SumContact(),
-                             result);
+    kokkos_sum_later<Bounds>("sph/tm contact", n * GROUP, tm_contact_nothing(), ContactKernel<SET, GROUP>{a, given},
+                             SumContact(), result);
+  }
+  template <unsigned SET> void with() const
+  {
+#if defined(LMP_KOKKOS_GPU)    // those that touch take long, whatever else there is
+    if (n < MANY) return in_groups<SET, 8>();
+#endif
+    in_groups<SET, 1>();
   }
 };
 void contact(Backend &, int n, const tm_contact_args &a, unsigned effects, tm_contact_result *result)
@@ -46,6 +61,15 @@ void divide_heat(Backend &, int n, const tm_spread_args &a, unsigned, int *first
 {
   *first = n;
   kokkos_each("sph/tm divide_heat", n, DivideHeat{a, first});
+}
+
+struct CollectHeat {
+  tm_spread_args a;
+  KOKKOS_FUNCTION void operator()(int i, tm_group group) const { tm_spread_collect(i, group, &a); }
+};
+void collect_heat(Backend &, int n, const tm_spread_args &a, unsigned)
+{
+  kokkos_each_shared<ROW_THREADS>("sph/tm collect_heat", n, CollectHeat{a});
 }
 
 CONTACT_LOOPS(SPHTM_KOKKOS_LOOP)

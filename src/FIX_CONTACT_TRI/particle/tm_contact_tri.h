@@ -284,12 +284,13 @@ TM_FN void tm_contact_settle(int i, const tm_contact_args *a, const tm_contact_b
   }
 }
 
-/* Contacts of particle i: adds to its force and to its heat source; what is summed over particles comes back. */
-TM_FN tm_contact_result tm_contact_tri(int i, const tm_contact_args *a, unsigned effects)
+/* Contacts of particle i: adds to its force and to its heat source; what is summed over particles comes back. On a GPU
+   several threads may look for the contacts; the first of them gets the sums. */
+TM_FN tm_contact_result tm_contact_tri_shared(int i, tm_group group, const tm_contact_args *a, unsigned effects)
 {
   tm_contact_result r = tm_contact_nothing();
-  if (a->tool_heat) a->tool_heat[i] = 0.0;
-  if (a->earlier && a->first)
+  if (a->tool_heat && group.lane == 0) a->tool_heat[i] = 0.0;
+  if (a->earlier && a->first && group.lane == 0)
     for (int d = 0; d < TM_EARLIER; d++) a->earlier[(ptrdiff_t) i * TM_EARLIER + d] = 0.0;
   if (a->mask && !(a->mask[i] & a->group)) return r;
   const tm_contact_law *w = a->law + a->type[i];
@@ -298,10 +299,10 @@ TM_FN tm_contact_result tm_contact_tri(int i, const tm_contact_args *a, unsigned
   const tm_real dp = a->size ? a->size[(ptrdiff_t) i * TM_REC_SIZE + TM_SIZE_DP] : 2.0 * w->radius;
   const tm_vec3 p = tm_pose_to_local(&a->pose, tm_load3(a->x + i * a->x_stride));
   tm_touch touch[TM_TOUCH_MAX];
-  const int n = (effects & TM_CT_F15)
-                    ? tm_touch_find_f15(&a->mesh, &a->grid, p, 0.5 * dp, touch)
-                    : tm_touch_find(&a->mesh, &a->grid, p, 0.5 * dp, a->deep, (effects & TM_CT_TWO_SIDED) != 0, touch);
-  if (n == 0) return r;
+  const int n = (effects & TM_CT_F15) ? tm_touch_find_f15(&a->mesh, &a->grid, p, 0.5 * dp, touch)
+                                      : tm_touch_find(&a->mesh, &a->grid, p, 0.5 * dp, a->deep,
+                                                      (effects & TM_CT_TWO_SIDED) != 0, group, touch);
+  if (n == 0 || group.lane > 0) return r;
 
   tm_contact_law own;
   if (a->size) {
@@ -331,6 +332,11 @@ TM_FN tm_contact_result tm_contact_tri(int i, const tm_contact_args *a, unsigned
     if (a->tool_heat) a->tool_heat[i] = r.heat_tool;
   }
   return r;
+}
+
+TM_FN tm_contact_result tm_contact_tri(int i, const tm_contact_args *a, unsigned effects)
+{
+  return tm_contact_tri_shared(i, tm_group_alone(), a, effects);
 }
 
 #endif

@@ -5,6 +5,7 @@
 #ifndef TM_SPREAD_H
 #define TM_SPREAD_H
 
+#include "tm_group.h"
 #include "tm_kernel.h"
 #include "tm_rates.h"
 
@@ -41,17 +42,18 @@ TM_FN int tm_spread_divide(int i, const tm_spread_args *a)
   return 0;
 }
 
-/* What tool particle j takes up; after the heat of ghosts is known. */
-TM_FN void tm_spread_collect(int j, const tm_spread_args *a)
+/* What tool particle j takes up; after the heat of ghosts is known. On a GPU by several threads. */
+TM_FN void tm_spread_collect(int j, tm_group group, const tm_spread_args *a)
 {
   if (a->type[j] != a->body_type) return;
   const int *row = a->rows.index + a->rows.first[j] + a->rows.mechanical[j] * a->rows.stride;
   tm_real heat = 0.0;
-  for (int k = 0; k < a->rows.thermal[j]; k++) {
+  for (int k = group.lane; k < a->rows.thermal[j]; k += group.size) {
     const int i = row[k * a->rows.stride];
     if (a->heat[i] != 0.0) heat += a->heat[i] * tm_spread_weight(i, j, a);
   }
-  a->source[j] += heat;
+  heat = tm_group_sum_real(heat, group);
+  if (group.lane == 0) a->source[j] += heat;
 }
 
 #endif

@@ -19,7 +19,10 @@
 #define TM_TOUCH_H
 
 #include "tm_closest.h"
+#include "tm_group.h"
 #include "tm_tri_grid.h"
+
+#include <limits.h>
 
 #define TM_TOUCH_MAX 6 /* patches or, with F15's test, triangles that one particle may touch */
 
@@ -92,12 +95,39 @@ TM_FN tm_touch tm_touch_at(const tm_tri_view *m, const tm_candidate *c, tm_vec3 
   return t;
 }
 
+/* Puts together what the threads of a group have found: the nearest, of equal ones the first of the list; at: its place in
+   the list, INT_MAX where there is none. */
+TM_FN void tm_touch_nearest_of_group(tm_group group, int *at, tm_candidate *best)
+{
+  for (int far = group.size / 2; far > 0; far /= 2) {
+    tm_candidate c;
+    c.near.point.x = tm_group_other(best->near.point.x, far, group);
+    c.near.point.y = tm_group_other(best->near.point.y, far, group);
+    c.near.point.z = tm_group_other(best->near.point.z, far, group);
+    c.near.dist2 = tm_group_other(best->near.dist2, far, group);
+    c.near.feature = tm_group_other_int(best->near.feature, far, group);
+    c.triangle = tm_group_other_int(best->triangle, far, group);
+    c.patch = tm_group_other_int(best->patch, far, group);
+    const int other = tm_group_other_int(*at, far, group);
+    if (other == INT_MAX) continue;
+    if (*at < INT_MAX && (c.near.dist2 > best->near.dist2 || (c.near.dist2 == best->near.dist2 && other > *at)))
+      continue;
+    *best = c;
+    *at = other;
+  }
+}
+
 /* Nearest point within `limit` on one segment of a cell's list, which is one patch; 0: none. */
 TM_FN int tm_touch_nearest(const tm_tri_view *m, const tm_grid_view *g, int begin, int end, tm_vec3 p, tm_real away,
-                           tm_real limit, tm_candidate *best)
+                           tm_real limit, tm_group group, tm_candidate *best)
 {
-  int found = 0;
-  for (int k = begin; k < end; k++) {
+  int at = INT_MAX;
+  if (group.size > 1) { /* read by the others */
+    best->near.point = p;
+    best->near.dist2 = 0.0;
+    best->near.feature = best->triangle = best->patch = 0;
+  }
+  for (int k = begin + group.lane; k < end; k += group.size) {
     if (g->near[k] - away >= limit) break; /* sorted: the rest is farther still */
     const ptrdiff_t t = g->list[k];
     const tm_vec3 d = tm_vec_sub(p, tm_load3(m->ball + 4 * t));
@@ -109,14 +139,15 @@ TM_FN int tm_touch_nearest(const tm_tri_view *m, const tm_grid_view *g, int begi
     best->near = c;
     best->triangle = (int) t;
     best->patch = m->patch[t];
-    found = 1;
+    at = k;
   }
-  return found;
+  if (group.size > 1) tm_touch_nearest_of_group(group, &at, best);
+  return at < INT_MAX;
 }
 
 /* Nearest points of the patches within the search radius of p, the nearest of all first; their number. When
    there are too many patches the nearest ones are kept. */
-TM_FN int tm_touch_candidates(const tm_tri_view *m, const tm_grid_view *g, tm_vec3 p, tm_real search,
+TM_FN int tm_touch_candidates(const tm_tri_view *m, const tm_grid_view *g, tm_vec3 p, tm_real search, tm_group group,
                               tm_candidate *list)
 {
   tm_real away;
@@ -125,7 +156,7 @@ TM_FN int tm_touch_candidates(const tm_tri_view *m, const tm_grid_view *g, tm_ve
   if (cell < 0) return 0;
   for (int s = g->first[cell]; s < g->first[cell + 1]; s++) {
     tm_candidate c;
-    if (!tm_touch_nearest(m, g, g->segment[s], g->segment[s + 1], p, away, search, &c)) continue;
+    if (!tm_touch_nearest(m, g, g->segment[s], g->segment[s + 1], p, away, search, group, &c)) continue;
     int k = n < TM_TOUCH_MAX ? n++ : TM_TOUCH_MAX; /* sorted in by distance */
     for (; k > 0 && c.near.dist2 < list[k - 1].near.dist2; k--)
       if (k < TM_TOUCH_MAX) list[k] = list[k - 1];
@@ -134,13 +165,13 @@ TM_FN int tm_touch_candidates(const tm_tri_view *m, const tm_grid_view *g, tm_ve
   return n;
 }
 
-/* Contacts of a particle at p in the mesh's frame; their number. */
+/* Contacts of a particle at p in the mesh's frame; their number. All threads of a group get them. */
 TM_FN int tm_touch_find(const tm_tri_view *m, const tm_grid_view *g, tm_vec3 p, tm_real radius, tm_real deep,
-                        int two_sided, tm_touch *out)
+                        int two_sided, tm_group group, tm_touch *out)
 {
   tm_candidate list[TM_TOUCH_MAX];
   const tm_real search = two_sided ? radius : tm_max(radius, deep);
-  const int n = tm_touch_candidates(m, g, p, search, list);
+  const int n = tm_touch_candidates(m, g, p, search, group, list);
   int found = 0;
   for (int k = 0; k < n; k++) {
     if (k > 0 && !tm_touch_is_minimum(m, list + k, p)) continue;

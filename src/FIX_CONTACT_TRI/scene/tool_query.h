@@ -26,7 +26,7 @@ struct ToolQuery {
   // contacts of a sphere about x, in the frame of the mesh; how many
   int touch(tm_vec3 x, double radius, tm_touch found[TM_TOUCH_MAX]) const
   {
-    return tm_touch_find(&mesh, &grid, local(x), radius, deep, two_sided, found);
+    return tm_touch_find(&mesh, &grid, local(x), radius, deep, two_sided, tm_group_alone(), found);
   }
 };
 

@@ -27,6 +27,14 @@ void drift(Backend &backend, int n, const tm_drift_args &a, unsigned effects, in
       [](int *first, const int *i) { *first = std::min(*first, *i); });
 }
 
+void thermal(Backend &backend, int n, const tm_rates_args &a, unsigned effects)
+{
+  backend.blocks(n, [&](int begin, int end) {
+    for (int i = begin; i < end; i++)
+      if (a.rows.thermal[i]) tm_thermal(i, tm_group_alone(), &a, effects);
+  });
+}
+
 PAIR_LOOPS(SPHTM_HOST_LOOP)
 
 const PairLoops host = {PAIR_LOOPS(SPHTM_LOOP_NAME)};

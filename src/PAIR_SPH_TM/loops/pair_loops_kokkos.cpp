@@ -57,6 +57,19 @@ void rates_in_single(Backend &, int n, const tm_rates_args &a, unsigned effects)
   kokkos_rates_in_single(n, a, effects);
 }
 
+struct Thermal {
+  tm_rates_args a;
+  unsigned effects;
+  KOKKOS_FUNCTION void operator()(int i, tm_group group) const
+  {
+    if (a.rows.thermal[i]) tm_thermal(i, group, &a, effects);
+  }
+};
+void thermal(Backend &, int n, const tm_rates_args &a, unsigned effects)
+{
+  kokkos_each_shared<ROW_THREADS>("sph/tm thermal", n, Thermal{a, effects});
+}
+
 /* ---------------------------------------------------------------------- one step */
 
 // What the update of a step finds, lowered by each particle; the same in any order. Positive reals are

@@ -9,13 +9,11 @@ namespace SPHTM_NS {
 
 namespace {
 
-// GROUP threads side by side share a row
-template <unsigned EFFECTS, int GROUP> struct Rates {
+template <unsigned EFFECTS> struct Rates {
   tm_rates_args a;
-  KOKKOS_FUNCTION void operator()(int thread) const
+  KOKKOS_FUNCTION void operator()(int k, tm_group group) const
   {
-    const int k = thread / GROUP;
-    tm_rates_shared(a.which ? a.which[k] : k, thread % GROUP, GROUP, &a, EFFECTS);
+    tm_rates_shared(a.which ? a.which[k] : k, group, &a, EFFECTS);
   }
 };
 // How many threads share a multiprocessor decides: most of the time a warp waits for its neighbors' records. 6 blocks
@@ -27,14 +25,14 @@ constexpr int rate_blocks(unsigned effects) { return (effects & TM_FX_EXTENDED) 
 template <unsigned EFFECTS, int GROUP> void run_in_groups(int n, const tm_rates_args &a)
 {
   using Bounds = Kokkos::LaunchBounds<RATE_THREADS, rate_blocks(EFFECTS)>;
-  kokkos_each<Bounds>("sph/tm rates", n * GROUP, Rates<EFFECTS, GROUP>{a});
+  kokkos_each_shared<GROUP, Bounds>("sph/tm rates", n, Rates<EFFECTS>{a});
 }
 template <unsigned EFFECTS> void run(int n, const tm_rates_args &a)
 {
-#if defined(LMP_KOKKOS_GPU)
+#if defined(LMP_KOKKOS_GPU)    // few particles, with the usual effects: threads share rows
   constexpr bool usual = (EFFECTS & TM_FX_ONE_PASS) && (EFFECTS & TM_FX_VISCOSITY) && !(EFFECTS & TM_FX_SMOOTHING);
-  static const int group = getenv("SPHTM_GROUP") ? atoi(getenv("SPHTM_GROUP")) : 1;
   if constexpr (usual) {
+    const int group = kokkos_threads_of_one(n, 8);
     if (group == 2) return run_in_groups<EFFECTS, 2>(n, a);
     if (group == 4) return run_in_groups<EFFECTS, 4>(n, a);
     if (group == 8) return run_in_groups<EFFECTS, 8>(n, a);

@@ -158,13 +158,12 @@ TM_FN void tm_chunk_begin(tm_chunk *c, int i, const tm_rates_args *a, const tm_p
   if (TM_COLUMN == 1) jj[1] = c->end > 0 ? c->row[0] : i;
 }
 
-/* On a GPU: behind tm_chunk_begin(), where a row is shared by `group` threads, for one of them. Thread number `lane` takes
-   the entries lane, lane + group, ... */
-TM_FN void tm_chunk_share(tm_chunk *c, int lane, int group, int *jj)
+/* On a GPU: behind tm_chunk_begin(), where threads share a row, for one of them. It takes the entries lane, lane + size, ... */
+TM_FN void tm_chunk_share(tm_chunk *c, tm_group group, int *jj)
 {
-  c->k = lane;
-  c->step = group;
-  if (lane > 0 && lane < c->end) jj[1] = c->row[lane * c->stride];
+  c->k = group.lane;
+  c->step = group.size;
+  if (c->k > 0 && c->k < c->end) jj[1] = c->row[c->k * c->stride];
 }
 
 /* The neighbors of the next chunk behind those carried over; 0: there are none left.

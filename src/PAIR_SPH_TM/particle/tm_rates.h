@@ -190,7 +190,7 @@ TM_FN tm_rates_sums tm_rates_sums_zero(void)
   return s;
 }
 
-TM_FN tm_sum_vec tm_group_sum_vec(tm_sum_vec v, int dim3, int group)
+TM_FN tm_sum_vec tm_group_sum_vec(tm_sum_vec v, int dim3, tm_group group)
 {
   v.x = tm_group_sum(v.x, group);
   v.y = tm_group_sum(v.y, group);
@@ -199,7 +199,7 @@ TM_FN tm_sum_vec tm_group_sum_vec(tm_sum_vec v, int dim3, int group)
 }
 
 /* Over the threads of a GPU that share the row. */
-TM_FN void tm_rates_sums_of_group(tm_rates_sums *s, const tm_rates_terms *t, int group)
+TM_FN void tm_rates_sums_of_group(tm_rates_sums *s, const tm_rates_terms *t, tm_group group)
 {
   tm_sum_mat *G = &s->gradient;
   tm_sum_sym *M = &s->moment;
@@ -359,9 +359,8 @@ TM_FN void tm_rates_store(int i, const tm_rates_args *a, const tm_rates_terms *t
   }
 }
 
-/* On a GPU the row of particle i may be shared by `group` threads side by side, of which this is number `lane`; elsewhere
-   0 of 1. */
-TM_FN void tm_rates_shared(int i, int lane, int group, const tm_rates_args *a, unsigned effects)
+/* On a GPU the row of particle i may be shared by several threads. */
+TM_FN void tm_rates_shared(int i, tm_group group, const tm_rates_args *a, unsigned effects)
 {
   const tm_rates_terms t = tm_rates_terms_of(effects, a->effects);
   const tm_pair_records rec = tm_pair_records_of(a);
@@ -373,7 +372,7 @@ TM_FN void tm_rates_shared(int i, int lane, int group, const tm_rates_args *a, u
   int jj[TM_CHUNK_ROOM];
   tm_pair TM_ALIGNED col[TM_COLUMNS][TM_COLUMN];
   tm_chunk_begin(&c, i, a, own.r, t.sizes, jj);
-  if (group > 1) tm_chunk_share(&c, lane, group, jj);
+  if (group.size > 1) tm_chunk_share(&c, group, jj);
   for (; tm_chunk_gather(&c, jj, col[0], t.dim3); tm_chunk_carry(&c, jj)) {
     if (c.n == 0) continue;
     const int lanes = c.lanes;
@@ -382,10 +381,13 @@ TM_FN void tm_rates_shared(int i, int lane, int group, const tm_rates_args *a, u
     for (int l = 0; l < lanes; l++) tm_rates_coefficients(&c, &t, &own, col, l);
     for (int l = 0; l < lanes; l += TM_LANES) tm_rates_add(&c, &t, &own, col, l, &sums);
   }
-  if (group > 1) tm_rates_sums_of_group(&sums, &t, group);
-  if (lane == 0) tm_rates_store(i, a, &t, &rec, &own, &sums);
+  if (group.size > 1) tm_rates_sums_of_group(&sums, &t, group);
+  if (group.lane == 0) tm_rates_store(i, a, &t, &rec, &own, &sums);
 }
 
-TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects) { tm_rates_shared(i, 0, 1, a, effects); }
+TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
+{
+  tm_rates_shared(i, tm_group_alone(), a, effects);
+}
 
 #endif

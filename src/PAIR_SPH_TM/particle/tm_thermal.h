@@ -8,6 +8,7 @@
 #define TM_THERMAL_H
 
 #include "tm_chunk.h"
+#include "tm_group.h"
 #include "tm_heat.h"
 #include "tm_tensor.h"
 
@@ -15,7 +16,8 @@
 #error "double only: pairs that exchange heat alone have the precision of the state"
 #endif
 
-TM_FN void tm_thermal(int i, const tm_rates_args *a, unsigned effects)
+/* On a GPU by several threads. */
+TM_FN void tm_thermal(int i, tm_group group, const tm_rates_args *a, unsigned effects)
 {
   const int kernel = tm_fx_kernel(effects), dim3 = (effects & TM_FX_3D) != 0;
   const ptrdiff_t begin = a->rows.mechanical[i], end = begin + a->rows.thermal[i];
@@ -28,7 +30,7 @@ TM_FN void tm_thermal(int i, const tm_rates_args *a, unsigned effects)
   tm_pair_size p = of_all;
   tm_vec3 n = tm_vec(0, 0, 0);
   tm_real heat = 0.0;
-  for (ptrdiff_t k = begin; k < end; k++) {
+  for (ptrdiff_t k = begin + group.lane; k < end; k += group.size) {
     const int j = row[k * a->rows.stride];
     const tm_real *rj = tm_main_record(&a->rec, j), *hj = tm_heat_record(&a->rec, j);
     const tm_real dx = ri[0] - rj[0], dy = ri[1] - rj[1], dz = dim3 ? ri[tm_part(2)] - rj[tm_part(2)] : 0.0;
@@ -47,6 +49,10 @@ TM_FN void tm_thermal(int i, const tm_rates_args *a, unsigned effects)
                 ? tm_conduction_pair_interface(hi[TM_REC_K], hj[TM_REC_K], hi[TM_REC_T], hj[TM_REC_T], vol, g, r, hc)
                 : tm_conduction_pair(hi[TM_REC_K], hj[TM_REC_K], hi[TM_REC_T], hj[TM_REC_T], vol, g);
   }
+  heat = tm_group_sum_real(heat, group);
+  if (effects & TM_FX_SURFACE)
+    n = tm_vec(tm_group_sum_real(n.x, group), tm_group_sum_real(n.y, group), tm_group_sum_real(n.z, group));
+  if (group.lane > 0) return;
   a->heat[i] += heat;
   if (effects & TM_FX_SURFACE) {
     a->surface[3 * (ptrdiff_t) i] += n.x;
