@@ -38,7 +38,7 @@ install(DIRECTORY out/manual/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/html OPTIONAL 
 install(FILES README.md CHANGELOG.md CITATION.cff LICENSE DESTINATION ${SPHTM_DATA_DIR})
 install(FILES tools/make_tool.py tools/common.sh tools/fit.sh DESTINATION ${SPHTM_DATA_DIR}/tools)
 install(PROGRAMS tools/doctor.sh tools/installed.sh tools/packages.sh tools/print-env.sh DESTINATION ${SPHTM_DATA_DIR}/tools)
-install(FILES bench/study.py bench/provenance.py DESTINATION ${SPHTM_DATA_DIR}/bench)
+install(FILES bench/study.py bench/provenance.py bench/many.py bench/shared_gpu.py DESTINATION ${SPHTM_DATA_DIR}/bench)
 install(DIRECTORY bench/accuracy bench/stability bench/validate DESTINATION ${SPHTM_DATA_DIR}/bench ${no_leftovers})
 # what the studies take from the tests
 install(FILES unittest/scenes/sphtm_scene.py unittest/scenes/sph_kernels.py unittest/scenes/test_kernels_forms.py

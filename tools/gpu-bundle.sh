@@ -87,7 +87,7 @@ tool plane --size 1 1 --cells 2 2 -o "$top/scenes/taylor_bar/plane.stl"
 
 say "sweeps of ./run accuracy, cuts of ./run validate"
 # the same folders as in the repository: sweeps find scripts and references there
-for file in bench/study.py bench/provenance.py bench/accuracy bench/stability bench/validate tools/make_tool.py \
+for file in bench/study.py bench/provenance.py bench/many.py bench/shared_gpu.py bench/accuracy bench/stability bench/validate tools/make_tool.py \
   unittest/scenes/sphtm_scene.py unittest/scenes/sph_kernels.py unittest/scenes/test_spinning_block.py \
   $(sed -n 's/.*"\(unittest\)", "\(scenes\)", "\(test_[a-z_]*\.py\)".*/\1\/\2\/\3/p' "$root"/bench/accuracy/*.py | sort -u) \
   $(sed -n 's/.*\(example\|script_of\)("\([a-z0-9_]*\)".*/examples\/\2/p' "$root"/bench/accuracy/*.py "$root"/bench/validate/case_*.py | sort -u); do

@@ -21,6 +21,7 @@ usage: sphtm COMMAND        SPH-TM ${SPHTM_VERSION:-}, commit $SPHTM_COMMIT
   scenes [names]   run the full scenes of the examples
   validate [args]  measured cuts beside computed ones
   identify CASE    constants of material or friction from measured forces; --help
+  many SCRIPT      one script with many sets of variables, several runs at once; --help
   accuracy [knobs] error against time for each knob; --quick
   stability [args] hard cases with a criterion each
   tool [args]      make the mesh of a tool: block, plane, ...; --help
@@ -94,6 +95,7 @@ case $command in
   demo) ready demo; exec "$python" "$root/examples/high_speed_machining/demo.py" "$@" ;;
   scenes) ready scenes; scenes "$@" ;;
   validate|accuracy|stability) ready "$command"; exec "$python" "$root/bench/$command/run.py" "$@" ;;
+  many) ready demo; exec "$python" "$root/bench/many.py" "$@" ;;
   identify) ready identify; exec "$python" "$root/bench/validate/identify.py" "$@" ;;
   tool) if command -v python3 > /dev/null; then exec python3 "$root/tools/make_tool.py" "$@"; else die "no python3 here"; fi ;;
   test|sanitize|bench|effects|results|build|host|host-kokkos|host-cuda|gpu-bundle|package|manual|clean)

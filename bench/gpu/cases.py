@@ -1,10 +1,17 @@
 """Large scenes for the bench and the profile on a GPU."""
+import concurrent.futures
 import csv
 import os
 import re
 import shutil
+import sys
+import time
 
 import scenes
+from host import HERE, kokkos_arguments
+
+sys.path.append(os.path.dirname(HERE))
+from shared_gpu import shared_gpu                                                      # noqa: E402
 
 SECTIONS = ("Pair", "Modify", "Neigh", "Comm", "Other")
 BLOCK, CUT, MACHINING = "contact", "orthogonal_cut_2d", "high_speed_machining"    # scenes whose scripts are used
@@ -32,6 +39,9 @@ CASES = {
     "2d_cut_1400k_mixed": (CUT, {"dx": 5.83e-7}, 300, (WIDE_2D,), False),
     "lj_4m": (None, {}, 200, (), False),
 }
+
+# so many runs of a case, so many at once
+SEVERAL = {"2d_cut_7600_x12": ("2d_cut_7600", 12, 12), "2d_cut_7600_x48": ("2d_cut_7600", 48, 16)}
 
 LJ = """# LAMMPS's own lj/cut on as many neighbors, rebuilt every 20 steps: what the machine and the host can do
 units           lj
@@ -146,7 +156,36 @@ def failure(output, status):
     return said[0] if said else "ended with %s: %s" % (status, " ".join(output.split()[-20:]))
 
 
+def run_several(name, folder, top, lammps):
+    """All runs of a study, and one alone, in wall time with start and end."""
+    case, count, jobs = SEVERAL[name]
+    steps = CASES[case][2]
+
+    def one(k):
+        place = os.path.join(folder, str(k))
+        os.makedirs(place)
+        began = time.time()
+        output, status = lammps(place, prepare(case, place, top, steps))
+        return output, status, time.time() - began
+
+    output, status, alone = one("alone")
+    began = time.time()
+    with shared_gpu(jobs, " ".join(kokkos_arguments(1))) as service, concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        done = list(pool.map(one, range(count)))
+    seconds = time.time() - began
+    failed = [failure(o, s) for o, s, _ in done + [(output, status, alone)] if s != 0 or "Loop time of" not in o]
+    if failed:
+        return {"case": name, "error": failed[0]}
+    result = dict({"case": name, "precision": "double"}, **figures(output))
+    result.update(runs=count, jobs=jobs, service=service, seconds=seconds, seconds_alone=alone, times_alone=seconds / alone,
+                  ms_per_step=1e3 * seconds / steps / count)
+    result["ns_per_particle_step"] = 1e6 * result["ms_per_step"] / result["particles"]
+    return result
+
+
 def run(name, folder, top, lammps):
+    if name in SEVERAL:
+        return run_several(name, folder, top, lammps)
     steps = CASES[name][2]
     output, status = lammps(folder, prepare(name, folder, top, steps))
     with open(os.path.join(folder, "output"), "w") as f:

@@ -40,6 +40,8 @@ def bench(out, names, gpus):
             result["ms_per_step"], " ".join("%4.0f%%" % result["share"].get(s, 0) for s in cases.SECTIONS),
             "%.2f" % result["copies_per_step"] if data else "-",
             "%(copies_per_step).2f, %(bytes_per_step).0f" % data if data else "-"), flush=True)
+        if "runs" in result:
+            print("  %(runs)d runs, %(jobs)d at once: %(seconds).1f s, %(times_alone).2f times one alone" % result, flush=True)
     return {"gpus": gpus, "cases": results}, failed
 
 
@@ -82,7 +84,7 @@ def main():
     parser.add_argument("--out")
     options = parser.parse_intermixed_args()
     small = [tests.HEADERS, tests.STOPS] + list(scenes.SCENES)
-    known = list(cases.CASES) if options.what in ("bench", "profile") else small
+    known = {"bench": list(cases.CASES) + list(cases.SEVERAL), "profile": list(cases.CASES)}.get(options.what, small)
     wrong = [name for name in options.names if name not in known]
     if wrong:
         sys.exit("no %s; there are: %s" % (" ".join(wrong), " ".join(known)))

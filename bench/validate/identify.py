@@ -10,7 +10,9 @@ mean over the window, and of the numerics at that spacing as ./sphtm validate fo
 and Student's t; where the fit is worse than the scatter explains, they are widened by the root of chi square over the degrees
 of freedom."""
 import argparse
+import atexit
 import concurrent.futures
+import contextlib
 import json
 import os
 import sys
@@ -19,6 +21,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import run as validate                                                                 # noqa: E402
 from provenance import provenance                                                      # noqa: E402
+from shared_gpu import shared_gpu                                                      # noqa: E402
 
 import numpy as np                                                                     # noqa: E402
 
@@ -152,6 +155,9 @@ def main():
     low, high = given.bounds
     if not 0 < low < 1 < high or not 0 < given.step < min(1 - low, high - 1):
         options.error("bounds must lie about 1 and be above 0, and leave room for the step")
+    service = contextlib.ExitStack()
+    service.enter_context(shared_gpu(given.jobs, given.lmp))
+    atexit.register(service.close)
     cuts = Cuts(case, given.case, given.fit, setting, dict(given.var), given.jobs, given.lmp)
     fit, start = Fit(cuts, given.rows, given.step), np.ones(len(given.fit))
     done, half, correlation = solve(fit, len(given.fit), given.bounds, given.evaluations)

@@ -23,6 +23,7 @@ import page                                                                     
 import report                                                                          # noqa: E402
 import sphtm_scene                                                                     # noqa: E402
 from provenance import provenance                                                      # noqa: E402
+from shared_gpu import shared_gpu                                                      # noqa: E402
 from study import last_loop, loop_times                                                # noqa: E402
 
 OUT = os.environ.get("SPHTM_OUT", os.path.join(ROOT, "out", "validate"))
@@ -187,7 +188,7 @@ def main():
             if kept(folder, mark_of(cases[name], variables_of(cases[name], row, setting))):
                 measure_again(cases[name], folder)
     if not given.look and not given.keep and not given.measure:
-        with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
+        with shared_gpu(given.jobs, given.lmp), concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
             runs = {pool.submit(make, cases[name], name, row, setting, given.lmp): (name, row, setting) for name, row, setting in jobs}
             for run in concurrent.futures.as_completed(runs):
                 answer = run.result()

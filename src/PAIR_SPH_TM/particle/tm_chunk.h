@@ -13,10 +13,11 @@
 
    On a GPU a chunk is one entry of the row, with n = 0 where it is outside the support radius: so the threads of a warp,
    whose particles are side by side, stay at the same entry and fetch records that are side by side. Where there are
-   few particles several threads share a row (tm_chunk_share()). */
+   few particles several threads share a row (tm_chunk_share()); neighbor number n then goes to thread n mod their number. */
 #ifndef TM_CHUNK_H
 #define TM_CHUNK_H
 
+#include "tm_group.h"
 #include "tm_kernel.h"
 #include "tm_record.h"
 #include "tm_size.h"
@@ -128,9 +129,10 @@ typedef struct {
   ptrdiff_t stride;
   int end;
   /* the chunk */
-  int k, last;  /* next entry of the row; the row ends in this chunk */
-  int step;     /* 1; on a GPU the number of threads that share the row */
-  int n, lanes; /* neighbors, and with the lanes that are filled up */
+  int k, last;    /* next entry of the row; the row ends in this chunk */
+  tm_group group; /* threads of a GPU that share the row */
+  int dealt;      /* neighbors that they have taken so far */
+  int n, lanes;   /* neighbors, and with the lanes that are filled up */
 } tm_chunk;
 
 /* own: the first three columns of the particle's record. */
@@ -153,17 +155,39 @@ TM_FN void tm_chunk_begin(tm_chunk *c, int i, const tm_rates_args *a, const tm_p
   c->stride = a->rows.stride;
   c->end = a->rows.mechanical[i];
   c->k = c->last = c->n = c->lanes = 0;
-  c->step = 1;
+  c->group = tm_group_alone();
+  c->dealt = 0;
   jj[0] = i;
   if (TM_COLUMN == 1) jj[1] = c->end > 0 ? c->row[0] : i;
 }
 
-/* On a GPU: behind tm_chunk_begin(), where threads share a row, for one of them. It takes the entries lane, lane + size, ... */
+/* On a GPU: behind tm_chunk_begin(), where threads share a row, for one of them. It looks at the entries lane, lane + size,
+   ... */
 TM_FN void tm_chunk_share(tm_chunk *c, tm_group group, int *jj)
 {
   c->k = group.lane;
-  c->step = group.size;
+  c->group = group;
   if (c->k > 0 && c->k < c->end) jj[1] = c->row[c->k * c->stride];
+}
+
+/* Deals what the threads have found in a round: mine is a particle, inside says whether it is a neighbor. Returns whether
+   this thread gets one, which is then in *mine. */
+TM_FN int tm_chunk_deal(tm_chunk *c, int inside, int *mine)
+{
+#if defined(__CUDA_ARCH__)
+  const tm_group g = c->group;
+  const unsigned those = tm_group_mask(g);
+  unsigned found = __ballot_sync(those, inside) >> (__ffs(those) - 1);
+  const int want = (g.lane - c->dealt) & (g.size - 1);
+  c->dealt += __popc(found);
+  for (int k = 0; k < want; k++) found &= found - 1;
+  *mine = __shfl_sync(those, *mine, found ? __ffs(found) - 1 : g.lane, g.size);
+  return found != 0;
+#else
+  (void) c;
+  (void) mine;
+  return inside;
+#endif
 }
 
 /* The neighbors of the next chunk behind those carried over; 0: there are none left.
@@ -177,15 +201,26 @@ TM_FN int tm_chunk_gather(tm_chunk *c, int *jj, tm_pair *position, int dim3)
   const int *row = c->row, end = c->end;
   const ptrdiff_t stride = c->stride;
 #if TM_COLUMN == 1
-  if (c->k >= end) return 0;
+  const int shared = c->group.size > 1, step = c->group.size;
+  if (c->k - c->group.lane >= end) return 0;
   jj[0] = jj[1];
-  jj[1] = row[(c->k + c->step < end ? c->k + c->step : c->k) * stride];
+  if (c->k + step < end) jj[1] = row[(c->k + step) * stride];
   tm_fetch(rec + tm_pair_record(jj[0], TM_REC), 4, position);
-  const tm_pair dx = tm_apart(x, tm_coord_load(position), unit), dy = tm_apart(y, tm_coord_load(position + 1), unit);
-  const tm_pair dz = dim3 ? tm_apart(z, tm_coord_load(position + 2), unit) : 0;
+  tm_pair dx = tm_apart(x, tm_coord_load(position), unit), dy = tm_apart(y, tm_coord_load(position + 1), unit);
+  tm_pair dz = dim3 ? tm_apart(z, tm_coord_load(position + 2), unit) : 0;
   const tm_pair r2 = dx * dx + dy * dy + dz * dz;
   c->n = (size ? r2 * (inv_h * size[(ptrdiff_t) jj[0] * TM_REC_SIZE + TM_SIZE_INV_H]) : r2) < limit;
   c->lanes = 1;
+  if (shared) {
+    const int looked_at = jj[0];
+    c->n = tm_chunk_deal(c, c->n && c->k < end, jj);
+    if (jj[0] != looked_at) {
+      tm_fetch(rec + tm_pair_record(jj[0], TM_REC), 4, position);
+      dx = tm_apart(x, tm_coord_load(position), unit);
+      dy = tm_apart(y, tm_coord_load(position + 1), unit);
+      dz = dim3 ? tm_apart(z, tm_coord_load(position + 2), unit) : 0;
+    }
+  }
   if (TM_SINGLE) {
     position[0] = dx;
     position[1] = dy;
@@ -241,7 +276,7 @@ TM_FN int tm_chunk_gather(tm_chunk *c, int *jj, tm_pair *position, int dim3)
 /* The neighbors that do not fill a vector go into the next chunk. */
 TM_FN void tm_chunk_carry(tm_chunk *c, int *jj)
 {
-  if (TM_COLUMN == 1) c->k += c->step;
+  if (TM_COLUMN == 1) c->k += c->group.size;
   else if (!c->last) {
     for (int l = c->lanes; l < c->n; l++) jj[tm_at(l - c->lanes)] = jj[tm_at(l)];
     c->n -= c->lanes;

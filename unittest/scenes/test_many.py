@@ -1,0 +1,69 @@
+"""./sphtm many: one script with many sets of variables, several runs at a time; what it refuses, and a run that fails."""
+import csv
+import os
+import subprocess
+import sys
+
+from sphtm_scene import SOURCE, Checks, new_folder
+
+SCRIPT = """
+variable v index 10
+variable steps index 20
+units si
+dimension 2
+boundary f f p
+atom_style atomic
+newton off
+lattice sq 1e-3 origin 0.5 0.5 0
+region box block -1 1 -1 1 -0.5e-3 0.5e-3 units box
+create_box 1 box
+region work block 0 8e-3 0 8e-3 INF INF units box
+create_atoms 1 region work
+pair_style sph/tm hyperbolic 1.2 spacing 1e-3
+pair_coeff 1 1 density 2700 elastic 70e9 0.33
+velocity all set ${v} 0 0 units box
+variable v2 equal vcm(all,x)
+fix body all sph/tm
+thermo_style custom step v_v2
+run ${steps}
+"""
+checks = Checks()
+folder = new_folder()
+script, out = os.path.join(folder, "in.flight"), os.path.join(folder, "out")
+with open(script, "w") as f:
+    f.write(SCRIPT)
+
+
+def many(*words):
+    done = subprocess.run([sys.executable, os.path.join(SOURCE, "bench", "many.py"), script, "--out", out, *words],
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    return done.returncode, done.stdout
+
+
+def summary():
+    with open(os.path.join(out, "summary.csv"), newline="") as f:
+        return list(csv.DictReader(f))
+
+
+status, said = many("--vary", "v=10,20", "steps=20,30", "--jobs", "2")
+rows = summary()
+checks.true("every combination ends", status == 0 and len(rows) == 4 and all(r["ended"] == "yes" for r in rows), said)
+checks.true("in the order of the table", [r["name"] for r in rows] == ["v_10_steps_20", "v_10_steps_30", "v_20_steps_20", "v_20_steps_30"],
+            str(rows))
+checks.true("the last line of each", all(abs(float(r["v_v2"]) - float(r["v"])) < 1e-6 and r["Step"] == r["steps"] for r in rows), str(rows))
+
+table = os.path.join(folder, "cases.csv")
+with open(table, "w") as f:
+    f.write("name, v, steps\nslow, 5, 20\nwrong, fast, 20\n")
+status, said = many("--table", table)
+rows = summary()
+checks.true("a run that fails is told, the other ends", status == 1 and [r["ended"] for r in rows] == ["yes", "no"] and
+            [r["name"] for r in rows] == ["slow", "wrong"] and "fast" in said, said)
+for words, wanted in ((("--vary", "speed=1,2"), "speed"), (("--vary", "v"), "--vary"), ((), "nothing to vary")):
+    status, said = many(*words)
+    checks.true("refused: " + (" ".join(words) or "nothing"), status != 0 and wanted in said, said)
+with open(table, "w") as f:
+    f.write("name,v\nsame,1\nsame,2\n")
+status, said = many("--table", table)
+checks.true("two runs of one name are refused", status != 0 and "same" in said, said)
+checks.end()
