@@ -13,12 +13,15 @@ namespace SPHTM_NS {
 // its own, in its own memory. SPHTM_KOKKOS_LOOPS=device lets the host run the GPU's, for tests.
 Backend &kokkos_backend();
 
+// threads of a warp: a block takes a multiple of so many, and groups of threads stay in one warp
+constexpr int KOKKOS_WARP = 32;
+
 // Particles 0..n-1. The arguments of a loop go with its launch, up to 4 kB. Kokkos would keep those over 512 bytes in one
 // place, and the host would wait there for the loop before.
 template <class BOUNDS = Kokkos::LaunchBounds<>> auto kokkos_range(int n)
 {
   using Property = Kokkos::Experimental::WorkItemProperty::HintLightWeight_t;
-  return Kokkos::RangePolicy<LMPDeviceType, BOUNDS, Property>(0, n);
+  return Kokkos::RangePolicy<LMPDeviceType, BOUNDS, Property>(0, n, Kokkos::ChunkSize(KOKKOS_WARP));
 }
 
 // one(i) for i = 0..n-1

@@ -1,7 +1,7 @@
 /* -*- c++ -*- ----------------------------------------------------------
    SPH-TM: LAMMPS's compute reduce with Kokkos: of values of compute
-   sph/tm/atom it reads just these, and no particle data has to come to the
-   host with them. Everything else is LAMMPS's.
+   sph/tm/atom it takes where the loops run, and no particle data has to come
+   to the host. Everything else is LAMMPS's.
 ------------------------------------------------------------------------- */
 #ifndef LMP_COMPUTE_REDUCE_KOKKOS_H
 #define LMP_COMPUTE_REDUCE_KOKKOS_H
@@ -17,6 +17,9 @@ class ComputeReduceKokkos : public ComputeReduce {
 
  protected:
   double compute_one(int, int) override;
+
+ private:
+  template <class HOW> double reduce(const double *value, int columns, int column, const int *mask);
 };
 
 }    // namespace LAMMPS_NS

@@ -22,7 +22,7 @@ struct SumContact {
   }
 };
 #if defined(LMP_KOKKOS_GPU)
-const int MANY = getenv("SPHTM_MANY") ? atoi(getenv("SPHTM_MANY")) : 100000;
+constexpr int MANY = 100000;    // particles: with more of them those that do not touch count
 #endif
 
 struct Contact {

@@ -95,15 +95,18 @@ KOKKOS_INLINE_FUNCTION void lower(unsigned long long *least, unsigned long long 
 // where the particles lower them, and where the host reads them; until Kokkos ends
 struct LimitsOfStep {
   Limits *there = nullptr, *here = nullptr;
+  tm_update_result *ledger = nullptr;    // with the ledger all of it
 } of_step;
 Limits *limits()
 {
   if (!of_step.there) {
     of_step.there = (Limits *) kokkos_backend().allocate(sizeof(Limits));
     of_step.here = (Limits *) kokkos_backend().allocate_result(sizeof(Limits));
+    of_step.ledger = (tm_update_result *) kokkos_backend().allocate_result(sizeof(tm_update_result));
     Kokkos::push_finalize_hook([] {
       kokkos_backend().release(of_step.there);
       kokkos_backend().release_result(of_step.here);
+      kokkos_backend().release_result(of_step.ledger);
       of_step = {};
     });
   }
@@ -176,8 +179,13 @@ struct SumStep {
 tm_update_result update(Backend &backend, int n, const tm_update_args &a, unsigned effects)
 {
   constexpr unsigned RARE = RARE_IN_UPDATE, HEAT = TM_FX_HEAT | TM_FX_CONDUCTION, FLOW = TM_FX_PLASTICITY;
-  if (effects & TM_FX_LEDGER)
-    return kokkos_sum("sph/tm update", n, tm_update_nothing(), UpdateWithLedger{a, effects}, SumStep());
+  if (effects & TM_FX_LEDGER) {
+    limits();
+    kokkos_sum_later<Kokkos::LaunchBounds<128, 3>>("sph/tm update", n, tm_update_nothing(),
+                                                   UpdateWithLedger{a, effects}, SumStep(), of_step.ledger);
+    backend.wait();
+    return *of_step.ledger;
+  }
   tm_update_result r = tm_update_nothing();
   if (n == 0) return r;
   if (effects & RARE) run_update<0>(n, a, effects, limits());

@@ -99,11 +99,16 @@ void ComputeSPHTMAtom::run_output(double *value)
   });
 }
 
+void ComputeSPHTMAtom::check_current()
+{
+  scene->state("Compute sph/tm/atom");    // it may have gone since the last run
+  scene->check_current(state, fmt::format("Compute sph/tm/atom {}", id));
+}
+
 void ComputeSPHTMAtom::compute_peratom()
 {
   invoked_peratom = update->ntimestep;
-  scene->state("Compute sph/tm/atom");    // it may have gone since the last run
-  scene->check_current(state, fmt::format("Compute sph/tm/atom {}", id));
+  check_current();
   if (atom->nmax > nmax) {
     nmax = atom->nmax;
     memory->destroy(vector_atom);

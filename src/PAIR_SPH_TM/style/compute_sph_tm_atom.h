@@ -27,6 +27,8 @@ class ComputeSPHTMAtom : public Compute {
   SPHTM_NS::ParticleState *state = nullptr;    // from init on
   std::vector<int> wanted;                     // enum tm_output_id
 
+  void check_current();
+  bool wants(int attribute) const;
   tm_output_args output_args();
   virtual void run_output(double *value);    // the rows of all particles
 
@@ -34,7 +36,6 @@ class ComputeSPHTMAtom : public Compute {
   int nmax = 0;
 
   void put_level(double *value);
-  bool wants(int attribute) const;
 };
 
 }    // namespace LAMMPS_NS

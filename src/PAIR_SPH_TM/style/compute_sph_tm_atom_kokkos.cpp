@@ -27,22 +27,30 @@ ComputeSPHTMAtomKokkos::ComputeSPHTMAtomKokkos(LAMMPS *lmp, int narg, char **arg
 
 void ComputeSPHTMAtomKokkos::run_output(double *value)
 {
-  if (state->loops().shared()) {
-    ComputeSPHTMAtom::run_output(value);
-    return;
-  }
+  if (state->loops().shared()) ComputeSPHTMAtom::run_output(value);
+  else state->loops().to_host(value, make_values(), (size_t) atom->nlocal * wanted.size() * sizeof(double));
+}
+
+const double *ComputeSPHTMAtomKokkos::values_of_loops(int &n)
+{
+  check_current();
+  n = (int) wanted.size();
+  return state->loops().shared() || wants(TM_OUT_LEVEL) ? nullptr : make_values();
+}
+
+const double *ComputeSPHTMAtomKokkos::make_values()
+{
   // Between steps LAMMPS lets a host's fix take the atoms for the host's, and would copy them all to the GPU before
   // each look at them. During a run both sides are marked where they are newer.
   const int automatic = lmp->kokkos->auto_sync;
   if (update->whichflag && !update->setupflag) lmp->kokkos->auto_sync = 0;
   tm_output_args a = output_args();
   lmp->kokkos->auto_sync = automatic;
-  const size_t n = (size_t) atom->nlocal * a.columns;
   columns.assign(wanted.data(), wanted.size());
-  values.make_room(true, n);
+  values.make_room(true, (size_t) atom->nlocal * a.columns + 1);
   a.wanted = columns.loop_read();
   a.value = values.loop_write();
   kokkos_each("sph/tm output", atom->nlocal, Values{a});
-  state->loops().to_host(value, a.value, n * sizeof(double));
+  return a.value;
 }
 #endif

@@ -7,12 +7,14 @@
 
 #include "compute_sph_tm_atom.h"
 #include "loop_array.h"
+#include "values_of_loops.h"
 
 namespace LAMMPS_NS {
 
-class ComputeSPHTMAtomKokkos : public ComputeSPHTMAtom {
+class ComputeSPHTMAtomKokkos : public ComputeSPHTMAtom, public SPHTM_NS::ValuesOfLoops {
  public:
   ComputeSPHTMAtomKokkos(class LAMMPS *, int, char **);
+  const double *values_of_loops(int &columns) override;
 
  protected:
   void run_output(double *) override;
@@ -20,6 +22,8 @@ class ComputeSPHTMAtomKokkos : public ComputeSPHTMAtom {
  private:
   SPHTM_NS::LoopArray<int> columns;
   SPHTM_NS::LoopArray<double> values;
+
+  const double *make_values();    // where the loops run
 };
 
 }    // namespace LAMMPS_NS
