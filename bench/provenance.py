@@ -1,6 +1,7 @@
 """What a summary needs so that its numbers can be made again: the command, the commit and the date.
 
-Commit: of the folder's git, with + where files have been changed since; or SPHTM_COMMIT, where there is no git."""
+Commit: SPHTM_COMMIT, where it is set; in a bundle the one it was built from (file version); else that of the folder's git, with + where
+files have been changed since."""
 import datetime
 import os
 import shlex
@@ -19,6 +20,10 @@ def git(*arguments):
 
 
 def commit():
+    built = os.path.join(ROOT, "version")
+    if not os.environ.get("SPHTM_COMMIT") and os.path.isfile(built):
+        with open(built) as f:
+            return f.read().strip()
     head = git("rev-parse", "--short=7", "HEAD")
     changed = git("status", "--porcelain", "--untracked-files=no", "--", "src", "examples", "materials", "bench")
     return os.environ.get("SPHTM_COMMIT") or (head + ("+" if changed else "") if head else "unknown")

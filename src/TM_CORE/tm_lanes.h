@@ -62,10 +62,13 @@ typedef tm_pair tm_lanes_any __attribute__((vector_size(TM_VECTOR), aligned(4), 
 typedef tm_pair tm_lanes, tm_lanes_mem, tm_lanes_any;
 #endif
 
-/* A sum over the neighbors of a row. Where it is not spread over lanes it is kept in double, so that
-   its error does not grow with the number of neighbors. */
+/* A sum over the neighbors of a row. Where it is not spread over lanes it is kept in double, so that its error does not grow
+   with the number of neighbors; but on a GPU, where a conversion takes as long as four sums. There the error of 50 terms
+   is that of the terms themselves. */
 #if TM_VECTOR
 typedef tm_lanes tm_sum;
+#elif defined(__CUDACC__)
+typedef tm_pair tm_sum;
 #else
 typedef tm_real tm_sum;
 #endif
