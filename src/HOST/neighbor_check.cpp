@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <climits>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -41,23 +42,30 @@ bool NeighborCheck::others_move() const
   return false;
 }
 
-void NeighborCheck::begin_run()
+void NeighborCheck::begin_run(double speed2, bool shifted)
 {
   end_run();
-  watching = neighbor->dist_check && !domain->box_change && !domain->triclinic && !others_move();
+  watching = !shifted && neighbor->dist_check && !domain->box_change && !domain->triclinic && !others_move();
   delay_of_user = neighbor->delay;
   particles = tools = 0.0;
+  set_speed(speed2);
+}
+
+void NeighborCheck::set_speed(double speed2)
+{
+  const double mine = sqrt(speed2);
+  if (watching) MPI_Allreduce(&mine, &speed, 1, MPI_DOUBLE, MPI_MAX, world);
 }
 
 void NeighborCheck::end_run()
 {
-  if (watching && neighbor->delay == INT_MAX) neighbor->delay = delay_of_user;
+  if (watching && neighbor && neighbor->delay == INT_MAX) neighbor->delay = delay_of_user;    // none where LAMMPS ends
   particles = tools = UNKNOWN;
 }
 
-void NeighborCheck::before_lists(double way)
+void NeighborCheck::before_lists(double time)
 {
-  particles += way;
+  particles += speed * time;
   decide();
 }
 
@@ -77,6 +85,10 @@ void NeighborCheck::decide()
 
 void NeighborCheck::lists_renewed() { particles = tools = 0.0; }
 
-void NeighborCheck::after_lists(double way) { particles += way; }
+void NeighborCheck::after_lists(double speed2, double time)
+{
+  set_speed(speed2);
+  particles += speed * time;
+}
 
 }    // namespace SPHTM_NS

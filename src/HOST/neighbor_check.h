@@ -13,14 +13,16 @@ class NeighborCheck : protected LAMMPS_NS::Pointers {
   explicit NeighborCheck(LAMMPS_NS::LAMMPS *l) : Pointers(l) {}
   ~NeighborCheck() override { end_run(); }
 
-  void begin_run();    // after the set-up has made the lists
-  void end_run();      // particles may be moved from now on
+  // after the set-up has made the lists; speed2: square of the largest speed on this rank; shifted: particles also move
+  // otherwise than with their velocity
+  void begin_run(double speed2, bool shifted);
+  void end_run();    // particles may be moved from now on
 
-  // In this order in a step. way: no particle goes further
-  void before_lists(double way);    // on the way to where the lists are used
-  void of_tool(double way);         // the same, of particles that are moved with a tool
+  // in this order in a step
+  void before_lists(double time);    // which particles move to where the lists are used
+  void of_tool(double way);          // the same, of particles that are moved with a tool
   void lists_renewed();
-  void after_lists(double way);
+  void after_lists(double speed2, double time);    // with the new velocities
 
  private:
   bool watching = false;     // in this run
@@ -28,6 +30,9 @@ class NeighborCheck : protected LAMMPS_NS::Pointers {
   double particles = 0.0;    // their way since the lists were made, at most; infinite: not known
   double tools = 0.0;
 
+  double speed = 0.0;    // of the fastest particle, of all ranks
+
+  void set_speed(double speed2);
   bool others_move() const;
   void decide();
 };

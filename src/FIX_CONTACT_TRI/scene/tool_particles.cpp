@@ -40,7 +40,7 @@ static double way_of(const tm_pose &from, const tm_pose &to)
 
 void ToolParticles::move(const tm_pose &from, const tm_pose &to) const
 {
-  scene->state()->neighbor_check().of_tool(way_of(from, to));
+  scene->neighbor_check().of_tool(way_of(from, to));
   ContactLoops::of(*loops).move(*loops, lmp->atom->nlocal,
                                 {scene->state()->arrays(), fix->groupbit, type, lmp->domain->dimension == 3, from, to},
                                 0);

@@ -64,9 +64,8 @@ TM_FN tm_update_result tm_initial_limits(int i, const tm_update_args *a, unsigne
   const tm_state *s = &a->state;
   const tm_material *m = s->material + s->type[i];
   const tm_real h = tm_particle_h(s, i, a->h, effects);
-  const tm_vec3 v = tm_load3(s->v + 3 * (ptrdiff_t) i);
   tm_update_result out = tm_update_nothing();
-  out.speed2 = tm_vec_dot(v, v);
+  out.speed2 = tm_update_speed2(s, i);
   if (seed) tm_initial_history(i, a, effects);
   if ((effects & TM_FX_ONE_PASS) && m->body == TM_BODY_SOLID) {
     tm_real *row = tm_field_row(s, TM_F_CORRECTION, i);

@@ -329,6 +329,12 @@ TM_FN int tm_update_heat_status(const tm_update_args *a, tm_real T)
   return T > a->hottest ? TM_BAD_HEAT : TM_OK;
 }
 
+TM_FN tm_real tm_update_speed2(const tm_state *s, int i)
+{
+  const tm_vec3 v = tm_load3(s->v + 3 * (ptrdiff_t) i);
+  return tm_vec_dot(v, v);
+}
+
 TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effects)
 {
   effects &= TM_FX_PRESENT;
@@ -354,8 +360,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
   }
 
   const tm_vec3 acc = s->mask[i] & a->group ? tm_update_motion(i, a, effects, &out) : tm_vec(0, 0, 0);
-  const tm_vec3 v = tm_load3(s->v + 3 * (ptrdiff_t) i);
-  out.speed2 = tm_vec_dot(v, v);
+  out.speed2 = tm_update_speed2(s, i);
 
   const tm_real mass = rec[tm_part(TM_REC_M)];
   if (solid) {

@@ -6,7 +6,6 @@
 #include "atom_arrays.h"
 #include "effect_plan.h"
 #include "energy_balance.h"
-#include "neighbor_check.h"
 #include "particle_fields.h"
 #include "run_clock.h"
 #include "run_history.h"
@@ -116,7 +115,6 @@ class ParticleState : protected LAMMPS_NS::Pointers {
   EnergyBalance &energy() { return balance; }
   RunClock &clock() { return run_clock; }
   RunHistory &history() { return run_history; }
-  NeighborCheck &neighbor_check() { return check; }
 
  private:
   std::string fix_id;
@@ -135,7 +133,6 @@ class ParticleState : protected LAMMPS_NS::Pointers {
   EnergyBalance balance;
   RunClock run_clock;
   RunHistory run_history;
-  NeighborCheck check;
 
   void derive_effects();
   void report_effects();

@@ -5,6 +5,7 @@
 
 #include "conduction.h"
 #include "model.h"
+#include "neighbor_check.h"
 #include "neighbor_rows.h"
 #include "particle_state.h"
 #include "row_source.h"
@@ -22,7 +23,7 @@ class Scene {
  public:
   // that of a LAMMPS; it lives as long as one of its styles holds it
   static std::shared_ptr<Scene> of(LAMMPS_NS::LAMMPS *);
-  explicit Scene(LAMMPS_NS::LAMMPS *l) : lmp(l) {}
+  explicit Scene(LAMMPS_NS::LAMMPS *l) : lmp(l), check(l) {}
 
   // of fix sph/tm; where there is none nullptr, or an error in the name of the style that needs it
   ParticleState *state() const { return states.empty() ? nullptr : states.front(); }
@@ -33,6 +34,7 @@ class Scene {
   StepResults &results() const { return *pair.results; }
   Conduction &conduction() const { return *pair.conduction; }
   bool has_pair() const { return pair.model != nullptr; }
+  NeighborCheck &neighbor_check() const { return check; }
 
   // between runs: is what `known` holds that of this run, set up and with its pair style?
   bool is_current(ParticleState *known) const;
@@ -70,6 +72,7 @@ class Scene {
 
  private:
   LAMMPS_NS::LAMMPS *lmp;
+  mutable NeighborCheck check;            // of this LAMMPS's lists, in whatever the run is made of
   std::vector<ParticleState *> states;    // in order of creation; a run has one
   struct {
     Model *model = nullptr;

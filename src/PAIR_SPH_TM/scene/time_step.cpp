@@ -63,12 +63,10 @@ void TimeStep::limit(double value, int cause, const Fix *by)
   limited_by[cause] = by;
 }
 
-void TimeStep::limit(const tm_update_result &of_particles)
+void TimeStep::limit(const tm_real *of_particles)
 {
-  const tm_real *value = of_particles.dt;
-  for (int k = 0; k < 3; k++) limit((k == TM_DT_CONDUCTION ? stages_bear(has_stages()) : 1.0) * value[k], k);
-  if (has_stages()) my_conduction = std::min(my_conduction, (double) value[TM_DT_CONDUCTION]);
-  my_fastest = sqrt(of_particles.speed2);
+  for (int k = 0; k < 3; k++) limit((k == TM_DT_CONDUCTION ? stages_bear(has_stages()) : 1.0) * of_particles[k], k);
+  if (has_stages()) my_conduction = std::min(my_conduction, (double) of_particles[TM_DT_CONDUCTION]);
 }
 
 void TimeStep::limit_by_bodies()
@@ -137,7 +135,6 @@ void TimeStep::end_setup(bool first)
   }
   dt_largest = first ? 0.0 : dt_next;
   MPI_Allreduce(&my_conduction, &of_conduction, 1, MPI_DOUBLE, MPI_MIN, world);
-  reduce_speed();
   if (first || dt_next <= 0.0) {
     reduce();
     if (first && comm->me == 0) {
@@ -174,7 +171,6 @@ void TimeStep::end_step()
     return;
   }
   check_fixed(limits);
-  reduce_speed();
   if (has_stages() && state.has(TM_FX_CONDUCTION))
     MPI_Allreduce(&my_conduction, &of_conduction, 1, MPI_DOUBLE, MPI_MIN, world);
 }
@@ -189,8 +185,6 @@ double TimeStep::longest_conduction(bool mechanics) const
   return std::max(of_conduction, std::min(1.02, share) * dt);
 }
 
-void TimeStep::reduce_speed() { MPI_Allreduce(&my_fastest, &fastest, 1, MPI_DOUBLE, MPI_MAX, world); }
-
 // down to 30 bits: the loops of a scene are compiled for its effects, and the last bits of what they find need not agree
 static double rounded_down(double step)
 {
@@ -202,19 +196,17 @@ static double rounded_down(double step)
 void TimeStep::reduce()
 {
   limit_by_bodies();
-  double mine[TM_DT_CAUSES + 2], all[TM_DT_CAUSES + 2];
+  double mine[TM_DT_CAUSES + 1], all[TM_DT_CAUSES + 1];
   std::copy_n(limits, (int) TM_DT_CAUSES, mine);
   mine[TM_DT_CAUSES] = my_conduction;
-  mine[TM_DT_CAUSES + 1] = -my_fastest;
   mine[TM_DT_SOUND] *= courant;
   mine[TM_DT_FORCE] *= courant;
   mine[TM_DT_MAXIMUM] = most > 0.0 ? most : 1e300;
   {
     const auto timed = state.clock().timed(RunClock::COMMUNICATION);
-    MPI_Allreduce(mine, all, TM_DT_CAUSES + 2, MPI_DOUBLE, MPI_MIN, world);
+    MPI_Allreduce(mine, all, TM_DT_CAUSES + 1, MPI_DOUBLE, MPI_MIN, world);
   }
   of_conduction = all[TM_DT_CAUSES];
-  fastest = -all[TM_DT_CAUSES + 1];
   if (has_stages())
     all[TM_DT_CONDUCTION] = std::min(all[TM_DT_CONDUCTION], longest_conduction(all[TM_DT_SOUND] < 1e299));
   heat_error = -1.0;

@@ -37,8 +37,7 @@ class TimeStep : protected LAMMPS_NS::Pointers {
   double now() const { return dt; }
   double ahead() const { return dt_ahead; }    // from the state to the force point
   double next() const { return dt_next; }
-  double speed() const { return fastest; }    // no particle is faster at the end of the last step, or of the set-up
-  int cause() const { return dt_cause; }      // enum tm_dt_cause
+  int cause() const { return dt_cause; }    // enum tm_dt_cause
   // conduction takes stages in this step, which is longer than one evaluation bears
   bool conducts_in_stages() const { return in_stages; }
   bool has_stages() const { return stages_allowed && stages_possible; }    // conduction may take them
@@ -46,8 +45,7 @@ class TimeStep : protected LAMMPS_NS::Pointers {
 
   // upper limit of the next step, already with its safety factor; by: whose it is, for messages
   void limit(double value, int cause, const LAMMPS_NS::Fix *by = nullptr);
-  void
-  limit(const tm_update_result &of_particles);    // by sound, force, conduction, without safety factor; their speed
+  void limit(const tm_real *of_particles);    // by sound, force, conduction, without safety factor
   void lower_next(double value);
   // false: some pairs have no stages (of fix adapt/neigh threshold), and conduction limits the steps
   void set_stages_possible(bool p) { stages_possible = p; }
@@ -69,7 +67,6 @@ class TimeStep : protected LAMMPS_NS::Pointers {
   double dt_largest = 0.0;    // of this run
   bool stages_allowed = true, stages_possible = true, in_stages = false;
   double heat_tolerance = HEAT_TOLERANCE, heat_error = -1.0;    // negative: not known
-  double my_fastest = 0.0, fastest = 0.0;                       // speed of particles of this rank, of all ranks
   double of_conduction = 1e300;                                 // limit of one evaluation, of all ranks
   double my_conduction = 1e300;                                 // of this rank, since the last reduction
   int dt_cause = TM_DT_SOUND;
@@ -81,7 +78,6 @@ class TimeStep : protected LAMMPS_NS::Pointers {
   void limit_by_bodies();
   void reduce();
   double longest_conduction(bool mechanics) const;
-  void reduce_speed();
   void apply(double value, LAMMPS_NS::bigint done);
   void check_fixed(const double *of_causes);
   void check_stall(const double *of_all_ranks);

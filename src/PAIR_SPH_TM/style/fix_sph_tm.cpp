@@ -16,8 +16,6 @@
 #include "pair.h"
 #include "update.h"
 
-#include <limits>
-
 using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
 using namespace FixConst;
@@ -76,7 +74,7 @@ void FixSPHTM::init()
                       "and pair_coeff before the run");
   if (modify->get_fix_by_style("^sph/tm$").size() > 1)
     error->all(FLERR, "More than one fix sph/tm: one owns the state of all particles; use unfix, or its group");
-  state.neighbor_check().end_run();    // after one that was stopped
+  scene->neighbor_check().end_run();    // after one that was stopped
   start.check_company(pair);
   start.check_begun(begin_anew);
   file.check_rows();
@@ -106,7 +104,7 @@ void FixSPHTM::begin_forces()
     source_of_setup = true;
   }
   if (neighbor->ago == 0) {
-    state.neighbor_check().lists_renewed();
+    scene->neighbor_check().lists_renewed();
     state.clock().lists_renewed();
   }
   if (state.loops().shared()) check_lost();    // else the update is waited for
@@ -122,11 +120,11 @@ void FixSPHTM::setup(int)
   stops.limit(args);
   const tm_update_result r =
       PairLoops::of(state.loops()).initial_limits(state.loops(), atom->nlocal, {args, first}, state.effects());
-  state.time_step().limit(r);
+  state.time_step().limit(r.dt);
   if (first) start.check_start();
   else start.check_changes();
   state.time_step().end_setup(first);
-  state.neighbor_check().begin_run();
+  scene->neighbor_check().begin_run(r.speed2, state.has(TM_FX_XSPH));
   fracture.begin(force->pair_match("^sph/tm", 0));
   table.stop_clock();
   looked = false;
@@ -143,18 +141,12 @@ void FixSPHTM::initial_integrate(int)
   scene->results().begin_step();
   state.time_step().begin_step();
   state.source().held.forget();
-  state.neighbor_check().before_lists(state.time_step().ahead() * way());
+  scene->neighbor_check().before_lists(state.time_step().ahead());
   const auto timed = state.clock().timed(RunClock::DRIFT);
   if (source_of_setup) state.source().set_zero(state.loops(), state.has(TM_FX_HEAT), atom->nmax);
   source_of_setup = false;
   drifted = atom->nlocal;
   PairLoops::of(state.loops()).drift(state.loops(), drifted, drift_args(state, *domain), state.effects(), lost);
-}
-
-// how far a particle can move, per time, with the velocities of now
-double FixSPHTM::way()
-{
-  return state.has(TM_FX_XSPH) ? std::numeric_limits<double>::infinity() : state.time_step().speed();
 }
 
 // asked before LAMMPS would delete the particle, and before the forces; whether there is one that may go
@@ -193,11 +185,10 @@ void FixSPHTM::final_integrate()
   check_lost(state.time_step().ahead());
   if (sum.status != TM_OK) stops.stop_on(sum);
   if (sum.melted < INT_MAX) stops.warn_of_melting(sum.melted);
-  state.time_step().limit(sum);
+  state.time_step().limit(sum.dt);
   if (state.has(TM_FX_LEDGER)) state.energy().add_step(sum);
-  const double half = state.time_step().ahead();
+  scene->neighbor_check().after_lists(sum.speed2, state.time_step().ahead());
   state.time_step().end_step();
-  state.neighbor_check().after_lists(half * way());
 }
 
 void FixSPHTM::end_of_step()
@@ -211,7 +202,7 @@ void FixSPHTM::post_run()
   start.remember_particles();
   if (looked) energies.look(table.steps() >= nevery ? EnergyReport::LAST : EnergyReport::GLANCE, stop_on_lost);
   table.print(energies.watch(), fracture.in_words());
-  state.neighbor_check().end_run();
+  scene->neighbor_check().end_run();
 }
 
 /* ---------------------------------------------------------------------- output */

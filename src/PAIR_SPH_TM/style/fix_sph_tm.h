@@ -82,7 +82,6 @@ class FixSPHTM : public Fix, public SPHTM_NS::StepOwner {
   int *lost = nullptr;    // what the drift of so many particles found, once it is through
   int drifted = 0;
 
-  double way();
   void read_keywords(SPHTM_NS::Keywords &&);
   bool read_setting(SPHTM_NS::Keywords &);
 };
