@@ -20,9 +20,9 @@ mirror=$(apt-get indextargets --format '$(ORIGIN)|$(LABEL)|$(COMPONENT)|$(IDENTI
 
 package=$("$root/tools/package.sh")
 work=$(mktemp -d)
-trap 'umount -l "$work/root/proc" "$work/root/dev/shm" 2> /dev/null || true; rm -rf --one-file-system "$work"' EXIT
+trap 'umount -l "$work/system/proc" "$work/system/dev/shm" 2> /dev/null || true; rm -rf --one-file-system "$work"' EXIT
 trap 'exit 130' INT TERM
-there=$work/root
+there=$work/system
 
 quiet() { "$@" > "$work/log" 2>&1 || { tail -n 30 "$work/log"; die "failed: $*$(cause_in "$work/log")"; }; }
 inside() { chroot "$there" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONTEND=noninteractive LC_ALL=C "$@"; }

@@ -4,21 +4,9 @@ import os
 import subprocess
 import sys
 
-from sphtm_scene import SOURCE, Checks, new_folder
+from sphtm_scene import SOURCE, Checks, lattice_block, new_folder
 
-SCRIPT = """
-variable v index 10
-variable steps index 20
-units si
-dimension 2
-boundary f f p
-atom_style atomic
-newton off
-lattice sq 1e-3 origin 0.5 0.5 0
-region box block -1 1 -1 1 -0.5e-3 0.5e-3 units box
-create_box 1 box
-region work block 0 8e-3 0 8e-3 INF INF units box
-create_atoms 1 region work
+SCRIPT = "variable v index 10\nvariable steps index 20\n" + lattice_block("0 8e-3 0 8e-3", "-1 1 -1 1") + """
 pair_style sph/tm hyperbolic 1.2 spacing 1e-3
 pair_coeff 1 1 density 2700 elastic 70e9 0.33
 velocity all set ${v} 0 0 units box
