@@ -124,7 +124,7 @@ def launches(name, folder, top, lammps, steps, particles):
         return None
     counts = {"kernel": {}, "copy": {}, "data": {}, "step": {}}
     for kind, what, calls, _, size in read_table(table):
-        if kind == "fill":
+        if kind in ("fill", "memory"):
             continue
         if kind in ("kernel", "step") or len(set(what.split(":")[0].split(" <- "))) == 2:
             counts[kind][what] = (calls, size)
@@ -232,6 +232,16 @@ def counters(name, folder, top, lammps):
             for k, metrics in kernels.items()], ""
 
 
+def memory_table(rows):
+    """Bytes by what they are for, when the fullest memory was fullest; host and pinned memory apart from a GPU's."""
+    spaces = {}
+    for _, name, _, _, size in rows:
+        space, what = name.split(": ", 1)
+        if size:
+            spaces.setdefault(space, {})[what] = size
+    return {space: dict(sorted(of.items(), key=lambda item: -item[1])) for space, of in spaces.items()}
+
+
 def profile(name, folder, top, lammps, steps=100):
     environment, table = tool_environment(folder, top)
     output, status = lammps(folder, prepare(name, folder, top, steps), environment=environment)
@@ -240,10 +250,12 @@ def profile(name, folder, top, lammps, steps=100):
     if status != 0 or not os.path.isfile(table):
         return {"case": name, "error": failure(output, status)}
     rows = read_table(table)
+    memory = memory_table([r for r in rows if r[0] == "memory"])
+    rows = [r for r in rows if r[0] != "memory"]
     total = sum(r[3] for r in rows) or 1
     kernels = [{"name": n, "kind": kind, "launches": calls, "us": 1e6 * seconds / max(calls, 1),
                 "share": 100 * seconds / total,
                 "bytes": size} for kind, n, calls, seconds, size in sorted(rows, key=lambda r: -r[3])]
-    result = dict({"case": name}, **figures(output), kernels=kernels)
+    result = dict({"case": name}, **figures(output), kernels=kernels, memory=memory)
     result["counters"], result["no_counters"] = counters(name, folder, top, lammps)
     return result

@@ -4,6 +4,7 @@
      copy   <tab> to and from memory <tab> copies <tab> seconds <tab> bytes
      data   the same for copies of SPHTM_LARGE_COPY bytes or more: those of data of particles
      fill   the same for memory filled with one value, which Kokkos announces as a copy from nowhere
+     memory <tab> memory: what for <tab> allocations <tab> 0 <tab> bytes at the time when that memory was fullest
      step   <tab> number of copies of data between two memories in a step <tab> steps <tab> 0 <tab> bytes in all of them
    A step goes from one launch of a kernel whose name begins with SPHTM_STEP_KERNEL to the next.
    Kokkos waits for the device around every launch while a tool is loaded: times are of the kernels alone. */
@@ -18,7 +19,7 @@ enum { MAX_ROWS = 1024, MAX_NAME = 400 };
 struct row {
   const char *kind;
   char name[MAX_NAME];
-  uint64_t calls, bytes;
+  uint64_t calls, bytes, held; /* held: bytes of memory now */
   double seconds;
 };
 static struct row rows[MAX_ROWS];
@@ -52,7 +53,7 @@ static struct row *find(const char *kind, const char *name)
 }
 
 static const char kernel[] = "kernel", copy[] = "copy", data[] = "data", fill[] = "fill",
-                  step[] = "step";
+                  step[] = "step", memory[] = "memory";
 
 static void end_step(void)
 {
@@ -129,6 +130,36 @@ void kokkosp_end_deep_copy(void)
   copying->calls++;
   copying->seconds += now() - started;
   copying = NULL;
+}
+
+/* Memory by name, of each space; `bytes` of its rows are those of its fullest time so far. */
+static struct row *memory_of(struct space of, const char *name)
+{
+  char whole[MAX_NAME];
+  snprintf(whole, sizeof whole, "%s: %.300s", of.name, name);
+  return find(memory, whole);
+}
+
+void kokkosp_allocate_data(struct space of, const char *name, const void *p, uint64_t bytes)
+{
+  struct row *all = memory_of(of, "all"), *r = memory_of(of, name);
+  const size_t length = strlen(of.name);
+  int i;
+  (void) p;
+  r->calls++;
+  r->held += bytes;
+  all->calls++;
+  all->held += bytes;
+  if (all->held <= all->bytes) return;
+  for (i = 0; i < n_rows; i++)
+    if (rows[i].kind == memory && !strncmp(rows[i].name, of.name, length) && rows[i].name[length] == ':')
+      rows[i].bytes = rows[i].held;
+}
+void kokkosp_deallocate_data(struct space of, const char *name, const void *p, uint64_t bytes)
+{
+  (void) p;
+  memory_of(of, "all")->held -= bytes;
+  memory_of(of, name)->held -= bytes;
 }
 
 void kokkosp_finalize_library(void)

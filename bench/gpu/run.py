@@ -6,7 +6,7 @@ test      small versions of the scenes against results of the plain styles on a 
           twice; what stops a run ('stops'); the physics headers by themselves on the device ('headers')
 sanitize  the same under compute-sanitizer, memcheck and racecheck, a few steps each
 bench     time per particle and step of large scenes, and copies between host and device in a step
-profile   table of kernels of a large scene; with counters of the hardware where there is ncu
+profile   tables of kernels and of memory of a large scene; with counters of the hardware where there is ncu
 
 Each writes summary.json into its folder. Names choose among the scenes or cases; --jobs runs that many tests at a time.
 './run reference', used where the bundle is made, writes the expected results."""
@@ -57,6 +57,12 @@ def profile(out, names, gpus):
                                                                   "share", "launches", "us each", "kernel"))
         for k in result["kernels"][:25]:
             print("%7.1f%% %10d %10.2f  %s" % (k["share"], k["launches"], k["us"], k["name"][:110]))
+        for space, of in sorted(result["memory"].items(), key=lambda item: -item[1]["all"]):
+            if of["all"] < 1e3 * result["particles"] / 8:
+                continue
+            print("bytes per particle in %s when it was fullest:" % space)
+            for what, size in list(of.items())[:25]:
+                print("%9.1f  %s" % (size / result["particles"], what))
         print("counters: %s" % (result.get("counters") or result.get("no_counters")), flush=True)
     return {"gpus": gpus, "cases": results}, sum("error" in r for r in results)
 

@@ -22,8 +22,8 @@ class Backend {
 
   // memory of the loops; shared: it is the host's
   virtual bool shared() const { return true; }
-  virtual int block() const { return 1; }    // particles of a block, see tm_layout.h
-  virtual void *allocate(size_t) { return nullptr; }
+  virtual int block() const { return 1; }                                      // particles of a block, see tm_layout.h
+  virtual void *allocate(size_t, const char * /*what*/) { return nullptr; }    // what: for tables of memory
   virtual void release(void *) {}
   virtual void to_loops(void * /*there*/, const void * /*here*/, size_t) {}
   virtual void to_host(void * /*here*/, const void * /*there*/, size_t) {}

@@ -29,7 +29,10 @@ class DeviceBackend : public Backend {
 
   bool shared() const override { return false; }
   int block() const override { return TM_BLOCK; }
-  void *allocate(size_t n) override { return Kokkos::kokkos_malloc<Memory>("sph/tm", n); }
+  void *allocate(size_t n, const char *what) override
+  {
+    return Kokkos::kokkos_malloc<Memory>(std::string("sph/tm: ") + what, n);
+  }
   void release(void *p) override
   {
     if (p) Kokkos::kokkos_free<Memory>(p);

@@ -37,6 +37,7 @@ template <class T> class LoopArray {
     live_in(b);
     if (!values.empty()) assign(values.data(), values.size());
   }
+  void call(const char *what) { name = what; }    // in tables of memory
   size_t size() const { return count; }
   bool empty() const { return count == 0; }
   size_t bytes() const { return count * sizeof(T); }
@@ -57,7 +58,7 @@ template <class T> class LoopArray {
     else {
       loop_read();
       const size_t old = room(count), now = room(n);
-      T *p = (T *) backend->allocate(now * sizeof(T));
+      T *p = (T *) backend->allocate(now * sizeof(T), name);
       if (count) backend->copy(p, there, old * sizeof(T));
       backend->zero(p + old, (now - old) * sizeof(T));
       backend->release(there);
@@ -122,6 +123,7 @@ template <class T> class LoopArray {
   T *there = nullptr;
   size_t count = 0;
   int columns = 1, together = 1;
+  const char *name = "other";
 
   // places there: whole blocks
   bool blocks() const { return backend->block() > 1 && columns > together; }

@@ -1,10 +1,10 @@
 /* SPH-TM: the sets of effects that loops are instantiated for, on the host and with Kokkos alike.
 
    Rate pass: literal are the bits of TM_FX_RATE_MASK and the kernel; with TM_FX_EXTENDED all other effects are tested
-   at run time. All sets exist for all kernels in double on the host. In single, and on a GPU, the kernels but the
+   at run time, on the host once for each chunk of neighbors, so that what is on costs its arithmetic. All sets exist for all kernels in double on the host. In single, and on a GPU, the kernels but the
    default one have only the set that tests them all, so that the compiler is done in minutes.
 
-   Prediction and update: scenes without the rare effects have loops for just their set; with one of those all effects
+   Prediction and update: scenes without the rare effects have loops for just their set; with one of those the rare ones
    are tested at run time. */
 #ifndef SPHTM_EFFECT_SETS_H
 #define SPHTM_EFFECT_SETS_H

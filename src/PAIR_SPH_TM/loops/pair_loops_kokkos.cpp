@@ -100,7 +100,7 @@ struct LimitsOfStep {
 Limits *limits()
 {
   if (!of_step.there) {
-    of_step.there = (Limits *) kokkos_backend().allocate(sizeof(Limits));
+    of_step.there = (Limits *) kokkos_backend().allocate(sizeof(Limits), "limits");
     of_step.here = (Limits *) kokkos_backend().allocate_result(sizeof(Limits));
     of_step.ledger = (tm_update_result *) kokkos_backend().allocate_result(sizeof(tm_update_result));
     Kokkos::push_finalize_hook([] {

@@ -311,14 +311,15 @@ TM_FN tm_lanes tm_chunk_lanes_apart(tm_coord x, const tm_pair *column, int l)
   return TM_SINGLE ? tm_values_load(column, l) : (tm_pair) x - tm_values_load(column, l);
 }
 
-/* Kernel of the pair with neighbor l, whose record of size is in the columns size. norm_of_one is read only with sizes:
+/* Kernel of the pair with neighbor l, whose record of size is in the columns size; sizes: c->sizes. norm_of_one is read only with sizes:
    where it lies in the arguments GCC leaves the loop scalar, and products are not fused across the branches of the
    kernel, which rounds differently. */
-TM_FN tm_pair_size tm_chunk_pair_size(const tm_chunk *c, tm_values *size, int l, const tm_pair *norm_of_one, int dim3)
+TM_FN tm_pair_size tm_chunk_pair_size(const tm_chunk *c, int sizes, tm_values *size, int l, const tm_pair *norm_of_one,
+                                      int dim3)
 {
-  return c->sizes ? tm_pair_of_sizes(&c->own, size[TM_SIZE_INV_H][tm_at(l)], size[TM_SIZE_FACTOR][tm_at(l)],
-                                     size[TM_SIZE_TENSILE][tm_at(l)], *norm_of_one, dim3)
-                  : c->of_all;
+  return sizes ? tm_pair_of_sizes(&c->own, size[TM_SIZE_INV_H][tm_at(l)], size[TM_SIZE_FACTOR][tm_at(l)],
+                                  size[TM_SIZE_TENSILE][tm_at(l)], *norm_of_one, dim3)
+               : c->of_all;
 }
 
 #endif

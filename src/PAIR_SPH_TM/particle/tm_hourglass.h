@@ -168,13 +168,13 @@ enum {
 };
 
 /* Coefficients of the pair with neighbor l of a chunk; own: W and k of the particle. */
-TM_FN void tm_hourglass_coefficients(const tm_chunk *c, const tm_rates_args *a, int kernel, int dim3,
+TM_FN void tm_hourglass_coefficients(const tm_chunk *c, const tm_rates_args *a, int kernel, int dim3, int sizes,
                                      const tm_real *own, tm_real rhoi, tm_values *col, int l)
 {
   const tm_real dx = tm_chunk_apart(c->x, col[0], l), dy = tm_chunk_apart(c->y, col[1], l);
   const tm_real dz = dim3 ? tm_chunk_apart(c->z, col[2], l) : 0.0;
   const tm_real r2 = dx * dx + dy * dy + dz * dz, r = sqrt(r2);
-  const tm_pair_size p = tm_chunk_pair_size(c, col + TM_GCOL_SIZE, l, &a->norm_of_one, dim3);
+  const tm_pair_size p = tm_chunk_pair_size(c, sizes, col + TM_GCOL_SIZE, l, &a->norm_of_one, dim3);
   const tm_real q = r * p.inv_h, volume = col[TM_REC_M][tm_at(l)] / col[TM_REC_RHO][tm_at(l)];
   const tm_real ki = own[TM_HOURGLASS_K], kj = col[TM_GCOL_W + TM_HOURGLASS_K][tm_at(l)];
   col[TM_GCOL_WEIGHT][tm_at(l)] = volume * p.norm * tm_kernel_shape(kernel, q);
@@ -242,8 +242,13 @@ TM_FN void tm_hourglass(int i, const tm_rates_args *a, unsigned effects)
     tm_chunk_fetch_main(&c, jj, TM_REC_P, dim3, col);
     tm_fetch_rows(a->rec.hourglass, TM_REC_HOURGLASS, jj, lanes, col[TM_GCOL_W]);
     if (sizes) tm_fetch_rows(a->rec.size, TM_REC_SIZE, jj, lanes, col[TM_GCOL_SIZE]);
-    TM_SIMD
-    for (int l = 0; l < lanes; l++) tm_hourglass_coefficients(&c, a, kernel, dim3, own, ri[TM_REC_RHO], col, l);
+    if (sizes) {
+      TM_SIMD
+      for (int l = 0; l < lanes; l++) tm_hourglass_coefficients(&c, a, kernel, dim3, 1, own, ri[TM_REC_RHO], col, l);
+    } else {
+      TM_SIMD
+      for (int l = 0; l < lanes; l++) tm_hourglass_coefficients(&c, a, kernel, dim3, 0, own, ri[TM_REC_RHO], col, l);
+    }
     for (int l = 0; l < lanes; l += TM_LANES) tm_hourglass_add(&c, dim3, own, ri + TM_REC_V, col, l, &s);
   }
 

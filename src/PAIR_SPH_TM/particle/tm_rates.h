@@ -45,22 +45,25 @@ enum {
   TM_COL_CONDUCTED,                         /* power per volume into i */
   TM_COL_PER_RHO,                           /* 1/rho_j */
   TM_COL_SMOOTH,                            /* m_j/rho_mean W */
+  TM_COL_Q,                                 /* r/h */
   TM_COLUMNS
 };
 
-/* Terms of the rates: literals, but in the extended instantiation. */
+/* Terms of the rates: literals, but in the extended instantiation, where kernel, dim3 and one_pass are. */
 typedef struct {
   int kernel, dim3, viscosity, artstress, conduction, form_f14, correction, balsara, xsph, surface, sizes, one_pass;
+  int extended;
 } tm_rates_terms;
 
 TM_FN tm_rates_terms tm_rates_terms_of(unsigned effects, unsigned run_time)
 {
   const unsigned all = TM_FX_PRESENT & ((effects & TM_FX_EXTENDED) ? (effects & TM_FX_3D) | run_time : effects);
   tm_rates_terms t;
+  t.extended = (effects & TM_FX_EXTENDED) != 0;
   t.kernel = tm_fx_kernel(effects);
   t.dim3 = (effects & TM_FX_3D) != 0;
   t.viscosity = (all & TM_FX_VISCOSITY) != 0;
-  t.artstress = (all & TM_FX_ARTSTRESS) != 0;
+  t.artstress = !(effects & TM_FX_ONE_PASS) && (all & TM_FX_ARTSTRESS) != 0;
   t.conduction = (all & TM_FX_CONDUCTION) != 0;
   t.form_f14 = (all & TM_FX_FORM_F14) != 0;
   t.one_pass = (effects & TM_FX_ONE_PASS) != 0;
@@ -105,8 +108,8 @@ TM_FN void tm_rates_load(int i, const tm_rates_args *a, const tm_rates_terms *t,
     for (int c = 0; c < TM_REC_CORRECTION; c++)
       own->correction[c] = rec->correction[(ptrdiff_t) i * TM_REC_CORRECTION + c];
   if (t->one_pass) tm_fetch(rec->stab + tm_pair_record(i, TM_REC_STAB), TM_STAB_FETCHED, own->stab);
-  own->visc_alpha = (tm_pair) a->visc_alpha;
-  own->visc_beta = (tm_pair) a->visc_beta;
+  own->visc_alpha = t->viscosity ? (tm_pair) a->visc_alpha : 0;
+  own->visc_beta = t->viscosity ? (tm_pair) a->visc_beta : 0;
   own->norm_of_one = (tm_pair) a->norm_of_one;
   own->art_n = a->art_n;
 }
@@ -115,9 +118,13 @@ TM_FN void tm_rates_load(int i, const tm_rates_args *a, const tm_rates_terms *t,
 TM_FN void tm_rates_fetch(const tm_chunk *c, const int *jj, const tm_rates_terms *t, const tm_pair_records *rec,
                           tm_values *col)
 {
-  const int all = TM_COLUMN > 1 || TM_SINGLE || t->viscosity;
-  const int bare = t->one_pass && !t->balsara; /* P and c are in the other record */
-  tm_chunk_fetch_main(c, jj, bare ? TM_REC_P : all ? TM_REC : TM_REC_C, t->dim3, col);
+  if (t->one_pass) { /* P and c are in the other record */
+    tm_chunk_fetch_main(c, jj, TM_REC_P, t->dim3, col);
+    if (t->balsara)
+      tm_fetch_records(c->main, TM_REC, TM_REC - TM_TOGETHER, TM_TOGETHER, jj, c->lanes, col[TM_REC - TM_TOGETHER]);
+  } else if (TM_COLUMN > 1 || TM_SINGLE || t->viscosity || t->extended)
+    tm_chunk_fetch_main(c, jj, TM_REC, t->dim3, col);
+  else tm_chunk_fetch_main(c, jj, TM_REC_C, t->dim3, col);
   if (t->one_pass) tm_fetch_records(rec->stab, TM_REC_STAB, 0, TM_STAB_FETCHED, jj, c->lanes, col[TM_COL_STAB]);
   if (t->artstress) /* in single with heat behind it, whose columns begin within a group of four */
     tm_fetch_records(rec->stress, TM_STRESS_COLUMNS, 0, TM_STRESS_COLUMNS, jj, c->lanes, col[TM_COL_STRESS]);
@@ -129,13 +136,13 @@ TM_FN void tm_rates_fetch(const tm_chunk *c, const int *jj, const tm_rates_terms
   if (t->correction) tm_fetch_rows(rec->correction, TM_REC_CORRECTION, jj, c->lanes, col[TM_COL_CORRECTION]);
 }
 
-/* Coefficients of the pair with neighbor l of a chunk. */
+/* Coefficients of the pair with neighbor l of a chunk, but those of tm_rates_rare_coefficients(). */
 TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own, tm_values *col,
                                  int l)
 {
   const tm_pair dx = tm_chunk_apart(c->x, col[0], l), dy = tm_chunk_apart(c->y, col[1], l);
   const tm_pair dz = t->dim3 ? tm_chunk_apart(c->z, col[2], l) : 0;
-  const tm_pair_size p = tm_chunk_pair_size(c, col + TM_COL_SIZE, l, &own->norm_of_one, t->dim3);
+  const tm_pair_size p = tm_chunk_pair_size(c, t->sizes, col + TM_COL_SIZE, l, &own->norm_of_one, t->dim3);
   const tm_pair r2 = dx * dx + dy * dy + dz * dz, r = tm_pair_sqrt(r2), q = r * p.inv_h;
   const tm_pair mj = col[TM_REC_M][tm_at(l)], rhoj = col[TM_REC_RHO][tm_at(l)];
   const tm_pair *c_of = t->one_pass ? col[TM_COL_STAB + TM_STAB_C] : col[TM_REC_C];
@@ -143,16 +150,16 @@ TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, con
   if (t->viscosity) {
     const tm_pair vx = own->r[4] - col[4][tm_at(l)], vy = own->r[5] - col[5][tm_at(l)];
     const tm_pair vz = t->dim3 ? own->r[6] - col[6][tm_at(l)] : 0;
-    tm_pair pi = tm_viscosity_pair(own->visc_alpha, own->visc_beta, p.h, vx * dx + vy * dy + vz * dz, r2, r,
-                                   TM_PAIR(0.5) * (own->r[TM_REC_C] + c_of[tm_at(l)]), own->r[TM_REC_RHO] + rhoj,
-                                   &inv_r, &inv_rho_sum);
-    if (t->balsara) pi *= TM_PAIR(0.5) * (own->r[TM_REC_BALSARA] + col[TM_REC_BALSARA][tm_at(l)]);
+    const tm_pair pi = tm_viscosity_pair(own->visc_alpha, own->visc_beta, p.h, vx * dx + vy * dy + vz * dz, r2, r,
+                                         TM_PAIR(0.5) * (own->r[TM_REC_C] + c_of[tm_at(l)]), own->r[TM_REC_RHO] + rhoj,
+                                         &inv_r, &inv_rho_sum);
     col[TM_COL_VISCOUS][tm_at(l)] = pi;
   } else {
     inv_r = 1 / r;
     inv_rho_sum = t->one_pass ? 1 / (own->r[TM_REC_RHO] + rhoj) : 0;
   }
   const tm_pair g = p.slope_norm * tm_kernel_slope(t->kernel, q) * inv_r; /* W'/r */
+  if (t->extended) col[TM_COL_Q][tm_at(l)] = q;
   col[TM_COL_SLOPE][tm_at(l)] = mj * own->mass * g;
   if (t->one_pass) {
     const tm_pair stiffness = tm_pair_min(own->stab[TM_STAB_K], col[TM_COL_STAB + TM_STAB_K][tm_at(l)]);
@@ -164,10 +171,92 @@ TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, con
     col[TM_COL_CONDUCTED][tm_at(l)] =
         tm_conduction_pair(own->k, col[TM_COL_HEAT + TM_REC_K][tm_at(l)], own->T, col[TM_COL_HEAT + TM_REC_T][tm_at(l)],
                            mj / rhoj * own->volume, g);
-  if (t->form_f14 || t->surface) col[TM_COL_PER_RHO][tm_at(l)] = 1 / rhoj;
-  if (t->xsph)
+}
+TM_FN void tm_rates_coefficient_loop(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own,
+                                     tm_values *col)
+{
+  const int lanes = c->lanes;
+  TM_SIMD
+  for (int l = 0; l < lanes; l++) tm_rates_coefficients(c, t, own, col, l);
+}
+
+TM_FN void tm_rates_tensile_loop(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own, tm_values *col)
+{
+  const int lanes = c->lanes;
+  TM_SIMD
+  for (int l = 0; l < lanes; l++) {
+    const tm_pair_size p = tm_chunk_pair_size(c, t->sizes, col + TM_COL_SIZE, l, &own->norm_of_one, t->dim3);
+    const tm_pair shape = tm_kernel_shape(t->kernel, col[TM_COL_Q][tm_at(l)]);
+    col[TM_COL_TENSILE][tm_at(l)] = tm_power_int(shape * p.inv_w, own->art_n);
+  }
+}
+TM_FN void tm_rates_smooth_loop(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own, tm_values *col)
+{
+  const int lanes = c->lanes;
+  TM_SIMD
+  for (int l = 0; l < lanes; l++) {
+    const tm_pair_size p = tm_chunk_pair_size(c, t->sizes, col + TM_COL_SIZE, l, &own->norm_of_one, t->dim3);
+    const tm_pair shape = tm_kernel_shape(t->kernel, col[TM_COL_Q][tm_at(l)]), rhoj = col[TM_REC_RHO][tm_at(l)];
     col[TM_COL_SMOOTH][tm_at(l)] =
-        tm_xsph_pair(mj, TM_PAIR(0.5) * (own->r[TM_REC_RHO] + rhoj), p.norm * tm_kernel_shape(t->kernel, q));
+        tm_xsph_pair(col[TM_REC_M][tm_at(l)], TM_PAIR(0.5) * (own->r[TM_REC_RHO] + rhoj), p.norm * shape);
+  }
+}
+
+/* Coefficients of effects that no loop has as literals, each in a loop of its own, and with the extended instantiation those
+   of the artificial stress. */
+TM_FN void tm_rates_rare_coefficients(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own,
+                                      tm_values *col)
+{
+  const int lanes = c->lanes;
+  if (t->balsara) {
+    TM_SIMD
+    for (int l = 0; l < lanes; l++)
+      col[TM_COL_VISCOUS][tm_at(l)] *= TM_PAIR(0.5) * (own->r[TM_REC_BALSARA] + col[TM_REC_BALSARA][tm_at(l)]);
+  }
+  if (t->form_f14 || t->surface) {
+    TM_SIMD
+    for (int l = 0; l < lanes; l++) col[TM_COL_PER_RHO][tm_at(l)] = 1 / col[TM_REC_RHO][tm_at(l)];
+  }
+  tm_rates_terms u = *t; /* sizes are a literal in each loop */
+  if (t->sizes) {
+    u.sizes = 1;
+    if (t->extended && t->artstress) tm_rates_tensile_loop(c, &u, own, col);
+    if (t->xsph) tm_rates_smooth_loop(c, &u, own, col);
+  } else {
+    u.sizes = 0;
+    if (t->extended && t->artstress) tm_rates_tensile_loop(c, &u, own, col);
+    if (t->xsph) tm_rates_smooth_loop(c, &u, own, col);
+  }
+}
+
+/* Coefficients of the pairs of a chunk. Where effects are tested at run time that is done once per chunk, so that the loops
+   over its neighbors are those of vectors, as with literals. */
+TM_FN void tm_rates_all_coefficients(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own,
+                                     tm_values *col)
+{
+  tm_rates_terms u = *t;
+  if (!t->extended) tm_rates_coefficient_loop(c, t, own, col);
+  else {
+    u.viscosity = 1; /* with factors of 0 where it is off */
+    u.artstress = 0;
+    if (TM_COLUMN == 1) tm_rates_coefficient_loop(c, &u, own, col);
+    else if (t->conduction && t->sizes) {
+      u.conduction = u.sizes = 1;
+      tm_rates_coefficient_loop(c, &u, own, col);
+    } else if (t->conduction) {
+      u.conduction = 1;
+      u.sizes = 0;
+      tm_rates_coefficient_loop(c, &u, own, col);
+    } else if (t->sizes) {
+      u.conduction = 0;
+      u.sizes = 1;
+      tm_rates_coefficient_loop(c, &u, own, col);
+    } else {
+      u.conduction = u.sizes = 0;
+      tm_rates_coefficient_loop(c, &u, own, col);
+    }
+  }
+  tm_rates_rare_coefficients(c, t, own, col);
 }
 
 typedef struct {
@@ -234,7 +323,7 @@ TM_FN void tm_rates_sums_of_group(tm_rates_sums *s, const tm_rates_terms *t, tm_
   s->gv = tm_group_sum_vec(s->gv, dim3, group);
 }
 
-/* The pairs with TM_LANES neighbors of a chunk, from neighbor l on, into the sums. */
+/* The pairs with TM_LANES neighbors of a chunk, from neighbor l on, into the sums of motion. */
 TM_FN void tm_rates_add(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own, tm_values *col, int l,
                         tm_rates_sums *s)
 {
@@ -244,7 +333,7 @@ TM_FN void tm_rates_add(const tm_chunk *c, const tm_rates_terms *t, const tm_rat
                           dim3 ? tm_chunk_lanes_apart(c->z, col[2], l) : zero}; /* x_i - x_j */
   const tm_lanes_vec v = tm_pair_difference(own->r + TM_REC_V, col + TM_REC_V, l, dim3);
   const tm_lanes_vec m_gradw = tm_lanes_scale(tm_values_load(col[TM_COL_SLOPE], l), d);
-  const tm_lanes per_rho = t->form_f14 || t->surface ? tm_values_load(col[TM_COL_PER_RHO], l) : zero;
+  const tm_lanes per_rho = t->form_f14 ? tm_values_load(col[TM_COL_PER_RHO], l) : zero;
 
   /* velocity gradient, conjugate of F15 (4), and of F14 (6) with the volume m_j/rho_j; its trace: F15 (2), F14 (4) */
   const tm_lanes_vec g = t->form_f14 ? tm_lanes_scale(per_rho, m_gradw) : m_gradw;
@@ -278,10 +367,69 @@ TM_FN void tm_rates_add(const tm_chunk *c, const tm_rates_terms *t, const tm_rat
     tm_sum_vec_add(&s->gv, tm_lanes_scale(slope, v));
   }
   if (t->artstress || t->viscosity || t->one_pass) tm_pair_artificial(a, &s->artificial, artificial, v);
+  if (t->conduction && !t->extended) s->heat += tm_values_load(col[TM_COL_CONDUCTED], l); /* F15 (6) */
+}
+TM_FN void tm_rates_add_loop(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own, tm_values *col,
+                             tm_rates_sums *s)
+{
+  for (int l = 0; l < c->lanes; l += TM_LANES) tm_rates_add(c, t, own, col, l, s);
+}
 
-  if (t->conduction) s->heat += tm_values_load(col[TM_COL_CONDUCTED], l); /* F15 (6) */
-  if (t->xsph) tm_pair_xsph(&s->xsph, tm_values_load(col[TM_COL_SMOOTH], l), v);
-  if (t->surface) tm_sum_vec_add(&s->surface, tm_lanes_scale(per_rho, m_gradw));
+/* With the form of the momentum equation as a literal. */
+TM_FN void tm_rates_add_forms(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own, tm_values *col,
+                              tm_rates_sums *s)
+{
+  tm_rates_terms u = *t;
+  u.form_f14 = u.correction = 0;
+  if (t->one_pass) tm_rates_add_loop(c, &u, own, col, s);
+  else if (t->form_f14) {
+    u.form_f14 = 1;
+    tm_rates_add_loop(c, &u, own, col, s);
+  } else if (t->correction) {
+    u.correction = 1;
+    tm_rates_add_loop(c, &u, own, col, s);
+  } else tm_rates_add_loop(c, &u, own, col, s);
+}
+
+/* Sums of effects that no loop has as literals, and with the extended instantiation that of conduction. */
+TM_FN void tm_rates_add_rare(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own, tm_values *col,
+                             tm_rates_sums *s)
+{
+  const tm_lanes zero = {0};
+  const int dim3 = t->dim3, lanes = c->lanes;
+  if (t->extended && t->conduction) /* F15 (6) */
+    for (int l = 0; l < lanes; l += TM_LANES) s->heat += tm_values_load(col[TM_COL_CONDUCTED], l);
+  if (t->xsph)
+    for (int l = 0; l < lanes; l += TM_LANES)
+      tm_pair_xsph(&s->xsph, tm_values_load(col[TM_COL_SMOOTH], l),
+                   tm_pair_difference(own->r + TM_REC_V, col + TM_REC_V, l, dim3));
+  if (t->surface)
+    for (int l = 0; l < lanes; l += TM_LANES) {
+      const tm_lanes_vec d = {tm_chunk_lanes_apart(c->x, col[0], l), tm_chunk_lanes_apart(c->y, col[1], l),
+                              dim3 ? tm_chunk_lanes_apart(c->z, col[2], l) : zero};
+      tm_sum_vec_add(&s->surface, tm_lanes_scale(tm_values_load(col[TM_COL_PER_RHO], l),
+                                                 tm_lanes_scale(tm_values_load(col[TM_COL_SLOPE], l), d)));
+    }
+}
+
+/* The pairs of a chunk into the sums; effects tested at run time once per chunk. */
+TM_FN void tm_rates_add_all(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own, tm_values *col,
+                            tm_rates_sums *s)
+{
+  tm_rates_terms u = *t;
+  if (!t->extended) tm_rates_add_loop(c, t, own, col, s);
+  else {
+    u.viscosity = 1;
+    if (TM_COLUMN == 1) tm_rates_add_loop(c, &u, own, col, s);
+    else if (t->artstress) {
+      u.artstress = 1;
+      tm_rates_add_forms(c, &u, own, col, s);
+    } else {
+      u.artstress = 0;
+      tm_rates_add_forms(c, &u, own, col, s);
+    }
+  }
+  tm_rates_add_rare(c, t, own, col, s);
 }
 
 /* With one pass: the correction at this force point, and the rate of the displacement of hourglass control. */
@@ -375,11 +523,9 @@ TM_FN void tm_rates_shared(int i, tm_group group, const tm_rates_args *a, unsign
   if (group.size > 1) tm_chunk_share(&c, group, jj);
   for (; tm_chunk_gather(&c, jj, col[0], t.dim3); tm_chunk_carry(&c, jj)) {
     if (c.n == 0) continue;
-    const int lanes = c.lanes;
     tm_rates_fetch(&c, jj, &t, &rec, col);
-    TM_SIMD
-    for (int l = 0; l < lanes; l++) tm_rates_coefficients(&c, &t, &own, col, l);
-    for (int l = 0; l < lanes; l += TM_LANES) tm_rates_add(&c, &t, &own, col, l, &sums);
+    tm_rates_all_coefficients(&c, &t, &own, col);
+    tm_rates_add_all(&c, &t, &own, col, &sums);
   }
   if (group.size > 1) tm_rates_sums_of_group(&sums, &t, group);
   if (group.lane == 0) tm_rates_store(i, a, &t, &rec, &own, &sums);

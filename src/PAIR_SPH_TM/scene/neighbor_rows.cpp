@@ -25,6 +25,8 @@ NeighborRows::NeighborRows(LAMMPS *lmp, Pair *p, Backend &loops, Model &m) :
 {
   for (auto *a : {&row_index, &row_mechanical, &row_thermal, &row_contact}) a->live_in(loops);
   row_first.live_in(loops);
+  for (auto *a : {&row_index, &row_mechanical, &row_thermal, &row_contact}) a->call("rows of neighbors");
+  row_first.call("rows of neighbors");
 }
 
 void NeighborRows::init(const ParticleState &state, RowSource *source)

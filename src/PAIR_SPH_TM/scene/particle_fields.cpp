@@ -6,7 +6,10 @@ namespace SPHTM_NS {
 
 ParticleFields::ParticleFields(Backend &backend)
 {
-  for (int id = 0; id < TM_F_COUNT; id++) values[id].live_in(backend, tm_field_table[id].columns);
+  for (int id = 0; id < TM_F_COUNT; id++) {
+    values[id].live_in(backend, tm_field_table[id].columns);
+    values[id].call(tm_field_table[id].name);
+  }
 }
 
 unsigned ParticleFields::needed(unsigned effects)

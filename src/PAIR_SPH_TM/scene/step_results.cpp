@@ -29,6 +29,13 @@ StepResults::StepResults(LAMMPS *lmp, Backend &where, Model &m) :
   single_more.live_in(where, TM_MORE, 4);
   single_stab.live_in(where, TM_REC_STAB, 4);
   for (auto *a : {&single_correction, &single_size}) a->live_in(where);
+  for (auto *a : {&rec_main, &rec_stress, &rec_stab, &rec_heat, &rec_correction, &rec_size, &rec_hourglass})
+    a->call("records");
+  for (auto *a : {&single_main, &single_more, &single_stab, &single_correction, &single_size})
+    a->call("records in single");
+  for (auto *a :
+       {&gradient, &heat, &correction, &xsph_v, &hourglass_rate, &moment, &surface, &artificial, &force_internal})
+    a->call("rates");
 }
 
 void StepResults::resize(const ParticleState &state)
