@@ -172,6 +172,21 @@ static void check_returns(tm_material m)
   UT_TRUE(returns == 4000 && most_iterations <= 8);
 }
 
+/* the series behind Johnson-Cook's return, against the functions of the library */
+static void check_steps(void)
+{
+  double worst = 0.0;
+  for (double n = 0.0; n <= 1.01; n += 0.1)
+    for (double z = 1e-12; z <= TM_CLOSE; z *= 1.7) {
+      const double power = expm1(n * log1p(z));
+      worst = fmax(worst, fabs(tm_power_step(z, n) - power) / fmax(power, z));
+      worst = fmax(worst, fabs(tm_log_step(z) / log1p(z) - 1.0));
+      worst = fmax(worst, fabs(tm_log_step(-z) / log1p(-z) - 1.0));
+    }
+  UT_TRUE(worst < 1e-15);
+  UT_TRUE(fabs(tm_log_step(20.0 * TM_CLOSE) / log1p(20.0 * TM_CLOSE) - 1.0) > 1e-12); /* beyond, they end too early */
+}
+
 static void check_other_kinds(void)
 {
   tm_material m = {0};
@@ -344,6 +359,7 @@ int main(void)
   for (int k = 0; k < 100; k++) check_jaumann_products();
   check_returns(steel);
   check_returns(copper);
+  check_steps();
   check_other_kinds();
 
   const tm_sym3 trial = tm_sym(3e8, -1e8, -2e8, 1e8, 0, 5e7);

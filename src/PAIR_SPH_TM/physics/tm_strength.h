@@ -158,21 +158,45 @@ typedef struct {
    with Halley's method (Y'' is free once Y' is there). A step that leaves the bracket is replaced
    by bisection, by hi/100 while nothing is known from below: with eps = 0 and a small n the root
    can be any power of ten. A relative step below TM_RETURN_STEP is the last: the error of Halley's method goes with the cube
-   of it. One pow and one log per turn; 3 turns in a step of metal cutting. */
+   of it. 3 turns in a step of metal cutting; the power and the logarithm of one that is close to a known one come from
+   that. */
 #define TM_RETURN_STEP 1e-5
-TM_FN tm_real tm_return_johnson_cook(const tm_material *m, tm_real trial, tm_real eps, tm_real soft, tm_real first,
-                                     tm_real dt, int *iterations)
+#define TM_CLOSE 1e-3 /* relative difference, up to which these series end within rounding */
+/* (1 + z)^n - 1 and ln(1 + z), |z| <= TM_CLOSE */
+TM_FN tm_real tm_power_step(tm_real z, tm_real n)
+{
+  return n * z *
+         (1.0 + (n - 1.0) / 2.0 * z *
+                    (1.0 + (n - 2.0) / 3.0 * z * (1.0 + (n - 3.0) / 4.0 * z * (1.0 + (n - 4.0) / 5.0 * z))));
+}
+TM_FN tm_real tm_log_step(tm_real z) { return z * (1.0 - z * (0.5 - z * (1.0 / 3.0 - z * (0.25 - z * 0.2)))); }
+
+/* power0: eps^n */
+TM_FN tm_real tm_return_johnson_cook(const tm_material *m, tm_real trial, tm_real eps, tm_real power0, tm_real soft,
+                                     tm_real first, tm_real dt, int *iterations)
 {
   const tm_real g3 = 3.0 * m->shear, C = m->jc_c, n = m->jc_n;
   const int rated = C > 0.0 && dt > 0.0 && m->jc_rate0 > 0.0;
   const tm_real d0 = rated ? dt * m->jc_rate0 : 0.0; /* increment at the reference rate */
   tm_real lo = 0.0, hi = trial / g3, d = tm_min((trial - first) / g3, hi);
-  if (rated) d = tm_min(d, d0 * exp(tm_min((trial / first - 1.0) / C, 500.0)));
+  tm_real known = 0.0, log_known = 0.0; /* an increment, and ln of it over d0 */
+  if (rated) {
+    log_known = tm_min((trial / first - 1.0) / C, 500.0);
+    known = d0 * exp(log_known);
+    d = tm_min(d, known);
+  }
   for (int it = 1; it <= TM_RETURN_ITERATIONS; it++) {
-    tm_real power;
-    const tm_real e = eps + d, hard = soft * tm_johnson_cook_hardening(m, e, &power);
+    tm_real power = power0;
+    const tm_real e = eps + d;
+    if (d <= TM_CLOSE * eps) power += power0 * tm_power_step(d / eps, n);
+    else power = tm_hardening_power(e, n);
+    const tm_real hard = soft * (m->jc_a + m->jc_b * power);
     const int fast = rated && d > d0;
-    const tm_real rate = fast ? tm_johnson_cook_rate(m, log(d / d0)) : 1.0, rate1 = fast ? C / d : 0.0;
+    if (fast && d != known) {
+      log_known = fabs(d - known) <= TM_CLOSE * known ? log_known + tm_log_step((d - known) / known) : log(d / d0);
+      known = d;
+    }
+    const tm_real rate = fast ? tm_johnson_cook_rate(m, log_known) : 1.0, rate1 = fast ? C / d : 0.0;
     const tm_real y = hard * rate, f = trial - g3 * d - y;
     *iterations = it;
     if (fabs(f) <= TM_RETURN_TOLERANCE * y + 4e-16 * trial) break;
@@ -242,13 +266,13 @@ TM_FN tm_return_result tm_radial_return(const tm_material *m, tm_sym3 s_trial, t
   const tm_real trial = tm_sym_mises(s_trial), g3 = 3.0 * m->shear, eps = tm_max(eps_p, 0.0);
   const int jc = m->strength == TM_STRENGTH_JOHNSON_COOK;
   const tm_real soft = jc ? tm_thermal_softening(m, T) : 1.0;
-  tm_real power, first = 0.0; /* flow stress before the step, at no rate */
+  tm_real power = 0.0, first = 0.0; /* eps^n of Johnson-Cook; flow stress before the step, at no rate */
   if (jc) first = tm_max(soft * tm_johnson_cook_hardening(m, eps, &power), 0.0);
   else first = tm_flow_stress(m, eps, 0.0, T);
   out.yield = first;
   if (!(trial > first)) return out;
 
-  if (jc && first > 0.0) out.d_eps = tm_return_johnson_cook(m, trial, eps, soft, first, dt, &out.iterations);
+  if (jc && first > 0.0) out.d_eps = tm_return_johnson_cook(m, trial, eps, power, soft, first, dt, &out.iterations);
   else if (m->strength == TM_STRENGTH_PLASTIC) out.d_eps = tm_min((trial - first) / (g3 + m->hardening), trial / g3);
   else if (!jc && g3 > 0.0 && tm_strength_flow(m->strength) == TM_FLOW_THERMAL) {
     const tm_return_root root = tm_return_search(m, trial, eps, T, first, dt);
