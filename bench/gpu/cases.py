@@ -21,11 +21,18 @@ WIDE = (r"hyperbolic 1\.2", "hyperbolic 1.7")          # 164 neighbors in 3D
 WIDE_2D = (r"hyperbolic 1\.2", "hyperbolic 1.48")      # 27 in 2D
 # the tool touches from the first step on
 MACHINING_HERE = ((r"start equal 7\.02e-3", "start equal 7.0e-3"),)
+# effects that no usual loop has
+BALSARA = (r"(hyperbolic 1\.2 .*)", r"\1 balsara yes")
+XSPH = (r"(hyperbolic 1\.2 .*)", r"\1 xsph 0.1")
+AIR = (r"(fix +body .*\n)", r"\1fix air all sph/tm/heat convection 100 293\n")
 CASES = {
     "3d_contact_1m": (BLOCK, {"case": "contact", "n": 100, "mesh": "tool.stl"}, 300, (), True),
     "3d_contact_8m": (BLOCK, {"case": "contact", "n": 200, "mesh": "tool.stl"}, 100, (), False),
     "3d_contact_1m_164": (BLOCK, {"case": "contact", "n": 102, "mesh": "tool.stl"}, 100, (WIDE,), False),
     "3d_thermo_1m": (BLOCK, {"case": "thermo", "n": 100}, 300, (), False),
+    "3d_thermo_1m_balsara": (BLOCK, {"case": "thermo", "n": 100}, 300, (BALSARA,), False),
+    "3d_thermo_1m_xsph": (BLOCK, {"case": "thermo", "n": 100}, 300, (XSPH,), False),
+    "3d_thermo_1m_air": (BLOCK, {"case": "thermo", "n": 100}, 300, (AIR,), False),
     "3d_plastic_1m": (BLOCK, {"case": "plastic", "n": 100}, 300, (), False),
     "3d_elastic_1m": (BLOCK, {"case": "elastic", "n": 100}, 300, (), False),
     "2d_cut_1400k": (CUT, {"dx": 5.83e-7}, 300, (WIDE_2D,), True),
@@ -39,6 +46,11 @@ CASES = {
     "2d_cut_1400k_mixed": (CUT, {"dx": 5.83e-7}, 300, (WIDE_2D,), False),
     "lj_4m": (None, {}, 200, (), False),
 }
+
+# run only when named: what fits on a card
+LARGE = {"3d_contact_%dm" % (n ** 3 // 1000000): (BLOCK, {"case": "contact", "n": n, "mesh": "tool.stl"}, 20, (), False)
+         for n in (320, 340, 360, 380, 400, 420)}
+CASES.update(LARGE)
 
 # so many runs of a case, so many at once
 SEVERAL = {"2d_cut_7600_x12": ("2d_cut_7600", 12, 12), "2d_cut_7600_x48": ("2d_cut_7600", 48, 16)}

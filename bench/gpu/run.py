@@ -94,7 +94,7 @@ def main():
     wrong = [name for name in options.names if name not in known]
     if wrong:
         sys.exit("no %s; there are: %s" % (" ".join(wrong), " ".join(known)))
-    names = options.names or (known if options.what != "profile" else ["3d_contact_1m"])
+    names = options.names or ([k for k in known if k not in cases.LARGE] if options.what != "profile" else ["3d_contact_1m"])
     out = os.path.abspath(options.out or os.path.join("out", options.what))
     os.makedirs(out, exist_ok=True)
     if options.what == "reference":
