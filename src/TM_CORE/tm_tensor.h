@@ -92,6 +92,12 @@ TM_FN tm_mat3 tm_mat_from_sym(tm_sym3 s)
   return m;
 }
 TM_FN tm_real tm_mat_trace(tm_mat3 l) { return l.xx + l.yy + l.zz; }
+/* of the upper left 2 x 2 in two dimensions */
+TM_FN tm_real tm_mat_det(tm_mat3 m, int dim3)
+{
+  return dim3 ? m.xx * (m.yy * m.zz - m.yz * m.zy) - m.xy * (m.yx * m.zz - m.yz * m.zx) + m.xz * (m.yx * m.zy - m.yy * m.zx)
+              : m.xx * m.yy - m.xy * m.yx;
+}
 TM_FN tm_mat3 tm_mat_identity(void)
 {
   tm_mat3 m;

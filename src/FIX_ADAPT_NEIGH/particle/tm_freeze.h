@@ -62,10 +62,7 @@ TM_FN int tm_freeze_strained(const tm_freeze_args *a, tm_mat3 E, int dim3)
 {
   if (!(a->threshold < 1e300) || !(a->strain < 1e300)) return 0;
   const tm_mat3 C = tm_mat_mul(E, tm_mat_transposed(E));
-  const tm_real det = dim3 ? E.xx * (E.yy * E.zz - E.yz * E.zy) - E.xy * (E.yx * E.zz - E.yz * E.zx) +
-                                 E.xz * (E.yx * E.zy - E.yy * E.zx)
-                           : E.xx * E.yy - E.xy * E.yx;
-  const tm_real J = dim3 ? sqrt(sqrt(fabs(det))) : cbrt(fabs(det)), s = 1.0 / (J * J);
+  const tm_real det = fabs(tm_mat_det(E, dim3)), J = dim3 ? sqrt(sqrt(det)) : cbrt(det), s = 1.0 / (J * J);
   const tm_real xx = s * C.xx - 1.0, yy = s * C.yy - 1.0, zz = dim3 ? s * C.zz - 1.0 : 0.0;
   const tm_real shear = C.xy * C.xy + (dim3 ? C.xz * C.xz + C.yz * C.yz : 0.0);
   const tm_real strain2 = 0.25 * (xx * xx + yy * yy + zz * zz + 2.0 * s * s * shear);

@@ -127,8 +127,7 @@ TM_FN tm_real tm_tl_fastest(int i, const tm_tl_args *a, unsigned effects)
     D.xz = D.yz = D.zx = D.zy = 0.0;
     D.zz = 1.0;
   }
-  const tm_real det = fabs(D.xx * (D.yy * D.zz - D.yz * D.zy) - D.xy * (D.yx * D.zz - D.yz * D.zx) +
-                           D.xz * (D.yx * D.zy - D.yy * D.zx));
+  const tm_real det = fabs(tm_mat_det(D, dim3)); /* D.zz = 1 in two dimensions */
   if (!(det > 0.0)) return c;
   const tm_real J = dim3 ? 1.0 / sqrt(sqrt(det)) : 1.0 / cbrt(det);
   const tm_mat3 C = tm_mat_scale(J * J, tm_mat_mul(D, tm_mat_transposed(D)));

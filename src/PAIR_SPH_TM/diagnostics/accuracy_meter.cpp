@@ -239,7 +239,7 @@ AccuracyMeter::Rates AccuracyMeter::rates(AuditPatch &p, const tm_records &rec, 
     a.single.correction = part(correction);
     a.single.size = part(size);
     a.single.stab = part(stab);
-    PairLoops::of(Backend::host()).round_to_single(Backend::host(), (int) p.member.size(), {rec, a.single}, effects);
+    PairLoops::of(Backend::host()).round_to_single(Backend::host(), (int) p.member.size(), {rec, a.single, 0}, effects);
   }
   a.force = r.force.data();
   a.force_begins = 1;

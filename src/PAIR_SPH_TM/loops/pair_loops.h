@@ -47,7 +47,7 @@ TM_FN tm_tally_result tm_tally_nothing(void)
   /* a step; drift: *lost is the first particle lost, or n, once the loop is waited for */             \
   LOOP(OWN, drift, void, int n, const tm_drift_args &, unsigned effects, int *lost)                    \
   LOOP(RANGE, predict, tm_predict_args)                                                                \
-  LOOP(EACH, round_to_single, tm_single_args, tm_single(i, &a, effects))                               \
+  LOOP(EACH, round_to_single, tm_single_args, tm_single(a.first + i, &a, effects))                     \
   LOOP(RANGE, correction, tm_rates_args)                                                               \
   LOOP(RANGE, rates_in_double, tm_rates_args)                                                          \
   LOOP(RANGE, rates_in_single, tm_rates_args)                                                          \

@@ -126,6 +126,7 @@ struct Predict {
     }
     tm_predict(i, &a, effects);
     if (effects & TM_FX_ARTSTRESS) tm_predict_artstress(i, i + 1, &a, effects);
+    tm_predict_single(i, &a, effects);
   }
 };
 void predict(Backend &, int n, const tm_predict_args &a, unsigned effects)

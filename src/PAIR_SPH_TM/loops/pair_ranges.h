@@ -83,6 +83,7 @@ template <unsigned SET, unsigned ASK> void predict_set(int begin, int end, const
     const int last = end - begin < TM_CHUNK ? end : begin + TM_CHUNK;
     for (int i = begin; i < last; i++) tm_predict(i, args, effects);
     if (effects & TM_FX_PRESENT & TM_FX_ARTSTRESS) tm_predict_artstress(begin, last, args, effects);
+    for (int i = begin; args->single.main && i < last; i++) tm_predict_single(i, args, given);
   }
 }
 

@@ -10,6 +10,7 @@
 #include "tm_eos.h"
 #include "tm_heat.h"
 #include "tm_hourglass.h"
+#include "tm_single.h"
 #include "tm_size.h"
 #include "tm_state.h"
 #include "tm_transpose.h"
@@ -21,15 +22,16 @@
 typedef struct {
   tm_state state;
   tm_records rec;
-  tm_real dt_ahead;        /* time from the state to the force point: dt/2, or 0 at set-up */
-  tm_real art_eps;         /* artificial stress epsilon, 0..1 */
-  const tm_real *gradient; /* tm_gradient_table, with particles of their own size */
-  int art_component;       /* nonzero: F14 (18) per component instead of principal axes */
-  const tm_real *share;    /* tm_tensile_table where the artificial stress is balanced, else NULL */
-  tm_real hourglass;       /* xi of hourglass control, below 0: from the stress */
-  tm_real h;               /* smallest smoothing length: the time of damping by hourglass control is that over c */
-  tm_real *correction;     /* 6, K at the force point, with one pass */
-  tm_real ratio;           /* h over spacing, of particles without a size of their own */
+  tm_real dt_ahead;         /* time from the state to the force point: dt/2, or 0 at set-up */
+  tm_real art_eps;          /* artificial stress epsilon, 0..1 */
+  const tm_real *gradient;  /* tm_gradient_table, with particles of their own size */
+  int art_component;        /* nonzero: F14 (18) per component instead of principal axes */
+  const tm_real *share;     /* tm_tensile_table where the artificial stress is balanced, else NULL */
+  tm_real hourglass;        /* xi of hourglass control, below 0: from the stress */
+  tm_real h;                /* smallest smoothing length: the time of damping by hourglass control is that over c */
+  tm_real *correction;      /* 6, K at the force point, with one pass */
+  tm_real ratio;            /* h over spacing, of particles without a size of their own */
+  tm_records_single single; /* the record is rounded into these too, where there is a main one */
 } tm_predict_args;
 
 /* Velocity of particle i at the force point. */
@@ -199,6 +201,13 @@ TM_FN void tm_predict_artstress(int begin, int end, const tm_predict_args *a, un
       if (a->share) tm_predict_balance(begin + l, a, effects);
     }
   }
+}
+
+/* Behind prediction and artificial stress. */
+TM_FN void tm_predict_single(int i, const tm_predict_args *a, unsigned effects)
+{
+  const tm_single_args of = {a->rec, a->single, 0};
+  if (a->single.main) tm_single(i, &of, effects);
 }
 
 #endif

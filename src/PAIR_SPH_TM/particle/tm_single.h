@@ -11,7 +11,8 @@
    of the distance itself.
 
    Stress, velocity and temperature are rounded once, here, to 2^-24 of their value: the two
-   particles of a pair see the same numbers. */
+   particles of a pair see the same numbers. The prediction rounds the records it makes (tm_predict_args.single); those
+   that change behind it, and those of ghosts, are rounded in a pass of their own. */
 #ifndef TM_SINGLE_H
 #define TM_SINGLE_H
 
@@ -22,6 +23,7 @@
 typedef struct {
   tm_records rec; /* in double, owned and ghost */
   tm_records_single single;
+  int first; /* particle number 0 of the loop */
 } tm_single_args;
 
 /* Unit of positions for rows that hold neighbors up to cutoff away, in units of length. */
@@ -52,7 +54,9 @@ TM_FN void tm_single(int i, const tm_single_args *a, unsigned effects)
   float *out = s->main + tm_packed(i, TM_REC, 4);
   for (int c = 0; c < 3; c++) out[c] = tm_single_position(r[tm_part(c)], units);
   out[TM_REC_M] = (float) (r[tm_part(TM_REC_M)] / s->volume);
-  for (int c = TM_REC_V; c < TM_REC; c++) out[tm_packed_part(c, 4)] = (float) r[tm_part(c)];
+  const int whole = !s->stab || (effects & TM_FX_BALSARA); /* else the rates find stress and sound speed elsewhere */
+  for (int c = TM_REC_V; c < (whole ? (int) TM_REC : (int) TM_REC_P); c++)
+    out[tm_packed_part(c, 4)] = (float) r[tm_part(c)];
   if (s->more) {
     float *more = s->more + tm_packed(i, TM_MORE, 4);
     const tm_real *q = a->rec.stress + tm_record(i, TM_REC_STRESS);

@@ -93,6 +93,14 @@ StepResults::Rates StepResults::host_rates()
 
 /* ---------------------------------------------------------------------- arguments of the loops */
 
+// what the gradient correction makes of the stress comes behind the prediction, at the set-up of a run too
+bool StepResults::rounds_in_prediction(ParticleState &state)
+{
+  const bool corrects = state.has(TM_FX_CORRECTION);
+  const bool later = corrects && (!state.has(TM_FX_ONE_PASS) || state.time_step().ahead() == 0.0);
+  return state.has(TM_FX_MIXED) && !later;
+}
+
 tm_predict_args StepResults::predict_args(ParticleState &state, const tm_state &s)
 {
   const Settings &set = model.settings_in_use();
@@ -108,6 +116,8 @@ tm_predict_args StepResults::predict_args(ParticleState &state, const tm_state &
   a.h = state.has(TM_FX_SMOOTHING) ? set.ratio * model.smallest_spacing() : set.h;
   a.correction = correction.loop_write();
   a.gradient = model.loop_tables().gradient.loop_read();
+  a.single = {};
+  if (rounds_in_prediction(state)) a.single = single_records(state);
   return a;
 }
 

@@ -31,6 +31,7 @@ class StepResults : protected LAMMPS_NS::Pointers {
   // ---- of the loops; valid from one force computation to the next reneighboring
   const tm_rates_args &rate_args() const { return args; }
   tm_predict_args predict_args(ParticleState &, const tm_state &);
+  static bool rounds_in_prediction(ParticleState &);                       // records into those in single
   const double *internal_force() { return force_internal.loop_read(); }    // of pairs alone, with the energy balance
   const tm_real *loop_neighbors();                                         // number of neighbors of each owned particle
 

@@ -229,7 +229,9 @@ void PairSPHTM::rates(const tm_state &s, tm_rates_args &args)
   if (source) source->tl_export(results.records());
   if (effects & TM_FX_MIXED) {
     const auto timed = state->clock().timed(RunClock::RATES);
-    loops.round_to_single(backend, nlocal + atom->nghost, {args.rec, args.single}, effects);
+    const int first = results.rounds_in_prediction(*state) ? nlocal : 0;
+    if (const int n = nlocal + atom->nghost - first)
+      loops.round_to_single(backend, n, {args.rec, args.single, first}, effects);
   }
   backend.zero(args.artificial, args.artificial ? nlocal * sizeof(double) : 0);
 
