@@ -22,6 +22,8 @@ static tm_row_args args(void)
   a.index = index_;
   for (int s = 0; s < TM_SEGMENTS; s++) a.count[s] = count[s];
   a.first = first;
+  a.stride = TM_ROW_SLICE;
+  a.in_place = 0;
   return a;
 }
 static int entry(int i, int k) { return index_[first[i] + (ptrdiff_t) k * TM_ROW_SLICE]; }
@@ -126,6 +128,46 @@ static void strided(void)
   check_rows();
 }
 
+/* rows in place of the list's: the segments first, what meets nothing behind them */
+static void in_place(void)
+{
+  static int own[N * LONGEST];
+  const unsigned char before[3] = {meets[1 * 3 + 2], meets[2 * 3 + 1], meets[2 * 3 + 2]};
+  meets[1 * 3 + 2] = 0;
+  meets[2 * 3 + 1] = TM_MEETS_CONTACT;
+  meets[2 * 3 + 2] = TM_MEETS_MECHANICAL;
+  for (int i = 0; i < N; i++)
+    for (int k = 0; k < LONGEST; k++) own[k * N + i] = list[i * LONGEST + k] & BITS;
+  tm_row_args a = args();
+  a.list = a.index = own;
+  a.row_step = 1;
+  a.step = a.stride = N;
+  a.in_place = 1;
+  for (int i = 0; i < N; i++) {
+    tm_row_entry e[LONGEST];
+    tm_row_count(i, &a);
+    UT_TRUE(first[i] == i);
+    for (int k = 0; k < length[i]; k++) e[k] = tm_row_load(i, k, &a);
+    for (int k = 0; k < length[i]; k++) tm_row_put(i, k, length[i], e, &a);
+    long sum = 0, due = 0;
+    int k = 0;
+    for (int s = 0; s <= TM_SEGMENTS; s++)
+      for (int c = 0, end = s < TM_SEGMENTS ? count[s][i] : length[i] - k; c < end; c++, k++) {
+        const int j = own[k * N + i], m = meets[type[i] * 3 + type[j]];
+        UT_TRUE(s < TM_SEGMENTS ? m >> s & 1 : m == 0);
+        if (c) UT_TRUE(tm_row_before(own[(k - 1) * N + i], j, tag));
+      }
+    for (k = 0; k < length[i]; k++) {
+      sum += own[k * N + i] + 1;
+      due += (list[i * LONGEST + k] & BITS) + 1;
+    }
+    UT_TRUE(sum == due);
+  }
+  meets[1 * 3 + 2] = before[0];
+  meets[2 * 3 + 1] = before[1];
+  meets[2 * 3 + 2] = before[2];
+}
+
 /* distances, against all pairs */
 static void near(void)
 {
@@ -201,6 +243,7 @@ int main(void)
 {
   rows();
   strided();
+  in_place();
   near();
   return ut_summary();
 }

@@ -104,6 +104,7 @@ TM_FN tm_row_args cloud_row_args(cloud *w)
   a.index = w->index;
   for (int s = 0; s < TM_SEGMENTS; s++) a.count[s] = w->count[s];
   a.first = w->first;
+  a.stride = TM_ROW_SLICE; a.in_place = 0;
   return a;
 }
 TM_FN tm_rates_args cloud_rates(cloud *w)

@@ -5,7 +5,8 @@
    that sums do not depend on the order in memory.
 
    On a GPU rows are interleaved, so that threads side by side read side by side: entry k of the
-   rows of one slice of TM_ROW_SLICE particles lies together. */
+   rows of one slice of TM_ROW_SLICE particles lies together. Where no pair stands in two segments a row can be the host's
+   own, put in order in its place: then there is one list in memory, not two. */
 #ifndef TM_NEIGHBORS_H
 #define TM_NEIGHBORS_H
 
@@ -16,6 +17,7 @@
 
 /* segments of a row, as bits of what a pair takes part in */
 enum { TM_MEETS_MECHANICAL = 1, TM_MEETS_THERMAL = 2, TM_MEETS_CONTACT = 4, TM_SEGMENTS = 3 };
+enum { TM_MEETS_NOTHING = 8 }; /* behind the segments, where rows are the host's */
 
 typedef struct {
   const int *list, *length; /* the host's list: entry k of i is list[i row_step + k step] */
@@ -27,6 +29,8 @@ typedef struct {
   /* results */
   int *index, *count[TM_SEGMENTS];
   ptrdiff_t *first;
+  ptrdiff_t stride; /* of index, for tm_row_put() */
+  int in_place;     /* index is list */
 } tm_row_args;
 
 TM_FN int tm_row_meets(int i, int j, const tm_row_args *a)
@@ -44,6 +48,7 @@ TM_FN int tm_row_count(int i, const tm_row_args *a)
     for (int s = 0; s < TM_SEGMENTS; s++) count[s] += meets >> s & 1;
   }
   for (int s = 0; s < TM_SEGMENTS; s++) a->count[s][i] = count[s];
+  if (a->in_place) a->first[i] = i * a->row_step;
   return count[0] + count[1] + count[2];
 }
 
@@ -83,7 +88,8 @@ TM_FN void tm_row_fill(int i, const tm_row_args *a)
   }
 }
 
-/* The same by many threads for one row: the entries of the host's list, and where each goes. */
+/* The same by many threads for one row: the entries of the host's list, and where each goes. In place all entries are
+   loaded before the first is put. */
 typedef struct {
   int index, tag, meets;
 } tm_row_entry;
@@ -94,6 +100,7 @@ TM_FN tm_row_entry tm_row_load(int i, int k, const tm_row_args *a)
   e.index = a->list[i * a->row_step + k * a->step] & a->bits;
   e.tag = a->tag[e.index];
   e.meets = tm_row_meets(i, e.index, a);
+  if (a->in_place && !e.meets) e.meets = TM_MEETS_NOTHING;
   return e;
 }
 
@@ -101,17 +108,17 @@ TM_FN tm_row_entry tm_row_load(int i, int k, const tm_row_args *a)
 TM_FN void tm_row_put(int i, int k, int n, const tm_row_entry *entry, const tm_row_args *a)
 {
   const tm_row_entry e = entry[k];
-  int rank[TM_SEGMENTS] = {0, 0, 0};
+  int rank[TM_SEGMENTS + 1] = {0, 0, 0, 0};
   if (!e.meets) return;
   for (int l = 0; l < n; l++) {
     const tm_row_entry o = entry[l];
     const int before = o.tag != e.tag ? o.tag < e.tag : o.index < e.index;
-    for (int s = 0; s < TM_SEGMENTS; s++) rank[s] += before & (o.meets >> s);
+    for (int s = 0; s <= TM_SEGMENTS; s++) rank[s] += before & (o.meets >> s);
   }
   int *row = a->index + a->first[i];
-  for (int s = 0; s < TM_SEGMENTS; s++) {
-    if (e.meets >> s & 1) row[(ptrdiff_t) rank[s] * TM_ROW_SLICE] = e.index;
-    row += (ptrdiff_t) a->count[s][i] * TM_ROW_SLICE;
+  for (int s = 0; s <= TM_SEGMENTS; s++) {
+    if (e.meets >> s & 1) row[rank[s] * a->stride] = e.index;
+    if (s < TM_SEGMENTS) row += a->count[s][i] * a->stride;
   }
 }
 

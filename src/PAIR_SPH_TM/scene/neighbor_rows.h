@@ -30,8 +30,8 @@ class NeighborRows : protected LAMMPS_NS::Pointers {
   bool keeps_all() const { return row_source && row_source->keeps_all(); }    // these alone, at any distance
   bool cover(int n) const { return (int) row_first.size() >= n; }             // so many particles
   virtual void build(LAMMPS_NS::NeighList *, bool conduction);
-  tm_rows loop_rows();
-  tm_rows host_rows();
+  virtual tm_rows loop_rows();
+  virtual tm_rows host_rows();
   virtual const int *loop_tags();    // IDs of owned and ghost particles, where the loops run
   double bytes() const;
 

@@ -29,6 +29,22 @@ const int *NeighborRowsKokkos::loop_tags()
   return atoms->k_tag.view<LMPDeviceType>().data();
 }
 
+tm_rows NeighborRowsKokkos::loop_rows()
+{
+  tm_rows rows = NeighborRows::loop_rows();
+  if (in_list) rows.index = in_list;
+  return rows;
+}
+
+tm_rows NeighborRowsKokkos::host_rows()
+{
+  if (!source() && in_list) {    // a copy, until the next rows
+    row_index.make_room(true, list_size);
+    backend.copy(row_index.loop_write(), in_list, list_size * sizeof(int));
+  }
+  return NeighborRows::host_rows();
+}
+
 namespace {
 
 struct CountRow {
@@ -94,6 +110,7 @@ void NeighborRowsKokkos::build(NeighList *list, bool conduction)
   meets.assign(segments.data(), segments.size());
   make_room();
   row_stride = TM_ROW_SLICE;
+  in_list = nullptr;
   row_index.make_room(true, 1);
   if (n == 0) return;
 
@@ -113,15 +130,27 @@ void NeighborRowsKokkos::build(NeighList *list, bool conduction)
   a.count[1] = row_thermal.loop_write();
   a.count[2] = row_contact.loop_write();
   a.first = row_first.loop_write();
+  const int longest = from->d_neighbors.extent(1);
+  const bool by_warps = !backend.shared() && FillRowByWarp::fits(longest);
+  const bool in_two = std::any_of(segments.begin(), segments.end(), [](int s) { return s & (s - 1); });
+  a.in_place = by_warps && !in_two && atom->molecular == Atom::ATOMIC;    // entries have no bits of bonds
   kokkos_each("sph/tm count rows", n, CountRow{a});
+  if (a.in_place) {
+    if (row_index.size() > 8) row_index.clear();    // a copy for the host
+    list_size = from->d_neighbors.span();
+    a.index = in_list = from->d_neighbors.data();
+    a.stride = row_stride = a.step;
+    FillRowByWarp{a, n, longest, 1}.run();
+    return;
+  }
   ptrdiff_t total = 0;
   Kokkos::parallel_scan("sph/tm place rows",
                         Kokkos::RangePolicy<LMPDeviceType>(0, (n + TM_ROW_SLICE - 1) / TM_ROW_SLICE), PlaceRows{a, n},
                         total);
   row_index.make_room(true, total);
   a.index = row_index.loop_write();
-  const int longest = from->d_neighbors.extent(1);
-  if (!backend.shared() && FillRowByWarp::fits(longest)) FillRowByWarp{a, n, longest, 1}.run();
+  a.stride = TM_ROW_SLICE;
+  if (by_warps) FillRowByWarp{a, n, longest, 1}.run();
   else kokkos_each("sph/tm fill rows", n, FillRow{a});
 }
 
