@@ -157,9 +157,10 @@ void kokkosp_allocate_data(struct space of, const char *name, const void *p, uin
 }
 void kokkosp_deallocate_data(struct space of, const char *name, const void *p, uint64_t bytes)
 {
+  struct row *all = memory_of(of, "all"), *r = memory_of(of, name);
   (void) p;
-  memory_of(of, "all")->held -= bytes;
-  memory_of(of, name)->held -= bytes;
+  all->held -= bytes < all->held ? bytes : all->held; /* some memory was there before the tool, or had another name */
+  r->held -= bytes < r->held ? bytes : r->held;
 }
 
 void kokkosp_finalize_library(void)

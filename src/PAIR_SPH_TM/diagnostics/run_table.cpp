@@ -20,10 +20,10 @@ using namespace LAMMPS_NS;
 namespace SPHTM_NS {
 
 namespace {
-constexpr bigint TABLE_STEPS = 10;       // a shorter run says little about its times
-constexpr double PROBE_SHARE = 0.02;     // of the run that the probe may take
-constexpr double PROBE_ALWAYS = 0.05;    // s it may take in any case
-constexpr int PROBE_ROUNDS = 5, PROBE_PARTICLES = 1 << 20;
+constexpr bigint TABLE_STEPS = 10;                            // a shorter run says little about its times
+constexpr double PROBE_SHARE = 0.02;                          // of the run that the probe may take
+constexpr double PROBE_ALWAYS = 0.05;                         // s it may take in any case
+constexpr int PROBE_ROUNDS = 5, PROBE_PARTICLES = 1 << 18;    // a copy of these is made
 }    // namespace
 
 RunTable::RunTable(LAMMPS *lmp, const Fix &f, ParticleState &s, const Scene &sc) :
