@@ -25,6 +25,7 @@ class Backend {
   virtual int block() const { return 1; }                                      // particles of a block, see tm_layout.h
   virtual void *allocate(size_t, const char * /*what*/) { return nullptr; }    // what: for tables of memory
   virtual void release(void *) {}
+  virtual double free_memory() const { return 1e300; }    // bytes of it that are not in use, where that is known
   virtual void to_loops(void * /*there*/, const void * /*here*/, size_t) {}
   virtual void to_host(void * /*here*/, const void * /*there*/, size_t) {}
   virtual void copy(void *to, const void *from, size_t bytes);    // within it

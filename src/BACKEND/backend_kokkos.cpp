@@ -69,6 +69,11 @@ class DeviceBackend : public Backend {
   }
   void wait() override { LMPDeviceType().fence("sph/tm wait"); }
 #if defined(KOKKOS_ENABLE_CUDA)
+  double free_memory() const override
+  {
+    size_t free = 0, all = 0;
+    return cudaMemGetInfo(&free, &all) == cudaSuccess ? (double) free : 1e300;
+  }
   void mark(int k) override
   {
     while ((int) events.size() <= k) {

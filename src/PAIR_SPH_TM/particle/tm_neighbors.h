@@ -6,7 +6,7 @@
 
    On a GPU rows are interleaved, so that threads side by side read side by side: entry k of the
    rows of one slice of TM_ROW_SLICE particles lies together. Where no pair stands in two segments a row can be the host's
-   own, put in order in its place: then there is one list in memory, not two. */
+   own, put in order in its place: then there is one list in memory, not two, but rows lie farther apart. */
 #ifndef TM_NEIGHBORS_H
 #define TM_NEIGHBORS_H
 

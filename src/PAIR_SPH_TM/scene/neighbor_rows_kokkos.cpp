@@ -10,6 +10,7 @@
 #include "pair.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 using namespace LAMMPS_NS;
 
@@ -38,11 +39,21 @@ tm_rows NeighborRowsKokkos::loop_rows()
 
 tm_rows NeighborRowsKokkos::host_rows()
 {
-  if (!source() && in_list) {    // a copy, until the next rows
-    row_index.make_room(true, list_size);
-    backend.copy(row_index.loop_write(), in_list, list_size * sizeof(int));
+  tm_rows rows = NeighborRows::host_rows();
+  if (source() || !in_list) return rows;
+  if (list_here.empty()) {
+    list_here.resize(list_size);
+    backend.to_host(list_here.data(), in_list, list_size * sizeof(int));
   }
-  return NeighborRows::host_rows();
+  rows.index = list_here.data();
+  return rows;
+}
+
+// rows of so many values would take too much of what is left: records, rates and LAMMPS's buffers come too
+bool NeighborRowsKokkos::memory_is_short(double values) const
+{
+  if (getenv("SPHTM_ROWS_IN_LIST")) return true;    // for tests
+  return values > row_index.size() && 4.0 * values * sizeof(int) > backend.free_memory();
 }
 
 namespace {
@@ -111,6 +122,7 @@ void NeighborRowsKokkos::build(NeighList *list, bool conduction)
   make_room();
   row_stride = TM_ROW_SLICE;
   in_list = nullptr;
+  list_here = {};
   row_index.make_room(true, 1);
   if (n == 0) return;
 
@@ -133,11 +145,12 @@ void NeighborRowsKokkos::build(NeighList *list, bool conduction)
   const int longest = from->d_neighbors.extent(1);
   const bool by_warps = !backend.shared() && FillRowByWarp::fits(longest);
   const bool in_two = std::any_of(segments.begin(), segments.end(), [](int s) { return s & (s - 1); });
-  a.in_place = by_warps && !in_two && atom->molecular == Atom::ATOMIC;    // entries have no bits of bonds
+  list_size = from->d_neighbors.span();
+  // entries have no bits of bonds
+  a.in_place = by_warps && !in_two && atom->molecular == Atom::ATOMIC && memory_is_short((double) list_size);
   kokkos_each("sph/tm count rows", n, CountRow{a});
   if (a.in_place) {
-    if (row_index.size() > 8) row_index.clear();    // a copy for the host
-    list_size = from->d_neighbors.span();
+    row_index.clear();
     a.index = in_list = from->d_neighbors.data();
     a.stride = row_stride = a.step;
     FillRowByWarp{a, n, longest, 1}.run();
