@@ -3,6 +3,7 @@
 
 #include "compute_cutting_force.h"
 #include "compute_sph_tm_atom.h"
+#include "dump_sph_tm_vtp.h"
 #include "fix_adapt_neigh.h"
 #include "fix_contact_tri.h"
 #include "fix_sph_tm.h"
@@ -70,5 +71,6 @@ extern "C" __attribute__((visibility("default"))) void sphtm_register_styles(voi
   registry.kokkos_compute<ComputeReduceKokkos>("reduce", without);
   registry.in_place_of_kokkos_fix<FixSetForceLaterKokkos>("setforce");
 #endif
+  registry.dump<DumpSPHTMVtp>("sph/tm/vtp");
   registry.compute<ComputeCuttingForce>("cutting/force", "forces of a tool in terms of cutting");
 }

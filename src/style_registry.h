@@ -7,6 +7,7 @@
 #include "lammps.h"
 #include "lammpsplugin.h"
 #include "modify.h"
+#include "output.h"
 #include "sphtm_config.h"
 
 #include <cstring>
@@ -30,6 +31,11 @@ template <class STYLE, class KOKKOS> void *create_with_args(void *ptr, int narg,
 {
   auto *lmp = static_cast<LAMMPS_NS::LAMMPS *>(ptr);
   if (lmp->kokkos) return new KOKKOS(lmp, narg, arg);
+  return new STYLE(lmp, narg, arg);
+}
+
+template <class STYLE> LAMMPS_NS::Dump *create_dump(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg)
+{
   return new STYLE(lmp, narg, arg);
 }
 
@@ -89,6 +95,8 @@ class Registry {
     for (const char *suffix : {"/kk", "/kk/device"})
       (*lmp_->modify->fix_map)[name + suffix] = (LAMMPS_NS::Modify::FixCreator) &create_with_args<KOKKOS, KOKKOS>;
   }
+  // LAMMPS takes no dump styles from plugins; its table is open to them
+  template <class STYLE> void dump(const char *name) { (*lmp_->output->dump_map)[name] = &create_dump<STYLE>; }
   // a fix with values of particles in restart files: LAMMPS looks for them under the whole name of the
   // style, so there is one name, and none with /kk that a suffix would find
   template <class STYLE, class KOKKOS = STYLE> void state_fix(const char *name, const char *info)

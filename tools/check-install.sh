@@ -36,3 +36,23 @@ echo 'ok    doctor, and a run with a card and a mesh, in a prefix that has moved
 "$there/bin/sphtm" tool plane --size 1 1 --cells 1 1 -o plane.stl > /dev/null
 [ -s plane.stl ] || die 'no mesh of a tool'
 echo 'ok    the mesh of a tool'
+
+# demo and validate, from elsewhere: what they make is below the current folder, and nothing in the prefix changes
+mkdir "$work/user"
+cd "$work/user"
+touch "$work/stamp"
+for command in 'demo --spacing 0.5' 'validate layers --quick'; do
+  "$there/bin/sphtm" $command > "$work/out" 2>&1 || { tail "$work/out"; die "sphtm $command failed"; }
+done
+grep -q '"force_ratio_heat_over_no_heat"' out/demo/summary.json && [ -s out/demo/forces.csv ] || die 'no results of the demo'
+[ "$(find out/demo -name '*.png' | wc -l)" -ge 4 ] || die 'no pictures of the demo'
+grep -q '"ratio_1000"' out/validate/summary.json && [ -s out/validate/layers.png ] || die 'no results of validate'
+[ ! -e "$work/user/log.lammps" ] || die 'a log lies in the current folder'
+changed=$(find "$there" -newer "$work/stamp")
+[ -z "$changed" ] || die "they write into the prefix: $changed"
+SPHTM_OUT=elsewhere "$there/bin/sphtm" validate layers --quick --rows ratio_1 > "$work/out" 2>&1 && [ -s elsewhere/summary.json ] ||
+  { tail "$work/out"; die 'a relative SPHTM_OUT is not of the current folder'; }
+cp "$there/share/sphtm/examples/two_layer_heat/in.two_layer_heat" .
+"$there/bin/sphtm" many in.two_layer_heat --vary n=50,100 > "$work/out" 2>&1 && [ "$(wc -l < out/many/summary.csv)" = 3 ] ||
+  { tail "$work/out"; die 'sphtm many failed'; }
+echo 'ok    demo, validate and many; the prefix is as it was'

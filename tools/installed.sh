@@ -17,7 +17,7 @@ usage: sphtm COMMAND        SPH-TM ${SPHTM_VERSION:-}, commit $SPHTM_COMMIT
   lmp [args]       run LAMMPS with the plugin loaded
   env              print shell exports:  eval "\$(sphtm env)"  sets SPHTM_LMP, LAMMPS_PLUGIN_PATH, SPHTM_MPIRUN
   doctor           what is installed, whether a run can start, and the command that mends what is missing
-  demo             run the high-speed machining demonstration
+  demo             run the high-speed machining demonstration; --spacing 0.5: coarse, in seconds
   scenes [names]   run the full scenes of the examples
   validate [args]  measured cuts beside computed ones
   identify CASE    constants of material or friction from measured forces; --help
@@ -53,7 +53,9 @@ find_host() {
 ready() {
   find_host
   find_python
-  SPHTM_LMP=$lmp SPHTM_OUT=${SPHTM_OUT:-$PWD/out/$1} SPHTM_SOURCE=$root LAMMPS_PLUGIN_PATH=$SPHTM_PLUGIN_DIR
+  SPHTM_OUT=${SPHTM_OUT:-out/$1}
+  case $SPHTM_OUT in /*) ;; *) SPHTM_OUT=$PWD/$SPHTM_OUT ;; esac    # runs have folders of their own
+  SPHTM_LMP=$lmp SPHTM_SOURCE=$root LAMMPS_PLUGIN_PATH=$SPHTM_PLUGIN_DIR
   SPHTM_MPIRUN=$(mpirun_command) OMP_NUM_THREADS=${OMP_NUM_THREADS:-1} PYTHONDONTWRITEBYTECODE=1
   export SPHTM_LMP SPHTM_OUT SPHTM_SOURCE SPHTM_MPIRUN LAMMPS_PLUGIN_PATH OMP_NUM_THREADS PYTHONDONTWRITEBYTECODE
   mkdir -p "$SPHTM_OUT" || die "cannot make the folder $SPHTM_OUT: go where you may write, or set SPHTM_OUT"
@@ -95,7 +97,7 @@ case $command in
   demo) ready demo; exec "$python" "$root/examples/high_speed_machining/demo.py" "$@" ;;
   scenes) ready scenes; scenes "$@" ;;
   validate|accuracy|stability) ready "$command"; exec "$python" "$root/bench/$command/run.py" "$@" ;;
-  many) ready demo; exec "$python" "$root/bench/many.py" "$@" ;;
+  many) ready many; exec "$python" "$root/bench/many.py" "$@" ;;
   identify) ready identify; exec "$python" "$root/bench/validate/identify.py" "$@" ;;
   tool) if command -v python3 > /dev/null; then exec python3 "$root/tools/make_tool.py" "$@"; else die "no python3 here"; fi ;;
   test|sanitize|bench|effects|results|build|host|host-kokkos|host-cuda|gpu-bundle|package|manual|clean)

@@ -20,6 +20,6 @@ def by(**more):
 
 SWEEPS = [
     plate({"quick": by(rows=6), "full": by(rows=10), "large": by(rows=20)}, baseline="default, viscosity 0 1",
-          also=[("decay", "net energy that artificial terms take from the swing", "elastic: nothing", CLOSED, "lost")]),
+          also=[("decay", "net energy that artificial terms take from the oscillation", "elastic: nothing", CLOSED, "lost")]),
     rings({"quick": by(), "full": by()}, baseline="default, viscosity 0 1"),
 ]

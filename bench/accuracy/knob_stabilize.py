@@ -58,7 +58,7 @@ def drawn_by(rows):
 SWEEPS = [
     plate({"quick": finer("rows", (6, 10), **KERNEL), "full": finer("rows", (6, 10, 20), **KERNEL),
            "large": finer("rows", (6, 10, 20, 40), **KERNEL)}, order=lambda v: 1 / v["rows"],
-          also=[("decay", "net energy that artificial terms take from the swing", "elastic: nothing", CLOSED, "lost")]),
+          also=[("decay", "net energy that artificial terms take from the oscillation", "elastic: nothing", CLOSED, "lost")]),
     taylor({"quick": finer("rings", (4, 6)), "full": finer("rings", (4, 6, 9)), "large": finer("rings", (4, 6, 9, 12))},
            order=lambda v: 1 / v["rings"]),
     taylor({size: by(rings=n) for size, n in (("quick", 4), ("full", 6), ("large", 9))}, baseline="default"),

@@ -134,7 +134,7 @@ def run(script, variables=None, ranks=1, folder=None, files=None, expect_error=F
 RECORD = os.environ.get("SPHTM_RECORD")
 RECORD_DUMP = "record.dump"
 # columns of wall time, with those of fix sph/tm: its array, and the share that audits take
-RECORD_TIMES = re.compile(r"S/CPU|T/CPU|CPU|CPULeft|Elapsed|f_\w+\[\d+\]\[\d+\]|f_body\[29\]")
+RECORD_TIMES = re.compile(r"S/CPU|T/CPU|CPU|CPULeft|Elapsed|v_eta|f_\w+\[\d+\]\[\d+\]|f_body\[29\]")
 recorded = 0
 
 

@@ -5,11 +5,13 @@
 #include "dump_shapes.h"
 #include "error.h"
 #include "memory.h"
-#include "tm_mesh_write.h"
 #include "update.h"
 #include "utils.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 
 using namespace LAMMPS_NS;
 
@@ -18,6 +20,10 @@ namespace SPHTM_NS {
 ToolOutput::ToolOutput(LAMMPS *l, const std::string &fix_id, const ContactSettings &s, const TriTool &t) :
     lmp(l), id(fix_id), set(s), tool(t)
 {
+  if (!ContactSettings::is_xml(set.vtk.name)) return;
+  const std::string wrong = ParaviewSeries::wrong_name(set.vtk.name);
+  if (!wrong.empty()) lmp->error->all(FLERR, "Fix contact/tri {}: vtk: file name {} {}", id, set.vtk.name, wrong);
+  series = std::make_unique<ParaviewSeries>(set.vtk.name, id);
 }
 
 ToolOutput::~ToolOutput()
@@ -49,11 +55,11 @@ std::vector<double> ToolOutput::world_vertices(const tm_pose &p) const
   return x;
 }
 
-void ToolOutput::write(const tm_pose &p, double temperature, TriangleValues &values)
+void ToolOutput::write(const tm_pose &p, double temperature, TriangleValues &values, bool go_on)
 {
   if ((!needs_values() && !due(set.stl.every)) || lmp->comm->me) return;
   const std::vector<double> x = world_vertices(p);
-  if (due(set.vtk.every)) write_vtk(x, p, temperature, values);
+  if (due(set.vtk.every)) write_vtk(x, p, temperature, values, go_on);
   if (due(set.local_every)) fill_local(x, p, values);
   if (due(set.stl.every)) write_stl(x);
 }
@@ -68,8 +74,8 @@ void ToolOutput::write_stl(const std::vector<double> &x) const
 }
 
 // names as LIGGGHTS writes them, where it has the value
-void ToolOutput::write_vtk(const std::vector<double> &x, const tm_pose &p, double temperature,
-                           TriangleValues &values) const
+void ToolOutput::write_vtk(const std::vector<double> &x, const tm_pose &p, double temperature, TriangleValues &values,
+                           bool go_on)
 {
   const tm_mesh &m = tool.mesh();
   const size_t nt = m.nt;
@@ -102,12 +108,78 @@ void ToolOutput::write_vtk(const std::vector<double> &x, const tm_pose &p, doubl
                                   {"heat_flux", 1, flux.data()},
                                   {"contacts", 1, count.data()},
                                   {"patch", 1, patch.data()}};
+  constexpr int COUNT = sizeof arrays / sizeof arrays[0];
   char msg[256];
   const tm_facets s = {m.nv, m.nt, x.data(), m.tri};
+  if (series) return write_vtp(s, arrays, COUNT, go_on);
   const std::string title = fmt::format("SPH-TM tool {} step {}", id, lmp->update->ntimestep);
-  if (tm_write_vtk(file_name(set.vtk).c_str(), &s, arrays, sizeof arrays / sizeof arrays[0], title.c_str(), 1, msg,
-                   sizeof msg))
+  if (tm_write_vtk(file_name(set.vtk).c_str(), &s, arrays, COUNT, title.c_str(), 1, msg, sizeof msg))
     lmp->error->one(FLERR, "Fix contact/tri {}: {}", id, msg);
+}
+
+namespace {
+
+double time_now(const Update &u) { return u.atime + (u.ntimestep - u.atimestep) * u.dt; }
+
+// triangles with values per point and per triangle, as the arrays say; what went wrong, or an empty text
+std::string write_xml(const std::string &path, const tm_facets &s, const std::vector<VtpFile::Array> &arrays,
+                      const std::vector<const double *> &values, double time)
+{
+  errno = 0;
+  FILE *f = fopen(path.c_str(), "wb");
+  if (!f) return fmt::format("cannot write {}: {}", path, strerror(errno));
+  const std::vector<int> columns = {0, 1, 2};
+  VtpFile file(f, s.nv, s.nt);
+  file.begin(arrays, time);
+  for (size_t a = 0; a < arrays.size(); a++) {
+    const int wide = arrays[a].components;
+    file.put(a, 0, arrays[a].place == VtpFile::CELL_DATA ? s.nt : s.nv, values[a], wide,
+             {columns.begin(), columns.begin() + wide});
+  }
+  const std::vector<double> corners(s.tri, s.tri + 3 * (size_t) s.nt);
+  file.put(file.triangle_corners(), 0, s.nt, corners.data(), 3, columns);
+  file.end();
+  const bool bad = ferror(f);
+  if (fclose(f) == 0 && !bad) return "";
+  return fmt::format("cannot write {}: {}", path, errno ? strerror(errno) : "write failed");
+}
+
+}    // namespace
+
+void ToolOutput::write_vtp(const tm_facets &s, const tm_cell_array *array, int arrays, bool go_on)
+{
+  std::vector<VtpFile::Array> of_file = {{VtpFile::POINTS, "Points", VtpFile::FLOAT64, 3}};
+  std::vector<const double *> values = {s.vertex};
+  for (int a = 0; a < arrays; a++) {
+    of_file.push_back({VtpFile::CELL_DATA, array[a].name, VtpFile::FLOAT64, array[a].columns});
+    values.push_back(array[a].value);
+  }
+  const std::string path = file_name(set.vtk);
+  const bigint step = lmp->update->ntimestep;
+  const double time = time_now(*lmp->update);
+  std::string wrong = write_xml(path, s, of_file, values, time);
+  if (wrong.empty() && !begun) wrong = go_on ? series->go_on(step) : series->begin_anew();
+  begun = true;
+  if (wrong.empty()) wrong = series->enter(step, time, {path});
+  if (!wrong.empty()) lmp->error->one(FLERR, "Fix contact/tri {}: {}", id, wrong);
+}
+
+std::string ToolOutput::write_surface(const std::string &path, const tm_pose &p, double temperature, double time) const
+{
+  const tm_mesh &m = tool.mesh();
+  const std::vector<double> x = world_vertices(p), T(m.nv, temperature);
+  std::vector<double> v(x.size());
+  for (size_t k = 0; k < x.size(); k += 3) {
+    const tm_vec3 of_point = tm_pose_velocity_at(&p, tm_load3(&x[k]));
+    v[k] = of_point.x;
+    v[k + 1] = of_point.y;
+    v[k + 2] = of_point.z;
+  }
+  return write_xml(path, {m.nv, m.nt, x.data(), m.tri},
+                   {{VtpFile::POINTS, "Points", VtpFile::FLOAT64, 3},
+                    {VtpFile::POINT_DATA, "velocity", VtpFile::FLOAT64, 3},
+                    {VtpFile::POINT_DATA, "temperature", VtpFile::FLOAT64, 1}},
+                   {x.data(), v.data(), T.data()}, time);
 }
 
 void ToolOutput::fill_local(const std::vector<double> &x, const tm_pose &p, TriangleValues &values)

@@ -3,9 +3,13 @@
 #define SPHTM_TOOL_OUTPUT_H
 
 #include "contact_settings.h"
+#include "paraview_series.h"
+#include "tm_mesh_write.h"
 #include "tm_motion.h"
 #include "triangle_values.h"
+#include "vtp_file.h"
 
+#include <memory>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -23,8 +27,10 @@ class ToolOutput {
   ToolOutput(const ToolOutput &) = delete;
   ToolOutput &operator=(const ToolOutput &) = delete;
   bool needs_values() const;    // per triangle, in this step
-  // what is due in this step; values of all ranks
-  void write(const tm_pose &, double temperature, TriangleValues &);
+  // what is due in this step; values of all ranks. go_on: a list of files continues that of the run before a restart
+  void write(const tm_pose &, double temperature, TriangleValues &, bool go_on);
+  // a VTK XML file of places, velocity and temperature; what went wrong, or an empty text
+  std::string write_surface(const std::string &path, const tm_pose &, double temperature, double time) const;
   double **local_rows() const { return local; }    // one per triangle on the first rank, or nullptr
   // triangles for dump image, in 2d lines where they cross z = 0; returns how many
   int image(const tm_pose &, int *&kinds, double **&rows);
@@ -36,11 +42,15 @@ class ToolOutput {
   const TriTool &tool;
   double **local = nullptr, **image_rows = nullptr;
   std::vector<int> image_kind;
+  std::unique_ptr<ParaviewSeries> series;    // of VTK XML files
+  bool begun = false;                        // there is a list of them
 
   bool due(int every) const;
   std::string file_name(const ContactSettings::File &) const;
   std::vector<double> world_vertices(const tm_pose &) const;
-  void write_vtk(const std::vector<double> &vertices, const tm_pose &, double temperature, TriangleValues &) const;
+  void write_vtk(const std::vector<double> &vertices, const tm_pose &, double temperature, TriangleValues &,
+                 bool go_on);
+  void write_vtp(const tm_facets &, const tm_cell_array *, int arrays, bool go_on);
   void write_stl(const std::vector<double> &vertices) const;
   void fill_local(const std::vector<double> &vertices, const tm_pose &, TriangleValues &);
 };

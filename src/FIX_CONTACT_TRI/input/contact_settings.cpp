@@ -114,6 +114,8 @@ bool ContactSettings::read_heat(Keywords &k)
   return true;
 }
 
+bool ContactSettings::is_xml(const std::string &name) { return LAMMPS_NS::utils::strmatch(name, "\\.vtp$"); }
+
 bool ContactSettings::read_output(Keywords &k)
 {
   if (k.is("vtk") || k.is("stl")) {

@@ -40,6 +40,7 @@ struct ContactSettings {
     int every = 0;
     std::string name;
   } vtk, stl;
+  static bool is_xml(const std::string &name);    // ending in .vtp
   int local_every = 0;
   bool reference_given = false;
   double reference[3] = {0, 0, 0};    // point of the torques

@@ -21,8 +21,8 @@ using namespace SPHTM_NS;
 using namespace FixConst;
 
 FixContactTri::FixContactTri(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), set(lmp, narg - 3, arg + 3), particles(this, set.body_type), scene(Scene::of(lmp)),
-    motion(lmp), temperature(set), output(lmp, id, set, tool), checks(lmp, *this, set, tool)
+    Fix(lmp, narg, arg), ContactProbe(id), set(lmp, narg - 3, arg + 3), particles(this, set.body_type),
+    scene(Scene::of(lmp)), motion(lmp), temperature(set), output(lmp, id, set, tool), checks(lmp, *this, set, tool)
 {
   scalar_flag = vector_flag = restart_global = 1;
   size_vector = ContactResults::SIZE;
@@ -85,7 +85,12 @@ void FixContactTri::init()
   motion.init();
   checks.extent(model->settings_in_use().spacing);
   const bool first = spacing == 0.0;
-  if (spacing != model->settings_in_use().spacing) index_tool();
+  if (spacing != model->settings_in_use().spacing) {
+    spacing = model->settings_in_use().spacing;
+    const std::string wrong = tool.index(world, spacing);
+    if (!wrong.empty()) error->all(FLERR, "Fix contact/tri {}: {}", id, wrong);
+    loop_tool.copy(state->loops(), tool);
+  }
   checks.body_material(*model);
   laws.make(set, *model, state->start_temperatures().of_all(), domain->dimension);
   if (first) report();
@@ -102,14 +107,6 @@ void FixContactTri::find_first_tool()
       if (tools++ == 0) first = tool;
     }
   first_tool = tools > 1 && state->has(TM_FX_LEDGER) ? first : nullptr;
-}
-
-void FixContactTri::index_tool()
-{
-  spacing = model->settings_in_use().spacing;
-  const std::string wrong = tool.index(world, spacing);
-  if (!wrong.empty()) error->all(FLERR, "Fix contact/tri {}: {}", id, wrong);
-  loop_tool.copy(state->loops(), tool);
 }
 
 void FixContactTri::limit_time_step()
@@ -309,7 +306,7 @@ void FixContactTri::end_of_step()
 void FixContactTri::write_output()
 {
   if (output.needs_values()) triangles.sum_over_ranks(world, model->units().energy);
-  output.write(motion.pose_now(), temperature.now(), triangles);
+  output.write(motion.pose_now(), temperature.now(), triangles, restored);
   array_local = output.local_rows();
   if (array_local) size_local_rows = tool.mesh().nt;
 }
@@ -339,6 +336,11 @@ double FixContactTri::compute_scalar()
 }
 
 int FixContactTri::image(int *&kinds, double **&rows) { return output.image(motion.pose_now(), kinds, rows); }
+
+std::string FixContactTri::write_surface(const std::string &path, double time)
+{
+  return output.write_surface(path, motion.pose_now(), temperature.now(), time);
+}
 
 ToolQuery FixContactTri::query() const
 {

@@ -44,6 +44,7 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   double compute_vector(int) override;
   int image(int *&, double **&) override;
   void touched(int i, double radius, std::vector<Surface> &) override;
+  std::string write_surface(const std::string &path, double time) override;
   int pack_forward_comm(int, int *, double *, int, int *) override;
   void unpack_forward_comm(int, int, double *) override;
   void write_restart(FILE *) override;
@@ -77,7 +78,6 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   double spacing = 0.0;    // of the particles, with which the search grid was built
   bool restored = false, overlap_checked = false, warned_deep = false;
 
-  void index_tool();
   void find_first_tool();
   void report() const;
   void limit_time_step();

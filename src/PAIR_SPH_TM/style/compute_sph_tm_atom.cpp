@@ -49,6 +49,8 @@ void ComputeSPHTMAtom::init()
   if (wants(TM_OUT_AREA)) state->need(TM_FX_SURFACE, fmt::format("compute {} shows surface/area", id));
 }
 
+const char *ComputeSPHTMAtom::attribute(int column) const { return ATTRIBUTES[wanted[column]]; }
+
 bool ComputeSPHTMAtom::wants(int attribute) const
 {
   return std::find(wanted.begin(), wanted.end(), attribute) != wanted.end();

@@ -21,6 +21,7 @@ class ComputeSPHTMAtom : public Compute {
   void init() override;
   void compute_peratom() override;
   double memory_usage() override;
+  const char *attribute(int column) const;    // its name
 
  protected:
   std::shared_ptr<SPHTM_NS::Scene> scene;
