@@ -72,9 +72,6 @@ void hourglass(int begin, int end, const tm_rates_args *args, unsigned effects)
 constexpr unsigned TESTED = TM_FX_CORRECTION | TM_FX_ARTSTRESS | TM_FX_HOURGLASS | TM_FX_ONE_PASS | TM_FX_EXPANSION |
                             TM_FX_COMPRESSION_HEAT | TM_FX_ARTIFICIAL_HEAT;
 
-// these are literals in the update, in the prediction TM_FX_HEAT alone; loops for rare effects test all others
-constexpr unsigned LITERAL = TM_FX_HEAT | TM_FX_CONDUCTION | TM_FX_PLASTICITY | TM_FX_LEDGER | TM_FX_3D;
-
 // in chunks, so that the records are still in the cache for the artificial stress
 template <unsigned SET, unsigned ASK> void predict_set(int begin, int end, const tm_predict_args *args, unsigned given)
 {
@@ -130,7 +127,8 @@ template <unsigned ASK> update_range_t update_usual(unsigned effects)
 
 tm_update_result update(int begin, int end, const tm_update_args *args, unsigned effects)
 {
-  const update_range_t run = (effects & RARE_IN_UPDATE) ? update_usual<~LITERAL>(effects)
+  constexpr unsigned HEAT = TM_FX_HEAT, DIM = TM_FX_3D;    // literals of loops for rare effects
+  const update_range_t run = (effects & RARE_IN_UPDATE) ? update_of<~(HEAT | DIM), 0u, HEAT, DIM>(effects)
                              : (effects & TESTED)       ? update_usual<TESTED>(effects)
                                                         : update_usual<0u>(effects);
   return run(begin, end, args, effects);

@@ -45,7 +45,8 @@ enum {
   TM_COL_CONDUCTED,                         /* power per volume into i */
   TM_COL_PER_RHO,                           /* 1/rho_j */
   TM_COL_SMOOTH,                            /* m_j/rho_mean W */
-  TM_COL_Q,                                 /* r/h */
+  TM_COL_Q,                                 /* r/h, and W'/r: of loops that test effects at run time */
+  TM_COL_G,
   TM_COLUMNS
 };
 
@@ -136,6 +137,14 @@ TM_FN void tm_rates_fetch(const tm_chunk *c, const int *jj, const tm_rates_terms
   if (t->correction) tm_fetch_rows(rec->correction, TM_REC_CORRECTION, jj, c->lanes, col[TM_COL_CORRECTION]);
 }
 
+/* Power per volume that neighbor l conducts into the particle, F15 (6). */
+TM_FN tm_pair tm_rates_conducted(const tm_rates_own *own, tm_values *col, int l, tm_pair g)
+{
+  return tm_conduction_pair(own->k, col[TM_COL_HEAT + TM_REC_K][tm_at(l)], own->T,
+                            col[TM_COL_HEAT + TM_REC_T][tm_at(l)],
+                            col[TM_REC_M][tm_at(l)] / col[TM_REC_RHO][tm_at(l)] * own->volume, g);
+}
+
 /* Coefficients of the pair with neighbor l of a chunk, but those of tm_rates_rare_coefficients(). */
 TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own, tm_values *col,
                                  int l)
@@ -159,7 +168,10 @@ TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, con
     inv_rho_sum = t->one_pass ? 1 / (own->r[TM_REC_RHO] + rhoj) : 0;
   }
   const tm_pair g = p.slope_norm * tm_kernel_slope(t->kernel, q) * inv_r; /* W'/r */
-  if (t->extended) col[TM_COL_Q][tm_at(l)] = q;
+  if (t->extended) {
+    col[TM_COL_Q][tm_at(l)] = q;
+    col[TM_COL_G][tm_at(l)] = g;
+  }
   col[TM_COL_SLOPE][tm_at(l)] = mj * own->mass * g;
   if (t->one_pass) {
     const tm_pair stiffness = tm_pair_min(own->stab[TM_STAB_K], col[TM_COL_STAB + TM_STAB_K][tm_at(l)]);
@@ -167,10 +179,7 @@ TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, con
     col[TM_COL_HOURGLASS][tm_at(l)] = mj * own->mass * g * stiffness * (per * per);
   }
   if (t->artstress) col[TM_COL_TENSILE][tm_at(l)] = tm_power_int(tm_kernel_shape(t->kernel, q) * p.inv_w, own->art_n);
-  if (t->conduction) /* F15 (6) */
-    col[TM_COL_CONDUCTED][tm_at(l)] =
-        tm_conduction_pair(own->k, col[TM_COL_HEAT + TM_REC_K][tm_at(l)], own->T, col[TM_COL_HEAT + TM_REC_T][tm_at(l)],
-                           mj / rhoj * own->volume, g);
+  if (t->conduction) col[TM_COL_CONDUCTED][tm_at(l)] = tm_rates_conducted(own, col, l, g);
 }
 TM_FN void tm_rates_coefficient_loop(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own,
                                      tm_values *col)
@@ -203,7 +212,7 @@ TM_FN void tm_rates_smooth_loop(const tm_chunk *c, const tm_rates_terms *t, cons
 }
 
 /* Coefficients of effects that no loop has as literals, each in a loop of its own, and with the extended instantiation those
-   of the artificial stress. */
+   of conduction and of the artificial stress. */
 TM_FN void tm_rates_rare_coefficients(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own,
                                       tm_values *col)
 {
@@ -216,6 +225,11 @@ TM_FN void tm_rates_rare_coefficients(const tm_chunk *c, const tm_rates_terms *t
   if (t->form_f14 || t->surface) {
     TM_SIMD
     for (int l = 0; l < lanes; l++) col[TM_COL_PER_RHO][tm_at(l)] = 1 / col[TM_REC_RHO][tm_at(l)];
+  }
+  if (t->extended && t->conduction) {
+    TM_SIMD
+    for (int l = 0; l < lanes; l++)
+      col[TM_COL_CONDUCTED][tm_at(l)] = tm_rates_conducted(own, col, l, col[TM_COL_G][tm_at(l)]);
   }
   tm_rates_terms u = *t; /* sizes are a literal in each loop */
   if (t->sizes) {
@@ -239,20 +253,13 @@ TM_FN void tm_rates_all_coefficients(const tm_chunk *c, const tm_rates_terms *t,
   else {
     u.viscosity = 1; /* with factors of 0 where it is off */
     u.artstress = 0;
+    u.conduction = 0;
     if (TM_COLUMN == 1) tm_rates_coefficient_loop(c, &u, own, col);
-    else if (t->conduction && t->sizes) {
-      u.conduction = u.sizes = 1;
-      tm_rates_coefficient_loop(c, &u, own, col);
-    } else if (t->conduction) {
-      u.conduction = 1;
-      u.sizes = 0;
-      tm_rates_coefficient_loop(c, &u, own, col);
-    } else if (t->sizes) {
-      u.conduction = 0;
+    else if (t->sizes) {
       u.sizes = 1;
       tm_rates_coefficient_loop(c, &u, own, col);
     } else {
-      u.conduction = u.sizes = 0;
+      u.sizes = 0;
       tm_rates_coefficient_loop(c, &u, own, col);
     }
   }
