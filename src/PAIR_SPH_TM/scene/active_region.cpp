@@ -20,7 +20,7 @@ using namespace LAMMPS_NS;
 namespace SPHTM_NS {
 
 namespace {
-constexpr int EVERY = 10;                          // steps: in these sound travels less far than particles reach
+constexpr int EVERY = 20;                          // steps
 enum Flag { RESTS = 0, AWAKE = 1, MOVING = 2 };    // of particles and their ghosts
 }    // namespace
 
