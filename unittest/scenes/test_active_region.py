@@ -90,7 +90,7 @@ def forces_and_time(checks):
 
 def same_bits(checks):
     """Sleeping particles keep their state; ranks and restarts do not matter."""
-    more = DUMP.format(n=10) + "restart 1510 at.*.restart\n"    # particles are looked at in these steps
+    more = DUMP.format(n=10) + "restart 1510 at.*.restart\n"    # they are looked at in every second of these
     one = cut(WINDOW, 3000, more=more)
     frames = one.dump("out.dump")
     slept = kept = 0
