@@ -50,7 +50,10 @@ class Backend {
   template <class RESULT, class PART, class JOIN> RESULT sum_blocks(int n, const RESULT &nothing, PART part, JOIN join)
   {
     std::vector<RESULT> parts((n + LOOP_BLOCK - 1) / LOOP_BLOCK, nothing);
-    blocks(n, [&](int begin, int end) { parts[begin / LOOP_BLOCK] = part(begin, end); });
+    blocks(n, [&](int begin, int end) {    // one thread has all parts of a block
+      const RESULT sum = part(begin, end);
+      join(&parts[begin / LOOP_BLOCK], &sum);
+    });
     RESULT sum = nothing;
     for (const RESULT &p : parts) join(&sum, &p);
     return sum;

@@ -36,7 +36,8 @@ enum { TM_K_MATRIX = 0, TM_K_SPIN = 6, TM_K_SINCE = 9, TM_K_RATE = 10, TM_K_COLU
     hourglass    displacement against the neighborhood, see tm_hourglass.h, and its rate in the last step
     correction   of the gradients at the last force point, xx yy zz xy xz yz, xx = 0: not known yet; twice the spin there,
              L.zy - L.yz, L.xz - L.zx, L.yx - L.xy; the time since then; and its rate but for the spin
-    unstrained   temperature at which there is no thermal strain */
+    unstrained   temperature at which there is no thermal strain
+    active       enum tm_activity: moves, stands at the edge of the active region, or sleeps */
 #define TM_FIELD_TABLE(FIELD)                                        \
   FIELD(TM_F_RHO, "density", 1, 0)                                   \
   FIELD(TM_F_STRESS, "stress", 6, 0)                                 \
@@ -52,7 +53,8 @@ enum { TM_K_MATRIX = 0, TM_K_SPIN = 6, TM_K_SINCE = 9, TM_K_RATE = 10, TM_K_COLU
   FIELD(TM_F_HOURGLASS, "hourglass", TM_G_COLUMNS, TM_FX_HOURGLASS)  \
   FIELD(TM_F_FRACTURE, "reference", TM_R_COLUMNS, TM_FX_FRACTURE)    \
   FIELD(TM_F_CORRECTION, "correction", TM_K_COLUMNS, TM_FX_ONE_PASS) \
-  FIELD(TM_F_UNSTRAINED, "unstrained", 1, TM_FX_EXPANSION)
+  FIELD(TM_F_UNSTRAINED, "unstrained", 1, TM_FX_EXPANSION)           \
+  FIELD(TM_F_ACTIVE, "active", 1, TM_FX_ACTIVE)
 
 #define TM_FIELD(id, name, columns, effects) id,
 enum tm_field_id { TM_FIELD_TABLE(TM_FIELD) TM_F_COUNT };

@@ -30,6 +30,26 @@ for bad in "0 10", "-5 10", "1.5 10", "1e3 10", "two 10":
     wrong("audit " + bad, fix("audit " + bad), F, "audit N", bad.split()[0])
 for bad in "10 0", "10 -3", "10 2.5", "10 many", "10 2000000":
     wrong("audit " + bad, fix("audit " + bad), F, "audit M", bad.split()[1])
+for bad, *said in (("active", "values"), ("active region all speed", "values"), ("active perhaps all speed 1", "perhaps", "region"),
+                   ("active region all rest 1", "speed V"), ("active region all speed 0", "speed", "0"),
+                   ("active region all speed fast", "speed", "fast"), ("active near 0 speed 1", "near", "0"),
+                   ("active region nowhere speed 1", "active", "no region nowhere"),
+                   ("active near 1e-3 speed 1", "active near", "contact/tri"),
+                   ("active region work speed 1 every 0", "every", "0"),
+                   ("active region work speed 1 audit yes", "active", "audit")):
+    wrong(bad, fix(bad), F, *said)
+wrong("active with adapt/neigh", dict(fix("active region work speed 1"), more="fix lists all adapt/neigh threshold 0"), F,
+      "active", "adapt/neigh")
+wrong("active with a pass of its own for the correction",
+      dict(style("hyperbolic 1.2 spacing 1e-3 stabilize artstress correction yes"), **fix("active region work speed 1")), F,
+      "active", "correction")
+fine("active with artstress", dict(style("hyperbolic 1.2 spacing 1e-3 stabilize artstress"),
+                                   **fix("active region work speed 1")))
+wrong("active with xsph", dict(style("hyperbolic 1.2 spacing 1e-3 xsph 0.5"), **fix("active region work speed 1")), F,
+      "active", "xsph")
+wrong("active with neigh_modify exclude", dict(fix("active region work speed 1"), more="neigh_modify exclude type 1 1"), F,
+      "active", "exclude")
+fine("active", fix("active region work speed 1"))
 wrong("energy perhaps", fix("energy perhaps"), "perhaps")
 wrong("unknown effect", fix("effects rupture on"), F, "rupture", "damage")
 wrong("effect without value", fix("effects heat"), F, "effects", "2 values")

@@ -74,6 +74,7 @@ SUITS = (
     ("dump_sph_tm_vtp", r"dump\b|variable\b", "state"),
     ("*", r"pair_style\s+sph/tm", "box"),
     ("fix_sph_tm", r"variable\s+left", "heat only"),
+    ("fix_sph_tm", r"variable\s+way", "style"),
     ("*", r"fix\s+\S+\s+\S+\s+sph/tm(\s|$)", "style"),
     ("*", r"fix\s+.*refine\s+cube", "space"),
     ("*", r"fix\s+\S+\s+\S+\s+(sph/tm/|adapt/neigh|contact/tri)", "body"),

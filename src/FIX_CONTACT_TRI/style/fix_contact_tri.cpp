@@ -262,8 +262,9 @@ void FixContactTri::post_force(int)
   const bool of_triangles = output.needs_values();
   if (!update->setupflag) checks.jump(motion.pose(dt, dt), motion.by_variable(), dt, model->smallest_spacing());
   ContactLoops::of(state->loops())
-      .contact(state->loops(), atom->nlocal, contact_args(motion.pose(state->time_step().ahead(), dt), of_triangles),
-               effects(of_triangles), results.begin());
+      .contact(state->active().stepping(), atom->nlocal,
+               contact_args(motion.pose(state->time_step().ahead(), dt), of_triangles), effects(of_triangles),
+               results.begin());
   if (set.body_type && state->has(TM_FX_CONDUCTION)) particles.take_heat();
   limit_time_step();
 }
@@ -311,12 +312,9 @@ void FixContactTri::write_output()
   if (array_local) size_local_rows = tool.mesh().nt;
 }
 
-// of a set-up or step, or an error: there are no values
-void FixContactTri::check_current() const { scene->check_current(state, fmt::format("Fix contact/tri {}", id)); }
-
 const double *FixContactTri::results_now()
 {
-  check_current();
+  scene->check_current(state, fmt::format("Fix contact/tri {}", id));    // of a set-up or step
   finish_contact();
   return results.over_ranks(world, model->units(), spacing);
 }
@@ -331,7 +329,7 @@ double FixContactTri::compute_vector(int n)
 
 double FixContactTri::compute_scalar()
 {
-  if (temperature.now() == 0.0) check_current();
+  if (temperature.now() == 0.0) scene->check_current(state, fmt::format("Fix contact/tri {}", id));
   return temperature.now();
 }
 
@@ -359,6 +357,18 @@ void FixContactTri::touched(int i, double radius, std::vector<Surface> &found)
     const double length = tm_vec_norm(normal);
     if (length > 0.0) found.push_back({tm_vec_scale(1.0 / length, normal), touch[k].distance});
   }
+}
+
+ContactProbe::Box FixContactTri::box() const
+{
+  const double *lo = tool.mesh().lo, *hi = tool.mesh().hi;
+  const tm_pose pose = motion.pose_now();
+  const tm_mat3 &t = pose.turn;
+  return {pose.shift,
+          {tm_vec(t.xx, t.yx, t.zx), tm_vec(t.xy, t.yy, t.zy), tm_vec(t.xz, t.yz, t.zz)},
+          {lo[0], lo[1], lo[2]},
+          {hi[0], hi[1], hi[2]},
+          motion.top_speed(lo, hi)};
 }
 
 int FixContactTri::pack_forward_comm(int n, int *list, double *buf, int, int *)

@@ -45,6 +45,7 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   int image(int *&, double **&) override;
   void touched(int i, double radius, std::vector<Surface> &) override;
   std::string write_surface(const std::string &path, double time) override;
+  Box box() const override;
   int pack_forward_comm(int, int *, double *, int, int *) override;
   void unpack_forward_comm(int, int, double *) override;
   void write_restart(FILE *) override;
@@ -88,7 +89,6 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   void finish_contact();
   void write_output();
   const double *results_now();
-  void check_current() const;
   SPHTM_NS::ToolQuery query() const;
   void warn_of_other_input(const std::vector<double> &) const;
 };

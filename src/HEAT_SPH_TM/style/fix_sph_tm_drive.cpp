@@ -116,7 +116,7 @@ void FixSPHTMDrive::drive(const double *target, bool act)
   a.act = act;
   a.dt = state->time_step().now();
   a.accel_unit = scene->model().units().force;
-  const tm_drive_result r = HeatLoops::of(state->loops()).drive(state->loops(), atom->nlocal, a, 0);
+  const tm_drive_result r = HeatLoops::of(state->loops()).drive(state->active().stepping(), atom->nlocal, a, 0);
   std::copy_n(r.force, 3, sum);
   sum[3] += r.work;
 }

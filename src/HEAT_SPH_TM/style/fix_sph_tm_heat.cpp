@@ -230,8 +230,8 @@ tm_surface_flux_args FixSPHTMHeat::flux_args()
 void FixSPHTMHeat::add_flux()
 {
   tm_surface_flux_args a = flux_args();
-  Backend &loops = state->loops();
-  const HeatLoops &heat = HeatLoops::of(loops);
+  Backend &loops = state->active().stepping();
+  const HeatLoops &heat = HeatLoops::of(state->loops());
   if (known_area > 0.0) {
     const double found = heat.surface_area(loops, atom->nlocal, a, 0);
     double all = 0.0;

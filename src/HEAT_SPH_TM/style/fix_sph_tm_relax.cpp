@@ -80,7 +80,8 @@ void FixSPHTMRelax::sum(bool act)
   a.damping = damping;
   a.dt = state->time_step().now();
   a.accel_unit = scene->model().units().force;
-  const tm_relax_result r = HeatLoops::of(state->loops()).relax(state->loops(), atom->nlocal, a, state->effects());
+  const tm_relax_result r =
+      HeatLoops::of(state->loops()).relax(state->active().stepping(), atom->nlocal, a, state->effects());
   const double mine[3] = {r.power, r.force2, r.momentum2}, most[2] = {r.unbalanced, r.carried};
   double all[3], largest[2];
   MPI_Allreduce(mine, all, 3, MPI_DOUBLE, MPI_SUM, world);

@@ -80,9 +80,10 @@ double EffectProbe::step(unsigned fx)
   loops.wait();
   const double begin = probe_time(loops);
   const PairLoops &run = PairLoops::of(loops);
-  run.predict(loops, n, p, fx);
-  run.rates(loops, n, r, fx);
-  run.update(loops, n, u, fx);
+  Backend &those = particles_state.active().stepping();
+  run.predict(those, n, p, fx);
+  run.rates(those, n, r, fx);
+  run.update(those, n, u, fx);
   loops.wait();
   return probe_time(loops) - begin;
 }

@@ -64,7 +64,7 @@ bool FractureWatch::refer(Pair *pair)
   if (!anew) return false;
   loops.fracture_refer(state.loops(), atom->nlocal, args(), state.effects());
   tell(pair);
-  loops.fracture_bonds(state.loops(), atom->nlocal, args(), state.effects());
+  loops.fracture_bonds(state.active().stepping(), atom->nlocal, args(), state.effects());
   return true;
 }
 
@@ -82,7 +82,7 @@ void FractureWatch::look(Pair *pair)
   if (refer(pair)) return;
   tell(pair);
   const tm_fracture_result mine =
-      PairLoops::of(state.loops()).fracture_look(state.loops(), atom->nlocal, args(), state.effects());
+      PairLoops::of(state.loops()).fracture_look(state.active().stepping(), atom->nlocal, args(), state.effects());
   if (reported) return;
   int tag;
   MPI_Allreduce(&mine.first, &tag, 1, MPI_INT, MPI_MIN, world);

@@ -43,6 +43,7 @@ bool RunTable::start_clock()
   timing = true;
   clock_step = update->ntimestep - 1;
   state.clock().restart();
+  state.active().restart_clock();
   if (meter) meter->restart();
   return true;
 }
@@ -152,11 +153,13 @@ void RunTable::print(const EnergyWatch &energy, const std::string &fracture)
   line("communication", part[RunClock::COMMUNICATION] + mean(timer->get_wall(Timer::COMM)), -1.0);
   line("output and all else", whole - named, -1.0);
   line("all", whole, -1.0);
+  const std::string active = state.active().in_words();
   const std::string audits = meter ? meter->report(part[RunClock::RATES], lists, steps) : "";
 
   if (comm->me) return;
   utils::logmesg(lmp, "\nsph/tm: {} steps of {} particles\n  {:<26} {:>10} {:>7} {:>12} {:>10}\n{}", steps,
                  atom->natoms, "effect or part", "seconds", "%", "ns/part/step", "bytes/part", text);
+  if (!active.empty()) utils::logmesg(lmp, "  active: {}\n", active);
   if (!audits.empty()) utils::logmesg(lmp, "{}", audits);
   utils::logmesg(lmp, "  energy: {}\n",
                  !state.has(TM_FX_LEDGER) ? "not summed up, and not checked; 'energy yes' of fix sph/tm does"

@@ -70,10 +70,9 @@ void StartChecks::check_company(const Pair *pair)
                      f->id, f->style);
   state.atoms().to_host();
   check_integrators();
-  const bigint members = group->count(state.group_index());
+  const bigint members = group->count(fix.igroup);
   if (members == 0 && atom->natoms > 0 && comm->me == 0)
-    error->warning(FLERR, "Fix sph/tm {}: group {} is empty: no particle moves", state.id(),
-                   group->names[state.group_index()]);
+    error->warning(FLERR, "Fix sph/tm {}: group {} is empty: no particle moves", state.id(), group->names[fix.igroup]);
 }
 
 // a particle with two of them would move twice as far
@@ -89,7 +88,7 @@ void StartChecks::check_integrators()
                  "Fix {} {} also integrates {} particles of group {} that fix sph/tm {} "
                  "integrates; remove it, or "
                  "give the two fixes groups that share no particle",
-                 f->id, f->style, all, group->names[state.group_index()], state.id());
+                 f->id, f->style, all, group->names[fix.igroup], state.id());
   }
 }
 

@@ -6,6 +6,7 @@
 #define SPHTM_PAIR_LOOPS_H
 
 #include "loop_table.h"
+#include "tm_active.h"
 #include "tm_conduct.h"
 #include "tm_drift.h"
 #include "tm_fracture.h"
@@ -67,6 +68,7 @@ TM_FN tm_tally_result tm_tally_nothing(void)
   LOOP(SUM, kinetic_energy, tm_state, double, tm_number, tm_kinetic_energy(i, &a))                     \
   LOOP(SUM, stored_energy, tm_state, double, tm_number, tm_stored_in(i, &a))                           \
   LOOP(SUM, tally, tm_tally_args, tm_tally_result, tm_tally, tm_tally(i, &a, effects))                 \
+  LOOP(EACH, active_near, tm_active_args, a.found[i] = (unsigned char) tm_active_near(i, &a))          \
   /* numerical fracture */                                                                             \
   LOOP(SUM, fracture_unknown, tm_fracture_args, double, tm_number, tm_fracture_is_unknown(i, &a))      \
   LOOP(SUM, fracture_torn, tm_fracture_args, double, tm_number, tm_fracture_is_torn(i, &a))            \

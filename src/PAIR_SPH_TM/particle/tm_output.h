@@ -2,6 +2,7 @@
 #ifndef TM_OUTPUT_H
 #define TM_OUTPUT_H
 
+#include "tm_active.h"
 #include "tm_damage.h"
 #include "tm_eos.h"
 #include "tm_fracture.h"
@@ -35,7 +36,8 @@
   VALUE(TM_OUT_SEARCHES, "searches")       \
   VALUE(TM_OUT_AREA, "surface/area")       \
   VALUE(TM_OUT_HOURGLASS, "hourglass")     \
-  VALUE(TM_OUT_FRACTURE, "fracture")
+  VALUE(TM_OUT_FRACTURE, "fracture")       \
+  VALUE(TM_OUT_ACTIVE, "active")
 
 #define TM_OUTPUT_ID(id, name) id,
 enum tm_output_id { TM_OUTPUT_TABLE(TM_OUTPUT_ID) TM_OUT_COUNT };
@@ -117,6 +119,10 @@ TM_FN tm_real tm_output_value(int which, int i, const tm_output_args *a)
     case TM_OUT_SEARCHES: return a->lists ? a->lists[(ptrdiff_t) i * a->lists_columns + a->ul_steps] : 0.0;
     case TM_OUT_AREA: return tm_output_area(i, a);
     case TM_OUT_FRACTURE: return tm_output_state(i, a, TM_F_FRACTURE, TM_R_STATE, 0.0) == TM_FRACTURE_TORN ? 1.0 : 0.0;
+    case TM_OUT_ACTIVE: {
+      const int kind = (int) tm_output_state(i, a, TM_F_ACTIVE, 0, TM_ACTIVE_MOVES);
+      return kind == TM_ACTIVE_ASLEEP ? 0.0 : kind == TM_ACTIVE_EDGE ? 1.0 : 2.0;
+    }
     case TM_OUT_HOURGLASS:
       return tm_vec_norm(tm_vec(tm_output_state(i, a, TM_F_HOURGLASS, TM_G_U, 0.0),
                                 tm_output_state(i, a, TM_F_HOURGLASS, TM_G_U + 1, 0.0),

@@ -62,7 +62,8 @@ void Conduction::advance(ParticleState &state)
   a.older = F[1].loop_write();
   a.T_new = T[0].loop_write();
 
-  const double mine = loops.conduct_row(backend, n, a, state.effects());
+  Backend &those = state.active().stepping();
+  const double mine = loops.conduct_row(those, n, a, state.effects());
   double rate;
   MPI_Allreduce(&mine, &rate, 1, MPI_DOUBLE, MPI_MAX, world);
   const int s = last_stages = tm_rkl_stages(rate * a.dt);
@@ -76,11 +77,11 @@ void Conduction::advance(ParticleState &state)
     a.stage = tm_rkl_stage(j, s);
     a.c = tm_rkl_time(j, s);
     a.is_first = j == 1;
-    loops.conduct_stage(backend, n, a, 0u);
+    loops.conduct_stage(those, n, a, 0u);
   }
   a.T = T[s % 2].loop_read();
   a.F = F[s % 2].loop_write();
-  const tm_conduct_result r = loops.conduct_end(backend, n, a, 0u);
+  const tm_conduct_result r = loops.conduct_end(those, n, a, 0u);
   state.source().held.take_supply(r.supply);
   const double local[3] = {-r.lowest, r.highest, r.change};
   double all[3];

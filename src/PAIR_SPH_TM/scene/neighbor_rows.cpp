@@ -2,6 +2,7 @@
 
 #include "model.h"
 #include "particle_state.h"
+#include "row_search.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -177,6 +178,21 @@ void NeighborRows::build(NeighList *list, bool conduction)
       if (column[k] & TM_MEETS_THERMAL) index[next[1][i]++] = by_tag[r];
       if (column[k] & TM_MEETS_CONTACT) index[next[2][i]++] = by_tag[r];
     }
+}
+
+/* ---------------------------------------------------------------------- rows of some particles */
+
+void NeighborRows::build(RowSearch &finder, const std::vector<int> &which, bool conduction)
+{
+  std::vector<unsigned char> meets = model.pair_laws().segments(model.materials(), conduction);
+  const int n1 = model.types() + 1;
+  bool alike = true;
+  for (int t = 1; t < n1; t++)
+    for (int u = 1; u < n1; u++) alike = alike && meets[t * n1 + u] == TM_MEETS_MECHANICAL;
+  if (alike) meets.clear();
+  row_stride = 1;
+  finder.search({meets, &row_index, {&row_mechanical, &row_thermal, &row_contact}, &row_first}, which,
+                model.settings_in_use().spacing, (const int *) atom->tag);
 }
 
 }    // namespace SPHTM_NS

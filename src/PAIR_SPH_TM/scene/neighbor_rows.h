@@ -18,6 +18,7 @@ namespace SPHTM_NS {
 
 class Model;
 class ParticleState;
+class RowSearch;
 
 class NeighborRows : protected LAMMPS_NS::Pointers {
  public:
@@ -30,6 +31,8 @@ class NeighborRows : protected LAMMPS_NS::Pointers {
   bool keeps_all() const { return row_source && row_source->keeps_all(); }    // these alone, at any distance
   bool cover(int n) const { return (int) row_first.size() >= n; }             // so many particles
   virtual void build(LAMMPS_NS::NeighList *, bool conduction);
+  // rows of these particles alone, from a search that has sorted all; the others have none
+  void build(RowSearch &, const std::vector<int> &which, bool conduction);
   virtual tm_rows loop_rows();
   virtual tm_rows host_rows();
   virtual const int *loop_tags();    // IDs of owned and ghost particles, where the loops run

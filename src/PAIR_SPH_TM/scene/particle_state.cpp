@@ -67,7 +67,8 @@ ParticleState::ParticleState(LAMMPS *lmp, Backend &loops, std::unique_ptr<AtomAr
                              const std::string &id, int group) :
     Pointers(lmp),
     fix_id(id), igroup(group), backend(loops), step_owner(owner), scene(Scene::of(lmp)),
-    lammps_arrays(std::move(arrays)), values(loops), heat(loops), step(lmp, *this), run_clock(loops)
+    lammps_arrays(std::move(arrays)), values(loops), heat(loops), step(lmp, *this), run_clock(loops),
+    region(lmp, *this, loops)
 {
   values.enable(0, atom->nmax);
   scene->enter(this);

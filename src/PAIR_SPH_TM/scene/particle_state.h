@@ -3,6 +3,7 @@
 #ifndef SPHTM_PARTICLE_STATE_H
 #define SPHTM_PARTICLE_STATE_H
 
+#include "active_region.h"
 #include "atom_arrays.h"
 #include "effect_plan.h"
 #include "energy_balance.h"
@@ -80,7 +81,6 @@ class ParticleState : protected LAMMPS_NS::Pointers {
   ~ParticleState() override;
 
   const std::string &id() const { return fix_id; }    // of fix sph/tm
-  int group_index() const { return igroup; }
   int group_bit() const;
   Backend &loops() { return backend; }
   StepOwner &owner() { return step_owner; }
@@ -115,6 +115,7 @@ class ParticleState : protected LAMMPS_NS::Pointers {
   EnergyBalance &energy() { return balance; }
   RunClock &clock() { return run_clock; }
   RunHistory &history() { return run_history; }
+  ActiveRegion &active() { return region; }    // who sleeps, and the loops of a step
 
  private:
   std::string fix_id;
@@ -133,6 +134,7 @@ class ParticleState : protected LAMMPS_NS::Pointers {
   EnergyBalance balance;
   RunClock run_clock;
   RunHistory run_history;
+  ActiveRegion region;
 
   void derive_effects();
   void report_effects();

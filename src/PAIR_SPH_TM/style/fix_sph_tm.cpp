@@ -51,6 +51,8 @@ FixSPHTM::FixSPHTM(LAMMPS *lmp, int narg, char **arg, Backend &loops, std::uniqu
   scene->set_time_scale(1.0);
   read_keywords(Keywords(lmp, "Fix sph/tm", narg - 3, arg + 3));
   maxexchange = state.fields().columns();
+  force_reneighbor = state.active().on();
+  next_reneighbor = -1;
   lost = (int *) state.loops().allocate_result(sizeof(int));
   atom->add_callback(Atom::GROW);
   atom->add_callback(Atom::RESTART);
@@ -82,6 +84,7 @@ void FixSPHTM::init()
   start.look_at_changes();
   state.init(scene->model());
   maxexchange = state.fields().columns();
+  state.active().check(*scene, meter != nullptr);
   if (meter) meter->init();
   stops.init();
 }
@@ -119,7 +122,8 @@ void FixSPHTM::setup(int)
   tm_update_args args = update_args(state, scene->results());
   stops.limit(args);
   const tm_update_result r =
-      PairLoops::of(state.loops()).initial_limits(state.loops(), atom->nlocal, {args, first}, state.effects());
+      PairLoops::of(state.loops())
+          .initial_limits(state.active().stepping(), atom->nlocal, {args, first}, state.effects());
   state.time_step().limit(r.dt);
   if (first) start.check_start();
   else start.check_changes();
@@ -136,6 +140,7 @@ void FixSPHTM::initial_integrate(int)
   if (!looked) energies.look(EnergyReport::FIRST, stop_on_lost);    // tools and other fixes are set up by now
   looked = true;
   table.start_clock();
+  if (state.active().due(update->ntimestep)) next_reneighbor = update->ntimestep;
   state.clock().begin_step();
   state.history().begin();
   scene->results().begin_step();
@@ -146,7 +151,8 @@ void FixSPHTM::initial_integrate(int)
   if (source_of_setup) state.source().set_zero(state.loops(), state.has(TM_FX_HEAT), atom->nmax);
   source_of_setup = false;
   drifted = atom->nlocal;
-  PairLoops::of(state.loops()).drift(state.loops(), drifted, drift_args(state, *domain), state.effects(), lost);
+  PairLoops::of(state.loops())
+      .drift(state.active().stepping(), drifted, drift_args(state, *domain), state.effects(), lost);
 }
 
 // asked before LAMMPS would delete the particle, and before the forces; whether there is one that may go
@@ -180,12 +186,14 @@ void FixSPHTM::final_integrate()
     const auto timed = state.clock().timed(RunClock::UPDATE);
     tm_update_args args = update_args(state, scene->results());
     stops.limit(args);
-    return PairLoops::of(state.loops()).update(state.loops(), atom->nlocal, args, state.effects());
+    state.active().hold(args.state.force);
+    return PairLoops::of(state.loops()).update(state.active().stepping(), atom->nlocal, args, state.effects());
   }();
   check_lost(state.time_step().ahead());
   if (sum.status != TM_OK) stops.stop_on(sum);
   if (sum.melted < INT_MAX) stops.warn_of_melting(sum.melted);
   state.time_step().limit(sum.dt);
+  if (state.active().on()) state.active().moved(sum.speed2, state.time_step().now());
   if (state.has(TM_FX_LEDGER)) state.energy().add_step(sum);
   scene->neighbor_check().after_lists(sum.speed2, state.time_step().ahead());
   state.time_step().end_step();

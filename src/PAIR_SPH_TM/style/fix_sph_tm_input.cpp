@@ -67,6 +67,7 @@ void FixSPHTM::read_keywords(Keywords &&k)
     if (k.is("temperature")) state.start_temperatures().set_all(k.positive());
     else if (read_setting(k)) continue;
     else if (k.is("time/scale")) scene->set_time_scale(k.positive());
+    else if (k.is("active")) state.active().read(k);
     else if (k.is("state")) begin_anew = k.second("keep", "new");
     else if (k.is("energy")) {
       if (k.yes()) state.effect_plan().force(TM_FX_LEDGER, true);
@@ -81,7 +82,7 @@ void FixSPHTM::read_keywords(Keywords &&k)
     } else if (k.is("effects")) read_effect(lmp, k, state.effect_plan());
     else
       k.unknown("temperature, temperature/max, density/max, courant, dt, dt/max, conduction, energy, "
-                "energy/drift, lost, state, time/scale, table, "
+                "energy/drift, lost, state, time/scale, active, table, "
                 "audit, effects");
   }
   if (const unsigned both = state.effect_plan().contradicting())

@@ -105,7 +105,7 @@ void PairSPHTM::init_style()
   rows->init(*state, scene->adaptation().rows);
   model.set_time_scale(scene->time_scale());
   model.make_tables(state->start_temperatures().of_all());
-  if (!rows->source()) neighbor->add_request(this, NeighConst::REQ_FULL);
+  if (!rows->source() && !state->active().on()) neighbor->add_request(this, NeighConst::REQ_FULL);
 }
 
 void PairSPHTM::init_list(int, NeighList *ptr) { list = ptr; }
@@ -142,11 +142,13 @@ void PairSPHTM::take_ghost_positions()
 
 /* ---------------------------------------------------------------------- one step */
 
-void PairSPHTM::predict(const tm_state &s)
+void PairSPHTM::predict(const tm_state &s, bool renewed)
 {
   {
     const auto timed = state->clock().timed(RunClock::PREDICT);
-    loops.predict(backend, atom->nlocal, results.predict_args(*state, s), state->effects());
+    Backend &those = renewed ? backend : state->active().stepping();    // what sleeps has the same record until then
+    loops.predict(those, atom->nlocal, results.predict_args(*state, s), state->effects());
+    if (renewed) state->active().insulate(results.records());
   }
   const auto timed = state->clock().timed(RunClock::COMMUNICATION);
   results.communicate_records(this);
@@ -167,7 +169,7 @@ void PairSPHTM::correct_gradients(int n, tm_rates_args &ul)
 void PairSPHTM::correct_first(tm_rates_args &args)
 {
   const auto timed = state->clock().timed(RunClock::MOMENTS);
-  loops.correction(backend, atom->nlocal, args, state->effects());
+  loops.correction(state->active().stepping(), atom->nlocal, args, state->effects());
   results.communicate_records(this);
   take_ghost_positions();
   results.take_up_ghosts();
@@ -190,11 +192,12 @@ void PairSPHTM::compute(int eflag, int vflag)
   state->time_step().set_stages_possible(!source || !source->has_tl());
   if (!source && (renewed || !rows->cover(atom->nlocal))) {
     const auto timed = state->clock().timed(RunClock::ROWS);
-    rows->build(list, state->has(TM_FX_CONDUCTION));
+    if (state->active().on()) state->active().renew(*scene, this);
+    else rows->build(list, state->has(TM_FX_CONDUCTION));
   }
   results.resize(*state);
   const tm_state s = state->arrays();
-  predict(s);
+  predict(s, renewed);
   results.take_up_ghosts();
   tm_rates_args &args = results.fill_args(*state, s);
   if (source) {
@@ -209,7 +212,7 @@ void PairSPHTM::compute(int eflag, int vflag)
   const bool counts = !state->time_step().conducts_in_stages() || state->has(TM_FX_SURFACE);
   if (counts && state->has(TM_FX_CONDUCTION) && model.pair_laws().has_thermal()) {
     const auto timed = state->clock().timed(RunClock::THERMAL);
-    loops.thermal(backend, atom->nlocal, others, state->effects());
+    loops.thermal(state->active().stepping(), atom->nlocal, others, state->effects());
   }
   if (state->has(TM_FX_BODIES)) body_contact(others);
   if (eflag || vflag) tally_virial_energy();
@@ -243,15 +246,16 @@ void PairSPHTM::rates(const tm_state &s, tm_rates_args &args)
   double *internal = apart.loop_write();
   // LAMMPS has not cleared the forces where it leaves that to the pair style
   const bool clear = fuse_force_clear_flag && force->pair == this && !modify->n_pre_force;
-  if (clear && (internal || force->newton || source))    // with newton LAMMPS adds those of ghosts to their owners'
+  const bool some = source || state->active().on();    // of the forces are written by the rates
+  if (clear && (internal || force->newton || some))    // with newton LAMMPS adds those of ghosts to their owners'
     backend.zero(s.force, 3 * ((size_t) nlocal + atom->nghost) * sizeof(double));
   if (internal) args.force = internal;
   ul.force = args.force;
-  if (internal && source) backend.zero(internal, 3 * nlocal * sizeof(double));
+  if (internal && some) backend.zero(internal, 3 * nlocal * sizeof(double));
   ul.force_begins = args.force_begins = (clear || internal) && !source;    // parts of rows add theirs
   {
     const auto timed = state->clock().timed(RunClock::RATES);
-    loops.rates(backend, n_ul, ul, effects);
+    loops.rates(state->active().stepping(), n_ul, ul, effects);
     if (source) source->tl_rates(args, effects);
   }
   if ((effects & TM_FX_HOURGLASS) && !(effects & TM_FX_ONE_PASS)) control_hourglass(args);
@@ -348,6 +352,7 @@ double PairSPHTM::memory_usage()
 {
   double bytes = Pair::memory_usage() + rows->bytes();
   if (!scene->is_bound()) return bytes;
+  bytes += state->active().bytes();
   for (const auto &b : results.bytes_by_effect(state->effects())) bytes += b.second;
   return bytes;
 }

@@ -52,7 +52,7 @@ class PairSPHTM : public Pair {
   double spacing = 0.0, h = 0.0;    // for extract()
 
   void allocate();
-  void predict(const tm_state &);
+  void predict(const tm_state &, bool renewed);
   void correct_gradients(int, tm_rates_args &);
   void correct_first(tm_rates_args &);
   void control_hourglass(const tm_rates_args &);

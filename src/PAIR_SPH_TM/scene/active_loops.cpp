@@ -1,0 +1,29 @@
+#include "active_loops.h"
+
+#include <algorithm>
+
+namespace SPHTM_NS {
+
+void ActiveLoops::set(const std::vector<int> &particles)
+{
+  runs.clear();
+  first_run.assign(1, 0);
+  for (const int i : particles) {
+    while ((int) first_run.size() <= i / LOOP_BLOCK) first_run.push_back(runs.size());
+    if (i % LOOP_BLOCK != 0 && !runs.empty() && runs.back().end == i) runs.back().end++;
+    else runs.push_back({i, i + 1});
+  }
+  first_run.push_back(runs.size());
+}
+
+void ActiveLoops::blocks(int n, const std::function<void(int, int)> &f)
+{
+  loops.blocks(n, [&](int begin, int) {
+    const size_t block = begin / LOOP_BLOCK;
+    for (size_t k = block + 1 < first_run.size() ? first_run[block] : runs.size();
+         k < runs.size() && k < first_run[block + 1] && runs[k].begin < n; k++)
+      f(runs[k].begin, std::min(n, runs[k].end));
+  });
+}
+
+}    // namespace SPHTM_NS

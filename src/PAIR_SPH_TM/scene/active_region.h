@@ -1,0 +1,81 @@
+/* SPH-TM: which particles move, and which are at rest outside of the active region and sleep (tm_active.h): keyword
+   active of fix sph/tm. Sorted anew every so many steps, in which LAMMPS renews its lists. */
+#ifndef SPHTM_ACTIVE_REGION_H
+#define SPHTM_ACTIVE_REGION_H
+
+#include "active_loops.h"
+#include "contact_probe.h"
+#include "loop_array.h"
+#include "row_search.h"
+#include "tm_active.h"
+
+#include "pointers.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+class Pair;
+class Region;
+}    // namespace LAMMPS_NS
+
+namespace SPHTM_NS {
+
+class Keywords;
+class ParticleState;
+class Scene;
+
+class ActiveRegion : protected LAMMPS_NS::Pointers {
+ public:
+  ActiveRegion(LAMMPS_NS::LAMMPS *, ParticleState &, Backend &);
+
+  void read(Keywords &);    // of fix sph/tm
+  bool on() const { return every > 0; }
+  void check(const Scene &, bool audits);    // before a run: what it does not work with
+  // particles are sorted in this step, at the renewed lists
+  bool due(LAMMPS_NS::bigint step) const { return on() && (!known || step % every == 0); }
+
+  // the loops of a step: over all particles, or over those that do not sleep
+  Backend &stepping() { return on() ? (Backend &) active : loops; }
+
+  // in this order, where lists were renewed: who sleeps, and the rows of the others; once all have records
+  void renew(const Scene &, LAMMPS_NS::Pair *);
+  void insulate(const tm_records &);    // no heat is conducted into those that sleep
+  // in each step: before the update, so that the edge stays; behind it
+  void hold(double *force) const;
+  void moved(double speed2, double dt);
+
+  std::string in_words();    // mean shares of particles, for the table of a run; collective
+  void restart_clock() { steps = sum_moving = sum_edge = at_rest = 0.0; }
+  double bytes() const;
+
+ private:
+  ParticleState &state;
+  Backend &loops;
+  ActiveLoops active;
+  std::unique_ptr<RowSearch> finder;
+  // of the script
+  std::string region_id;    // or empty: near a tool
+  double distance = 0.0, still = 0.0;
+  int every = 0;
+  // of a run
+  bool known = false;    // particles were sorted once, here or before a restart
+  double way = 0.0;      // of the fastest particle since then, at most
+  double time = 0.0;     // since then
+  std::vector<int> which, edge, asleep;
+  LoopArray<tm_real> flag;
+  std::vector<unsigned char> found;
+  double steps = 0.0, sum_moving = 0.0, sum_edge = 0.0, at_rest = 0.0;
+
+  double reach() const;
+  void check_way(const Scene &);
+  bool wants(const std::vector<ContactProbe::Box> &tools, LAMMPS_NS::Region *, int i) const;
+  void find_near(const Scene &, LAMMPS_NS::Pair *, tm_real least);
+  void decide(const Scene &, LAMMPS_NS::Pair *);
+  void list();
+};
+
+}    // namespace SPHTM_NS
+
+#endif
