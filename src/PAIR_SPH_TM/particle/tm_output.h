@@ -116,7 +116,8 @@ TM_FN tm_real tm_output_value(int which, int i, const tm_output_args *a)
     case TM_OUT_ADAPTNODE: return a->lists ? a->lists[(ptrdiff_t) i * a->lists_columns + a->was_ul] : 1.0;
     case TM_OUT_SEARCHES: return a->lists ? a->lists[(ptrdiff_t) i * a->lists_columns + a->ul_steps] : 0.0;
     case TM_OUT_AREA: return tm_output_area(i, a);
-    case TM_OUT_FRACTURE: return tm_output_state(i, a, TM_F_FRACTURE, TM_R_STATE, 0.0) == TM_FRACTURE_TORN ? 1.0 : 0.0;
+    case TM_OUT_FRACTURE:
+      return tm_output_state(i, a, TM_F_FRACTURE, TM_R_STATE, 0.0) == (tm_real) TM_FRACTURE_TORN ? 1.0 : 0.0;
     case TM_OUT_HOURGLASS:
       return tm_vec_norm(tm_vec(tm_output_state(i, a, TM_F_HOURGLASS, TM_G_U, 0.0),
                                 tm_output_state(i, a, TM_F_HOURGLASS, TM_G_U + 1, 0.0),

@@ -34,7 +34,7 @@
 /* Columns of a chunk: first the records, then what the pair functions make of them. */
 enum {
   TM_COL_STRESS = TM_REC,
-  TM_COL_HEAT = TM_COL_STRESS + TM_REC_STRESS,
+  TM_COL_HEAT = (int) TM_COL_STRESS + TM_REC_STRESS,
   TM_COL_CORRECTION = TM_COL_HEAT + TM_REC_HEAT,
   TM_COL_SIZE = TM_COL_CORRECTION + TM_REC_CORRECTION,
   TM_COL_STAB = TM_COL_SIZE + TM_REC_SIZE,
@@ -138,7 +138,7 @@ TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, con
   const tm_pair_size p = tm_chunk_pair_size(c, col + TM_COL_SIZE, l, &own->norm_of_one, t->dim3);
   const tm_pair r2 = dx * dx + dy * dy + dz * dz, r = tm_pair_sqrt(r2), q = r * p.inv_h;
   const tm_pair mj = col[TM_REC_M][tm_at(l)], rhoj = col[TM_REC_RHO][tm_at(l)];
-  const tm_pair *c_of = t->one_pass ? col[TM_COL_STAB + TM_STAB_C] : col[TM_REC_C];
+  const tm_pair *c_of = t->one_pass ? col[(int) TM_COL_STAB + TM_STAB_C] : col[TM_REC_C];
   tm_pair inv_r, inv_rho_sum;
   if (t->viscosity) {
     const tm_pair vx = own->r[4] - col[4][tm_at(l)], vy = own->r[5] - col[5][tm_at(l)];
@@ -155,15 +155,15 @@ TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, con
   const tm_pair g = p.slope_norm * tm_kernel_slope(t->kernel, q) * inv_r; /* W'/r */
   col[TM_COL_SLOPE][tm_at(l)] = mj * own->mass * g;
   if (t->one_pass) {
-    const tm_pair stiffness = tm_pair_min(own->stab[TM_STAB_K], col[TM_COL_STAB + TM_STAB_K][tm_at(l)]);
+    const tm_pair stiffness = tm_pair_min(own->stab[TM_STAB_K], col[(int) TM_COL_STAB + TM_STAB_K][tm_at(l)]);
     const tm_pair per = 2 * inv_rho_sum * inv_r;
     col[TM_COL_HOURGLASS][tm_at(l)] = mj * own->mass * g * stiffness * (per * per);
   }
   if (t->artstress) col[TM_COL_TENSILE][tm_at(l)] = tm_power_int(tm_kernel_shape(t->kernel, q) * p.inv_w, own->art_n);
   if (t->conduction) /* F15 (6) */
     col[TM_COL_CONDUCTED][tm_at(l)] =
-        tm_conduction_pair(own->k, col[TM_COL_HEAT + TM_REC_K][tm_at(l)], own->T, col[TM_COL_HEAT + TM_REC_T][tm_at(l)],
-                           mj / rhoj * own->volume, g);
+        tm_conduction_pair(own->k, col[(int) TM_COL_HEAT + TM_REC_K][tm_at(l)], own->T,
+                           col[(int) TM_COL_HEAT + TM_REC_T][tm_at(l)], mj / rhoj * own->volume, g);
   if (t->form_f14 || t->surface) col[TM_COL_PER_RHO][tm_at(l)] = 1 / rhoj;
   if (t->xsph)
     col[TM_COL_SMOOTH][tm_at(l)] =
