@@ -4,12 +4,18 @@ if [ $lammps -lt 20260000 ]; then kokkos_wanted=4.5.01 kokkos_words='4.5.01 or l
 else kokkos_wanted=5.1.0 kokkos_words='5.1 or later' kokkos_cxx=20
 fi
 
-# find_kokkos openmp|cuda: sets kokkos_dir, _prefix, _version, _devices, _arch, _options; fails where there is none that fits
+# find_kokkos openmp|cuda: sets kokkos_dir, _prefix, _version, _devices, _arch, _options; fails where there is none that fits,
+# and with kokkos_misfit tells why
 find_kokkos() {
   kokkos_dir='' kokkos_misfit=''
   probe=$(mktemp -d)
   cmake -S "$root/tools/kokkos-probe" -B "$probe" -DKOKKOS_WANTED=$kokkos_wanted > "$probe/log" 2>&1 || true
-  [ -f "$probe/answer.sh" ] && . "$probe/answer.sh"
+  if [ -f "$probe/answer.sh" ]; then . "$probe/answer.sh"
+  else    # one whose own files for CMake stop it
+    kokkos_prefix=$(sed -n 's/^CMake Error at \(.*\/Kokkos\)\/Kokkos[A-Za-z-]*\.cmake:.*/\1/p' "$probe/log" | head -n 1)
+    missing=$(sed -n 's/^ *"\(\/.*\.\(a\|so[.0-9]*\)\)"$/\1/p' "$probe/log" | head -n 1)
+    [ -z "$kokkos_prefix" ] || kokkos_misfit="is not whole: CMake fails in it${missing:+, $missing is missing}"
+  fi
   rm -rf "$probe"
   [ -n "$kokkos_dir" ] || return 1
   case $1/$kokkos_devices in
