@@ -1,5 +1,5 @@
 #!/bin/sh
-# Every tm_*.h of src compiles alone, without a warning:  check-headers.sh c|c++|nvcc
+# Every tm_*.h of src compiles alone, without a warning:  check-headers.sh c|c++17|c++20|nvcc
 # So it does with pair arithmetic in single (TM_PAIR_SINGLE), or it says that it is double only.
 set -eu
 . "$(dirname -- "$0")/common.sh"
@@ -7,12 +7,12 @@ set -eu
 warnings='-fopenmp-simd -Wall -Wextra -Wpedantic -Wno-unused-function -Werror'
 case ${1:-} in
   c)   compile="${CC:-cc} -std=c11 $warnings -Wc++-compat -x c -fsyntax-only" ;;
-  c++) compile="${CXX:-c++} -std=c++17 $warnings -x c++ -fsyntax-only" ;;
+  c++17|c++20) compile="${CXX:-c++} -std=$1 $warnings -x c++ -fsyntax-only" ;;
   nvcc)
     PATH=$PATH:/usr/local/cuda/bin
     command -v nvcc > /dev/null || { echo "skipped: no nvcc here"; exit 77; }
     compile="nvcc -x cu -ptx -arch=sm_90 -diag-suppress 177 -Werror all-warnings -o /dev/null" ;;
-  *) die "check-headers.sh c|c++|nvcc" ;;
+  *) die "check-headers.sh c|c++17|c++20|nvcc" ;;
 esac
 
 cd "$root"

@@ -54,13 +54,8 @@ try_lmp() {
   LD_LIBRARY_PATH=$stub${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH} ./lmp -h
 }
 
-# from 4 Jul 2026 on LAMMPS needs Kokkos 5 and C++20, for which the Kokkos styles are not written
-if [ $lammps -ge 20260000 ]; then
-  [ -n "$quiet" ] || say "no host with Kokkos of LAMMPS $lammps: the Kokkos styles need that of 20250204"
-  exit 77
-fi
 source=$("$root/tools/lammps-source.sh")
-options="$host_options -DPKG_PLUGIN=ON -DPKG_KOKKOS=ON -DCMAKE_CXX_STANDARD=17"
+options="$host_options -DPKG_PLUGIN=ON -DPKG_KOKKOS=ON -DCMAKE_CXX_STANDARD=$kokkos_cxx"
 prepare_tree=without_unused check_host=try_lmp
 
 if find_kokkos $devices; then
@@ -93,5 +88,5 @@ if [ $devices = openmp ] && kokkos_download; then
 fi
 [ -z "$quiet" ] || exit 77
 [ -z "$kokkos_misfit" ] || kokkos_misfit=" (the one in $kokkos_prefix $kokkos_misfit)"
-say "no $what found$kokkos_misfit: install Kokkos $kokkos_wanted or later (not 5) and set Kokkos_ROOT to its folder"
+say "no $what found$kokkos_misfit: LAMMPS $lammps needs Kokkos $kokkos_words installed, and Kokkos_ROOT set to its folder"
 exit 77

@@ -1,6 +1,6 @@
 /* SPH-TM: scalar type and the one qualifier of every physics function.
 
-   Everything in tm_*.h is the common subset of C11, C++17 and CUDA: no designated
+   Everything in tm_*.h is the common subset of C11, C++17, C++20 and CUDA: no designated
    initializers, no variable-length arrays, no compound literals, no globals. */
 #ifndef TM_REAL_H
 #define TM_REAL_H

@@ -80,8 +80,14 @@ says("the other LAMMPS", c.sphtm("host", "plain", "--lammps", "20260704"), "Debi
      never=["trixie"])
 says("the other LAMMPS, by the environment", c.run("./sphtm", "build", SPHTM_LAMMPS="20260704"),
      "Debian testing no longer has lammps_20260704", never=["trixie"])
-out, status = c.run("tools/host-kokkos.sh", "openmp", SPHTM_LAMMPS="20260704")
-say(status == 77 and "20250204" in out, "no Kokkos host of the other LAMMPS", out)
+source = os.path.dirname(os.path.dirname(c.write(c.top, "lammps", "src", "version.h")))
+for name in "cmake", "curl":
+    c.stub(name, "exit 1")
+for version, fragment in ("20250204", "needs Kokkos 4.5.01 or later, but not 5,"), ("20260704", "needs Kokkos 5.1 or later"):
+    out, status = c.run("tools/host-kokkos.sh", "openmp", SPHTM_LAMMPS=version, SPHTM_LAMMPS_SOURCE=source)
+    say(status == 77 and fragment in out, "no Kokkos for LAMMPS %s" % version, out)
+    out, status = c.run("tools/host-kokkos.sh", "openmp", "quiet", SPHTM_LAMMPS=version, SPHTM_LAMMPS_SOURCE=source)
+    say(status == 77 and not out, "the same, quietly", out)
 
 
 # an archive of its own takes the place of LAMMPS's, with a top folder and without

@@ -62,7 +62,7 @@ void RefineMerge::plan()
   const int width = cloud.view().width;
   std::vector<int> by_family;
   for (int i = 0; i < nall; i++)
-    if (cloud.row(i)[TM_CLOUD_MARK] == REFINE_BACK) by_family.push_back(i);
+    if (cloud.row(i)[TM_CLOUD_MARK] == (double) REFINE_BACK) by_family.push_back(i);
   std::sort(by_family.begin(), by_family.end(), [&](int a, int b) {
     const double *p = cloud.row(a), *q = cloud.row(b);
     if (p[TM_CLOUD_LEVEL] != q[TM_CLOUD_LEVEL]) return p[TM_CLOUD_LEVEL] < q[TM_CLOUD_LEVEL];
@@ -71,7 +71,7 @@ void RefineMerge::plan()
   });
   for (int i = 0; i < nlocal; i++) {
     double *own = cloud.row(i);
-    if (own[TM_CLOUD_MARK] != REFINE_BACK || own[TM_CLOUD_FAMILY] != (double) atom->tag[i]) continue;
+    if (own[TM_CLOUD_MARK] != (double) REFINE_BACK || own[TM_CLOUD_FAMILY] != (double) atom->tag[i]) continue;
     const std::vector<int> others = members(i, by_family);
     if ((int) others.size() != in.pattern.n - 1) continue;
     std::vector<const double *> rows(1, own);
@@ -110,11 +110,11 @@ std::vector<int> RefineMerge::plan_leaving()
   cloud.forward();
   std::vector<std::pair<double, int>> staying;    // family, particle
   for (int i = 0; i < nall; i++)
-    if (cloud.row(i)[TM_CLOUD_MARK] == REFINE_STAYS) staying.push_back({cloud.row(i)[TM_CLOUD_FAMILY], i});
+    if (cloud.row(i)[TM_CLOUD_MARK] == (double) REFINE_STAYS) staying.push_back({cloud.row(i)[TM_CLOUD_FAMILY], i});
   std::sort(staying.begin(), staying.end());
   for (int i = 0; i < nlocal; i++) {
     const double *own = cloud.row(i);
-    if (own[TM_CLOUD_MARK] == REFINE_BACK) {
+    if (own[TM_CLOUD_MARK] == (double) REFINE_BACK) {
       auto k = std::lower_bound(staying.begin(), staying.end(), std::make_pair(own[TM_CLOUD_FAMILY], -1));
       for (; k != staying.end() && k->first == own[TM_CLOUD_FAMILY]; ++k)
         if (cloud.row(k->second)[TM_CLOUD_LEVEL] == own[TM_CLOUD_LEVEL]) {
@@ -126,7 +126,7 @@ std::vector<int> RefineMerge::plan_leaving()
       const double *r = cloud.row(j);
       tm_real w;
       // within reach: not by the list, whose skin depends on when it was made
-      if ((r[TM_CLOUD_MARK] == REFINE_SPLIT || r[TM_CLOUD_MARK] == REFINE_STAYS) &&
+      if ((r[TM_CLOUD_MARK] == (double) REFINE_SPLIT || r[TM_CLOUD_MARK] == (double) REFINE_STAYS) &&
           tm_vec_norm(tm_cloud_link(&cloud.view(), i, j, 1.0, &w)) < support * sqrt(own[size] * r[size])) {
         touched.push_back(i);
         break;

@@ -23,24 +23,24 @@ FixAdaptNeighKokkos::FixAdaptNeighKokkos(LAMMPS *lmp, int narg, char **arg) :
   exchange_comm_device = sort_device = !parts.on_host();
 }
 
-int FixAdaptNeighKokkos::pack_exchange_kokkos(const int &n, DAT::tdual_xfloat_2d &buf, DAT::tdual_int_1d sent,
+int FixAdaptNeighKokkos::pack_exchange_kokkos(const int &n, ExchangeBuffer &buf, DAT::tdual_int_1d sent,
                                               DAT::tdual_int_1d filled_by, ExecutionSpace space)
 {
   sent.sync<LMPDeviceType>();
   filled_by.sync<LMPDeviceType>();
   send_arrays(n, sent.view<LMPDeviceType>().data(), filled_by.view<LMPDeviceType>().data(),
               buf.view<LMPDeviceType>().data());
-  if (space == Host) {
+  if (on_host(space)) {
     buf.modify<LMPDeviceType>();
     buf.sync<LMPHostType>();
   }
   return n * maxexchange;
 }
 
-void FixAdaptNeighKokkos::unpack_exchange_kokkos(DAT::tdual_xfloat_2d &buf, DAT::tdual_int_1d &places, int n, int, int,
+void FixAdaptNeighKokkos::unpack_exchange_kokkos(ExchangeBuffer &buf, DAT::tdual_int_1d &places, int n, int, int,
                                                  ExecutionSpace space)
 {
-  if (space == Host) {
+  if (on_host(space)) {
     buf.modify<LMPHostType>();
     buf.sync<LMPDeviceType>();
   }

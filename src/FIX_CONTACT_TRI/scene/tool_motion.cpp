@@ -160,7 +160,7 @@ static bool possible(const tm_motion &m, const tm_pose &base)
 bool ToolMotion::unpack(double clock, const double *v)
 {
   time = clock;
-  if (!(v[0] >= TM_MOTION_NONE && v[0] <= TM_MOTION_TRANSROT && v[0] == floor(v[0]))) return false;
+  if (!(v[0] >= (double) TM_MOTION_NONE && v[0] <= (double) TM_MOTION_TRANSROT && v[0] == floor(v[0]))) return false;
   memset(&motion, 0, sizeof(motion));
   motion.kind = (int) v[0];
   motion.period = v[1];

@@ -32,14 +32,13 @@ void FixContactTriKokkos::setup(int vflag)
   FixContactTri::setup(vflag);
 }
 
-int FixContactTriKokkos::pack_forward_comm_kokkos(int n, DAT::tdual_int_1d k_sendlist, DAT::tdual_xfloat_1d &buf, int,
-                                                  int *)
+int FixContactTriKokkos::pack_forward_comm_kokkos(int n, DAT::tdual_int_1d k_sendlist, ForwardBuffer &buf, int, int *)
 {
   particles.send(n, k_sendlist.view<LMPDeviceType>().data(), buf.view<LMPDeviceType>().data());
   return n;
 }
 
-void FixContactTriKokkos::unpack_forward_comm_kokkos(int n, int first, DAT::tdual_xfloat_1d &buf)
+void FixContactTriKokkos::unpack_forward_comm_kokkos(int n, int first, ForwardBuffer &buf)
 {
   particles.receive(n, first, buf.view<LMPDeviceType>().data());
 }

@@ -6,7 +6,7 @@
 
 #include "fix_contact_tri.h"
 
-#include "kokkos_base.h"
+#include "host_versions_kokkos.h"
 
 namespace LAMMPS_NS {
 
@@ -15,8 +15,8 @@ class FixContactTriKokkos : public FixContactTri, public KokkosBase {
   FixContactTriKokkos(class LAMMPS *, int, char **);
   void init() override;
   void setup(int) override;
-  int pack_forward_comm_kokkos(int, DAT::tdual_int_1d, DAT::tdual_xfloat_1d &, int, int *) override;
-  void unpack_forward_comm_kokkos(int, int, DAT::tdual_xfloat_1d &) override;
+  int pack_forward_comm_kokkos(int, DAT::tdual_int_1d, SPHTM_NS::ForwardBuffer &, int, int *) override;
+  void unpack_forward_comm_kokkos(int, int, SPHTM_NS::ForwardBuffer &) override;
 };
 
 }    // namespace LAMMPS_NS

@@ -90,7 +90,7 @@ typedef struct {
 /* Takes the sums of a step; returns the damping of the next one, 2 w. */
 TM_FN tm_real tm_relax_damping(tm_relax_mode *q, const tm_relax_result *r, tm_real damping, tm_real dt)
 {
-  const tm_real rest = r->force2 - damping * r->power, keep = 1.0 - 1.0 / TM_RELAX_MEMORY;
+  const tm_real rest = r->force2 - damping * r->power, keep = 1.0 - 1.0 / (tm_real) TM_RELAX_MEMORY;
   if (q->dt > 0.0) {
     const tm_real rate = (r->power - q->power) / (0.5 * (dt + q->dt));
     q->stiffness = keep * q->stiffness + 0.5 * (rest + q->rest) - rate;

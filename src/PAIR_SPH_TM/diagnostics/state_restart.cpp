@@ -123,7 +123,7 @@ void StateRestart::read(char *buf, EnergyWatch &energy_watch)
   const std::vector<double> v =
       read_restart_block(lmp, fmt::format("Fix sph/tm {}", state.id()), buf, VERSION + 1, 1000);
   const bool fits = v[VERSION] == THIS_VERSION && v.size() == VALUES && v[FIELDS] >= 0 &&
-                    v[FIELDS] < (1u << TM_F_COUNT) && v[CAUSE] >= 0 && v[CAUSE] < TM_DT_CAUSES;
+                    v[FIELDS] < (1u << TM_F_COUNT) && v[CAUSE] >= 0 && v[CAUSE] < (double) TM_DT_CAUSES;
   if (!fits)
     error->all(FLERR, "Fix sph/tm {}: the {} was written by another version of the plugin", state.id(),
                restart_file_name(lmp));

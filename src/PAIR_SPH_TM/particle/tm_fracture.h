@@ -79,7 +79,7 @@ TM_FN int tm_fracture_state(const tm_state *s, int i)
 }
 TM_FN tm_real tm_fracture_is_unknown(int i, const tm_fracture_args *a)
 {
-  return tm_fracture_state(&a->state, i) == TM_FRACTURE_UNKNOWN ? 1.0 : 0.0;
+  return tm_fracture_state(&a->state, i) == (tm_real) TM_FRACTURE_UNKNOWN ? 1.0 : 0.0;
 }
 TM_FN tm_real tm_fracture_is_torn(int i, const tm_fracture_args *a)
 {
@@ -92,7 +92,7 @@ TM_FN void tm_fracture_refer(int i, const tm_fracture_args *a)
   const tm_real *r = tm_main_record(&a->rec, i);
   tm_real *f = tm_field_row(&a->state, TM_F_FRACTURE, i);
   for (int k = 0; k < 3; k++) f[tm_column(TM_R_X + k)] = r[tm_part(TM_REC_X + k)];
-  if (f[tm_column(TM_R_STATE)] == TM_FRACTURE_UNKNOWN) f[tm_column(TM_R_STATE)] = TM_FRACTURE_WHOLE;
+  if (f[tm_column(TM_R_STATE)] == (tm_real) TM_FRACTURE_UNKNOWN) f[tm_column(TM_R_STATE)] = TM_FRACTURE_WHOLE;
 }
 
 /* What neighbors are told. */
@@ -149,7 +149,8 @@ TM_FN void tm_fracture_bonds(int i, const tm_fracture_args *a)
   f[tm_column(TM_R_B)] = sum.x;
   f[tm_column(TM_R_B + 1)] = sum.y;
   f[tm_column(TM_R_B + 2)] = sum.z;
-  if (!bonds && f[tm_column(TM_R_STATE)] == TM_FRACTURE_WHOLE) f[tm_column(TM_R_STATE)] = TM_FRACTURE_LEFT_OUT;
+  if (!bonds && f[tm_column(TM_R_STATE)] == (tm_real) TM_FRACTURE_WHOLE)
+    f[tm_column(TM_R_STATE)] = TM_FRACTURE_LEFT_OUT;
 }
 
 /* No neighbor of i within a distance and, where cosine > -1, within a cone about the unit vector e. */
@@ -231,7 +232,7 @@ TM_FN tm_fracture_result tm_fracture_look(int i, const tm_fracture_args *a)
 {
   tm_fracture_result out = tm_fracture_nothing();
   tm_real *state = tm_field_row(&a->state, TM_F_FRACTURE, i) + tm_column(TM_R_STATE);
-  if (*state == TM_FRACTURE_WHOLE) {
+  if (*state == (tm_real) TM_FRACTURE_WHOLE) {
     const tm_real dp = tm_fracture_spacing(i, a), reach = tm_fracture_reach(i, a);
     const tm_fracture_kept kept = tm_fracture_gather(i, a, dp, reach);
     if (kept.near_failed) *state = TM_FRACTURE_LEFT_OUT;
@@ -240,7 +241,7 @@ TM_FN tm_fracture_result tm_fracture_look(int i, const tm_fracture_args *a)
       out.first = a->tag[i];
     }
   }
-  out.torn = *state == TM_FRACTURE_TORN ? 1.0 : 0.0;
+  out.torn = *state == (tm_real) TM_FRACTURE_TORN ? 1.0 : 0.0;
   return out;
 }
 

@@ -161,7 +161,7 @@ TM_FN tm_vec3 tm_hourglass_rate(tm_real weights, tm_vec3 x, tm_vec3 v, tm_sym3 x
 /* Columns of a chunk: x y z m v rho, W k, size, weight, factor of the force. */
 enum {
   TM_GCOL_W = TM_REC_P,
-  TM_GCOL_SIZE = TM_GCOL_W + TM_REC_HOURGLASS,
+  TM_GCOL_SIZE = (int) TM_GCOL_W + TM_REC_HOURGLASS,
   TM_GCOL_WEIGHT = TM_GCOL_SIZE + TM_REC_SIZE, /* m_j/rho_j W */
   TM_GCOL_FORCE,                               /* m_j min(k_i, k_j)/(rho_i rho_j) W'/r^3 */
   TM_GCOLUMNS
@@ -176,7 +176,7 @@ TM_FN void tm_hourglass_coefficients(const tm_chunk *c, const tm_rates_args *a, 
   const tm_real r2 = dx * dx + dy * dy + dz * dz, r = sqrt(r2);
   const tm_pair_size p = tm_chunk_pair_size(c, sizes, col + TM_GCOL_SIZE, l, &a->norm_of_one, dim3);
   const tm_real q = r * p.inv_h, volume = col[TM_REC_M][tm_at(l)] / col[TM_REC_RHO][tm_at(l)];
-  const tm_real ki = own[TM_HOURGLASS_K], kj = col[TM_GCOL_W + TM_HOURGLASS_K][tm_at(l)];
+  const tm_real ki = own[TM_HOURGLASS_K], kj = col[(int) TM_GCOL_W + TM_HOURGLASS_K][tm_at(l)];
   col[TM_GCOL_WEIGHT][tm_at(l)] = volume * p.norm * tm_kernel_shape(kernel, q);
   col[TM_GCOL_FORCE][tm_at(l)] = volume * p.slope_norm * tm_kernel_slope(kernel, q) / r * tm_min(ki, kj) / (r2 * rhoi);
 }

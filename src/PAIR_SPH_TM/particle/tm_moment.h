@@ -48,8 +48,8 @@ TM_FN tm_sym3 tm_moment_sum(int i, const tm_rates_args *a, unsigned effects)
       const int m = tm_at(l);
       const tm_real dx = c.x - col[0][m], dy = c.y - col[1][m], dz = dim3 ? c.z - col[2][m] : 0.0;
       const tm_real r = sqrt(dx * dx + dy * dy + dz * dz);
-      const tm_pair_size p = sizes ? tm_pair_of_sizes(&c.own, col[Z + TM_SIZE_INV_H][m], col[Z + TM_SIZE_FACTOR][m],
-                                                      1.0, a->norm_of_one, dim3)
+      const tm_pair_size p = sizes ? tm_pair_of_sizes(&c.own, col[(int) Z + TM_SIZE_INV_H][m],
+                                                      col[(int) Z + TM_SIZE_FACTOR][m], 1.0, a->norm_of_one, dim3)
                                    : c.of_all;
       col[SLOPE][m] = col[TM_REC_M][m] * tm_kernel_slope(kernel, r * p.inv_h) / r;
       if (sizes) col[SLOPE][m] *= p.slope_norm;

@@ -118,9 +118,10 @@ TM_FN tm_real tm_output_value(int which, int i, const tm_output_args *a)
     case TM_OUT_ADAPTNODE: return a->lists ? a->lists[(ptrdiff_t) i * a->lists_columns + a->was_ul] : 1.0;
     case TM_OUT_SEARCHES: return a->lists ? a->lists[(ptrdiff_t) i * a->lists_columns + a->ul_steps] : 0.0;
     case TM_OUT_AREA: return tm_output_area(i, a);
-    case TM_OUT_FRACTURE: return tm_output_state(i, a, TM_F_FRACTURE, TM_R_STATE, 0.0) == TM_FRACTURE_TORN ? 1.0 : 0.0;
+    case TM_OUT_FRACTURE:
+      return tm_output_state(i, a, TM_F_FRACTURE, TM_R_STATE, 0.0) == (tm_real) TM_FRACTURE_TORN ? 1.0 : 0.0;
     case TM_OUT_ACTIVE: {
-      const int kind = (int) tm_output_state(i, a, TM_F_ACTIVE, 0, TM_ACTIVE_MOVES);
+      const int kind = (int) tm_output_state(i, a, TM_F_ACTIVE, 0, (tm_real) TM_ACTIVE_MOVES);
       return kind == TM_ACTIVE_ASLEEP ? 0.0 : kind == TM_ACTIVE_EDGE ? 1.0 : 2.0;
     }
     case TM_OUT_HOURGLASS:

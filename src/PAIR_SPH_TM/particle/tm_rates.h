@@ -34,7 +34,7 @@
 /* Columns of a chunk: first the records, then what the pair functions make of them. */
 enum {
   TM_COL_STRESS = TM_REC,
-  TM_COL_HEAT = TM_COL_STRESS + TM_REC_STRESS,
+  TM_COL_HEAT = (int) TM_COL_STRESS + TM_REC_STRESS,
   TM_COL_CORRECTION = TM_COL_HEAT + TM_REC_HEAT,
   TM_COL_SIZE = TM_COL_CORRECTION + TM_REC_CORRECTION,
   TM_COL_STAB = TM_COL_SIZE + TM_REC_SIZE,
@@ -122,7 +122,8 @@ TM_FN void tm_rates_fetch(const tm_chunk *c, const int *jj, const tm_rates_terms
   if (t->one_pass) { /* P and c are in the other record */
     tm_chunk_fetch_main(c, jj, TM_REC_P, t->dim3, col);
     if (t->balsara)
-      tm_fetch_records(c->main, TM_REC, TM_REC - TM_TOGETHER, TM_TOGETHER, jj, c->lanes, col[TM_REC - TM_TOGETHER]);
+      tm_fetch_records(c->main, TM_REC, (int) TM_REC - TM_TOGETHER, TM_TOGETHER, jj, c->lanes,
+                       col[(int) TM_REC - TM_TOGETHER]);
   } else if (TM_COLUMN > 1 || TM_SINGLE || t->viscosity || t->extended)
     tm_chunk_fetch_main(c, jj, TM_REC, t->dim3, col);
   else tm_chunk_fetch_main(c, jj, TM_REC_C, t->dim3, col);
@@ -140,8 +141,8 @@ TM_FN void tm_rates_fetch(const tm_chunk *c, const int *jj, const tm_rates_terms
 /* Power per volume that neighbor l conducts into the particle, F15 (6). */
 TM_FN tm_pair tm_rates_conducted(const tm_rates_own *own, tm_values *col, int l, tm_pair g)
 {
-  return tm_conduction_pair(own->k, col[TM_COL_HEAT + TM_REC_K][tm_at(l)], own->T,
-                            col[TM_COL_HEAT + TM_REC_T][tm_at(l)],
+  return tm_conduction_pair(own->k, col[(int) TM_COL_HEAT + TM_REC_K][tm_at(l)], own->T,
+                            col[(int) TM_COL_HEAT + TM_REC_T][tm_at(l)],
                             col[TM_REC_M][tm_at(l)] / col[TM_REC_RHO][tm_at(l)] * own->volume, g);
 }
 
@@ -154,7 +155,7 @@ TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, con
   const tm_pair_size p = tm_chunk_pair_size(c, t->sizes, col + TM_COL_SIZE, l, &own->norm_of_one, t->dim3);
   const tm_pair r2 = dx * dx + dy * dy + dz * dz, r = tm_pair_sqrt(r2), q = r * p.inv_h;
   const tm_pair mj = col[TM_REC_M][tm_at(l)], rhoj = col[TM_REC_RHO][tm_at(l)];
-  const tm_pair *c_of = t->one_pass ? col[TM_COL_STAB + TM_STAB_C] : col[TM_REC_C];
+  const tm_pair *c_of = t->one_pass ? col[(int) TM_COL_STAB + TM_STAB_C] : col[TM_REC_C];
   tm_pair inv_r, inv_rho_sum;
   if (t->viscosity) {
     const tm_pair vx = own->r[4] - col[4][tm_at(l)], vy = own->r[5] - col[5][tm_at(l)];
@@ -174,7 +175,7 @@ TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, con
   }
   col[TM_COL_SLOPE][tm_at(l)] = mj * own->mass * g;
   if (t->one_pass) {
-    const tm_pair stiffness = tm_pair_min(own->stab[TM_STAB_K], col[TM_COL_STAB + TM_STAB_K][tm_at(l)]);
+    const tm_pair stiffness = tm_pair_min(own->stab[TM_STAB_K], col[(int) TM_COL_STAB + TM_STAB_K][tm_at(l)]);
     const tm_pair per = 2 * inv_rho_sum * inv_r;
     col[TM_COL_HOURGLASS][tm_at(l)] = mj * own->mass * g * stiffness * (per * per);
   }

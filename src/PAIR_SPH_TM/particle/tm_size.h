@@ -68,8 +68,8 @@ TM_FN void tm_gradient_table(int kernel, int dim, tm_real *table)
 TM_FN tm_real tm_gradient_factor(const tm_real *table, tm_real ratio)
 {
   const tm_real at = (ratio - TM_GRADIENT_LEAST) * (TM_GRADIENT_ENTRIES - 1) / (TM_GRADIENT_MOST - TM_GRADIENT_LEAST);
-  const tm_real in = tm_min(tm_max(at, 0.0), TM_GRADIENT_ENTRIES - 1.0); /* NaN: 0 */
-  const int k = (int) tm_min(in, TM_GRADIENT_ENTRIES - 2.0);
+  const tm_real in = tm_min(tm_max(at, 0.0), (tm_real) TM_GRADIENT_ENTRIES - 1.0); /* NaN: 0 */
+  const int k = (int) tm_min(in, (tm_real) TM_GRADIENT_ENTRIES - 2.0);
   return table[k] + (in - k) * (table[k + 1] - table[k]);
 }
 

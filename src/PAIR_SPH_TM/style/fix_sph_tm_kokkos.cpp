@@ -91,7 +91,7 @@ struct Sorted {
   }
 };
 
-constexpr unsigned ATOM_DATA = X_MASK | V_MASK | F_MASK | TYPE_MASK | MASK_MASK | RMASS_MASK;
+constexpr auto ATOM_DATA = X_MASK | V_MASK | F_MASK | TYPE_MASK | MASK_MASK | RMASS_MASK;
 const ExecutionSpace SPACE = ExecutionSpaceFromDevice<LMPDeviceType>::space;
 
 class KokkosAtomArrays : public AtomArrays {
@@ -142,8 +142,8 @@ void FixSPHTMKokkos::init()
 {
   FixSPHTM::init();
   if (atom->mass) {
-    atomKK->k_mass.modify<LMPHostType>();
-    atomKK->k_mass.sync<LMPDeviceType>();
+    atomKK->k_mass.modify_host();
+    atomKK->k_mass.sync_device();
   }
   // LAMMPS takes a fix without a Kokkos version for one that changes all that atoms have. These only read, and nothing
   // has to go back to a GPU after each of their turns; see also fixes_of_host_kokkos.h.
@@ -164,13 +164,13 @@ void FixSPHTMKokkos::setup(int vflag)
 void FixSPHTMKokkos::delete_lost()
 {
   auto *brick = dynamic_cast<CommKokkos *>(comm);
-  if (!brick || comm->nprocs > 1 || brick->exchange_comm_classic) return;
-  brick->exchange_comm_classic = exchanges_on_host = true;
+  if (!brick || comm->nprocs > 1 || exchange_on_host(*brick)) return;
+  exchange_on_host(*brick) = exchanges_on_host = true;
 }
 
 void FixSPHTMKokkos::exchange_as_before()
 {
-  if (exchanges_on_host) static_cast<CommKokkos *>(comm)->exchange_comm_classic = false;
+  if (exchanges_on_host) exchange_on_host(*static_cast<CommKokkos *>(comm)) = false;
   exchanges_on_host = false;
 }
 
@@ -189,7 +189,7 @@ void FixSPHTMKokkos::post_neighbor()
 
 /* ---------------------------------------------------------------------- */
 
-int FixSPHTMKokkos::pack_exchange_kokkos(const int &nsend, DAT::tdual_xfloat_2d &k_buf, DAT::tdual_int_1d k_sendlist,
+int FixSPHTMKokkos::pack_exchange_kokkos(const int &nsend, ExchangeBuffer &k_buf, DAT::tdual_int_1d k_sendlist,
                                          DAT::tdual_int_1d k_copylist, ExecutionSpace space)
 {
   k_sendlist.sync<LMPDeviceType>();
@@ -198,17 +198,17 @@ int FixSPHTMKokkos::pack_exchange_kokkos(const int &nsend, DAT::tdual_xfloat_2d 
   kokkos_each("sph/tm send", nsend,
               Pack{rows, k_sendlist.view<LMPDeviceType>().data(), k_copylist.view<LMPDeviceType>().data(),
                    k_buf.view<LMPDeviceType>().data()});
-  if (space == Host) {
+  if (on_host(space)) {
     k_buf.modify<LMPDeviceType>();
     k_buf.sync<LMPHostType>();
   }
   return nsend * rows.width;
 }
 
-void FixSPHTMKokkos::unpack_exchange_kokkos(DAT::tdual_xfloat_2d &k_buf, DAT::tdual_int_1d &k_indices, int nrecv, int,
-                                            int, ExecutionSpace space)
+void FixSPHTMKokkos::unpack_exchange_kokkos(ExchangeBuffer &k_buf, DAT::tdual_int_1d &k_indices, int nrecv, int, int,
+                                            ExecutionSpace space)
 {
-  if (space == Host) {
+  if (on_host(space)) {
     k_buf.modify<LMPHostType>();
     k_buf.sync<LMPDeviceType>();
   }

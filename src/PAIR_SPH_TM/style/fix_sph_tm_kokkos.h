@@ -8,7 +8,7 @@
 
 #include "fix_sph_tm.h"
 
-#include "kokkos_base.h"
+#include "host_versions_kokkos.h"
 
 namespace LAMMPS_NS {
 
@@ -20,9 +20,9 @@ class FixSPHTMKokkos : public FixSPHTM, public KokkosBase {
   void setup_pre_exchange() override;
   void pre_exchange() override;
   void post_neighbor() override;
-  int pack_exchange_kokkos(const int &, DAT::tdual_xfloat_2d &, DAT::tdual_int_1d, DAT::tdual_int_1d,
+  int pack_exchange_kokkos(const int &, SPHTM_NS::ExchangeBuffer &, DAT::tdual_int_1d, DAT::tdual_int_1d,
                            ExecutionSpace) override;
-  void unpack_exchange_kokkos(DAT::tdual_xfloat_2d &, DAT::tdual_int_1d &, int, int, int, ExecutionSpace) override;
+  void unpack_exchange_kokkos(SPHTM_NS::ExchangeBuffer &, DAT::tdual_int_1d &, int, int, int, ExecutionSpace) override;
   void sort_kokkos(Kokkos::BinSort<KeyViewType, BinOp> &) override;
 
  private:

@@ -87,8 +87,7 @@ struct TakePositions {
 
 }    // namespace
 
-int PairSPHTMKokkos::pack_forward_comm_kokkos(int n, DAT::tdual_int_1d k_sendlist, DAT::tdual_xfloat_1d &buf, int,
-                                              int *)
+int PairSPHTMKokkos::pack_forward_comm_kokkos(int n, DAT::tdual_int_1d k_sendlist, ForwardBuffer &buf, int, int *)
 {
   const tm_ghost_args ghosts = results.ghosts();
   kokkos_each("sph/tm send to ghosts", n,
@@ -96,7 +95,7 @@ int PairSPHTMKokkos::pack_forward_comm_kokkos(int n, DAT::tdual_int_1d k_sendlis
   return n * tm_ghost_width(&ghosts);
 }
 
-void PairSPHTMKokkos::unpack_forward_comm_kokkos(int n, int first, DAT::tdual_xfloat_1d &buf)
+void PairSPHTMKokkos::unpack_forward_comm_kokkos(int n, int first, ForwardBuffer &buf)
 {
   kokkos_each("sph/tm receive ghosts", n, UnpackGhosts{results.ghosts(), first, buf.view<LMPDeviceType>().data()});
 }

@@ -7,7 +7,7 @@
 
 #include "pair_sph_tm.h"
 
-#include "kokkos_base.h"
+#include "host_versions_kokkos.h"
 
 namespace LAMMPS_NS {
 
@@ -16,8 +16,8 @@ class PairSPHTMKokkos : public PairSPHTM, public KokkosBase {
   PairSPHTMKokkos(class LAMMPS *);
   void init_style() override;
   void compute(int, int) override;
-  int pack_forward_comm_kokkos(int, DAT::tdual_int_1d, DAT::tdual_xfloat_1d &, int, int *) override;
-  void unpack_forward_comm_kokkos(int, int, DAT::tdual_xfloat_1d &) override;
+  int pack_forward_comm_kokkos(int, DAT::tdual_int_1d, SPHTM_NS::ForwardBuffer &, int, int *) override;
+  void unpack_forward_comm_kokkos(int, int, SPHTM_NS::ForwardBuffer &) override;
 
  protected:
   void take_ghost_positions() override;
