@@ -15,7 +15,8 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(
 from sphtm_scene import PLANE, SKIPPED, SOURCE, Checks, lattice_block, new_folder, run    # noqa: E402,F401
 
 WAYS = {"plain": {}, "plain default": {"SPHTM_ISA": "default"}, "serial": {}, "threads": {},
-        "device": {"SPHTM_KOKKOS_LOOPS": "device"}}
+        "device": {"SPHTM_KOKKOS_LOOPS": "device"},
+        "rows in list": {"SPHTM_KOKKOS_LOOPS": "device", "SPHTM_ROWS_IN_LIST": "yes"}}
 
 
 def run_way(way, script, ranks=1, options="", **more):

@@ -1,5 +1,6 @@
 """Every effect with Kokkos as without, particle by particle, all digits: on one thread, on two, and with the loops
-for a GPU, whose arrays live in another memory. Sums over particles add up in another order there: 1e-12."""
+for a GPU, whose arrays live in another memory, also with rows of neighbors in LAMMPS's list. Sums over particles add up
+in another order there: 1e-12."""
 import numpy as np
 from kokkos_scene import Checks, new_folder, run_way, same_bits
 from scenes import FILES, SCENES, TOUCHING, insert
@@ -16,14 +17,15 @@ def largest(a, b):
 
 for name, script in SCENES.items():
     results = {}
-    for way in "plain", "serial", "threads", "plain default", "device":
+    for way in "plain", "serial", "threads", "plain default", "device", "rows in list":
         folder = new_folder()
         insert(folder)
         results[way] = run_way(way, script, folder=folder, files=FILES)
     if name in TOUCHING:
         checks.above("%s: bodies touch, %s" % (name, TOUCHING[name]),
                      abs(results["plain"].thermo[-1][TOUCHING[name]][-1]), 1e-9)
-    for way, reference in ("serial", "plain"), ("threads", "plain"), ("device", "plain default"):
+    for way, reference in ("serial", "plain"), ("threads", "plain"), ("device", "plain default"), \
+            ("rows in list", "plain default"):
         same_bits(checks, "%s: %s as %s" % (name, way, reference), results[way], results[reference])
         checks.below("%s: %s, printed sums" % (name, way), largest(results[way], results[reference]), 1e-12)
 checks.end()
