@@ -175,7 +175,7 @@ create_atoms    1 region work
 region          hot block 0 0.01 INF INF INF INF units box
 group           hot region hot
 region          win block INF 0.025 INF INF INF INF units box
-pair_style      sph/tm hyperbolic 1.2 spacing 1e-3
+pair_style      sph/tm hyperbolic 1.2 spacing 1e-3 precision {precision}
 pair_coeff      1 1 density 2700 elastic 70e9 0.33 heat 200 900 0.9
 fix             body all sph/tm temperature 300 active region win speed 1e-3 conduction {scheme}
 fix_modify      body temperature hot 400
@@ -188,10 +188,11 @@ thermo_modify   format float %.15g
 dump            d all custom 200 out.dump id x c_p[*]
 run             400
 """
-    for scheme in ("rkl2", "explicit"):
-        r = run(script.format(scheme=scheme))
+    for scheme, precision, error in ("rkl2", "double", 1e-12), ("explicit", "double", 1e-12), ("explicit", "mixed", 1e-9):
+        r = run(script.format(scheme=scheme, precision=precision))
         t = r.thermo[-1]
-        checks.near("%s: mean temperature" % scheme, t["c_all"][-1], t["c_all"][0], relative=1e-12)
+        scheme = "%s, %s" % (scheme, precision)
+        checks.near("%s: mean temperature" % scheme, t["c_all"][-1], t["c_all"][0], relative=error)
         f = r.dump("out.dump")[-1]
         asleep = f["c_p[1]"] == 0
         checks.true("%s: what sleeps has kept its temperature" % scheme,

@@ -47,6 +47,9 @@ fine("active with artstress", dict(style("hyperbolic 1.2 spacing 1e-3 stabilize 
                                    **fix("active region work speed 1")))
 wrong("active with xsph", dict(style("hyperbolic 1.2 spacing 1e-3 xsph 0.5"), **fix("active region work speed 1")), F,
       "active", "xsph")
+wrong("active under a hybrid style",
+      dict(fix("active region work speed 1"), pair_style="pair_style hybrid/overlay sph/tm hyperbolic 1.2 spacing 1e-3 zero 2e-3",
+           pair_coeff="pair_coeff 1 1 sph/tm density 7830 elastic 200e9 0.29\npair_coeff 1 1 zero"), F, "active", "hybrid/overlay")
 wrong("active with neigh_modify exclude", dict(fix("active region work speed 1"), more="neigh_modify exclude type 1 1"), F,
       "active", "exclude")
 fine("active", fix("active region work speed 1"))

@@ -271,6 +271,7 @@ compute p all sph/tm/atom pressure h
             ("format", D + G + "dump_modify a format float %.3g\n", ("Dump_modify a format", "precision"), None),
             ("no header", D + G + "dump_modify a header no\n", ("sph/tm/vtp a", "header"), None),
             ("buffer", D + G + "dump_modify a buffer yes\n", ("buffer",), None),
+            ("one list for two", D + G + "dump b all sph/tm/vtp 1 a_*.vtp x y z\n", ("sph/tm/vtp a", "dump b", "a.pvd"), None),
             ("folder that is not there", D + "nowhere/a.*.vtp x y z\n", ("sph/tm/vtp a", "nowhere/a.pvd", "No such"), None),
             ("list of someone else", D + G + "dump_modify a append yes\n", ("sph/tm/vtp a", "a.pvd", "move it away"), with_list)):
         ran = run(head + lines + "thermo 1\nrun 1\n", folder=folder, expect_error=True)

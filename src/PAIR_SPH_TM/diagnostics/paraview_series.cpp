@@ -98,7 +98,7 @@ std::string ParaviewSeries::go_on(bigint now)
         !between(line, " file=\"", "\"", file) || !between(line, "<!-- step ", " -->", step))
       return fmt::format("cannot continue the list {}, which SPH-TM has not written: move it away", pvd);
     const bigint of = std::strtoll(step.c_str(), nullptr, 10);
-    if (of < now)
+    if (of <= now)    // the files of this step may be written again
       entries.push_back({of, std::strtod(time.c_str(), nullptr), std::atoi(part.c_str()), plain_text(file)});
   }
   return write();

@@ -23,7 +23,7 @@ class ParaviewSeries {
   std::string part_path(const std::string &part, const std::string &step) const;
   // each returns what went wrong, or an empty text
   std::string begin_anew();                     // no files yet
-  std::string go_on(LAMMPS_NS::bigint step);    // with what the list on disk has of earlier steps
+  std::string go_on(LAMMPS_NS::bigint step);    // with what the list on disk has up to this step
   std::string enter(LAMMPS_NS::bigint step, double time, const std::vector<std::string> &files);    // those of a step
   void drop_removed();    // steps whose first file is no more; their other files are removed
 

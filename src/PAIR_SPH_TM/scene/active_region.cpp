@@ -6,11 +6,13 @@
 #include "atom.h"
 #include "domain.h"
 #include "error.h"
+#include "force.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "pair.h"
 #include "region.h"
 #include "update.h"
+#include "utils.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,6 +57,10 @@ void ActiveRegion::check(const Scene &scene, bool audits)
   if (!loops.shared())
     refuse("the loops of a GPU, which run over all particles; leave 'active' out, or run on the host");
   if (sizeof(tagint) != sizeof(int)) refuse("a LAMMPS built with BIGBIG: rows sort by tags of 32 bits");
+  if (atom->molecular != Atom::ATOMIC) refuse("atoms with bonds, whose pairs its rows do not leave out");
+  if (utils::strmatch(force->pair_style, "^hybrid"))
+    refuse("pair_style " + std::string(force->pair_style) +
+           ", whose choice of pairs its rows know nothing of; say with 'pair_coeff i j none' which types do not meet");
   if (!modify->get_fix_by_style("^adapt/neigh").empty()) refuse("fix adapt/neigh");
   if (neighbor->nex_type || neighbor->nex_group || neighbor->nex_mol)
     refuse("'neigh_modify exclude', which its rows know nothing of; say with 'pair_coeff i j none' which types do not "
@@ -76,12 +82,11 @@ double ActiveRegion::reach() const { return state.model().support() + neighbor->
 /* ---------------------------------------------------------------------- who sleeps */
 
 // none may come within reach of one that has no row yet
-void ActiveRegion::check_way(const Scene &scene)
+void ActiveRegion::check_way()
 {
-  double mine = way, all;
-  for (const ContactProbe *p : scene.contact_probes()) mine = std::max(mine, time * p->box().top_speed);
+  double mine = std::max(way, tool_way), all;
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
-  way = time = 0.0;
+  way = tool_way = 0.0;
   if (all > neighbor->skin)
     error->all(FLERR,
                "Fix sph/tm {} active: particles or tools move by up to {:.4g} in {} steps, more than the skin {:.4g}; "
@@ -115,7 +120,7 @@ void ActiveRegion::find_near(const Scene &scene, Pair *pair, tm_real least)
 
 void ActiveRegion::decide(const Scene &scene, Pair *pair)
 {
-  check_way(scene);
+  check_way();
   const int n = atom->nlocal;
   const tm_state s = state.arrays();
   Region *region = region_id.empty() ? nullptr : domain->get_region_by_id(region_id);
@@ -191,10 +196,12 @@ void ActiveRegion::hold(double *force) const
   for (const int i : edge) std::fill_n(force + 3 * (size_t) i, 3, 0.0);
 }
 
-void ActiveRegion::moved(double speed2, double dt)
+void ActiveRegion::moved(const Scene &scene, double speed2, double dt)
 {
+  double tools = 0.0;
+  for (const ContactProbe *p : scene.contact_probes()) tools = std::max(tools, p->box().top_speed);
   way += sqrt(speed2) * dt;
-  time += dt;
+  tool_way += tools * dt;
   steps++;
   sum_moving += (double) (which.size() - edge.size());
   sum_edge += (double) edge.size();

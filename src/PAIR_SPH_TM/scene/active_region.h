@@ -44,7 +44,7 @@ class ActiveRegion : protected LAMMPS_NS::Pointers {
   void insulate(const tm_records &);    // no heat is conducted into those that sleep
   // in each step: before the update, so that the edge stays; behind it
   void hold(double *force) const;
-  void moved(double speed2, double dt);
+  void moved(const Scene &, double speed2, double dt);
 
   std::string in_words();    // mean shares of particles, for the table of a run; collective
   void restart_clock() { steps = sum_moving = sum_edge = at_rest = 0.0; }
@@ -60,16 +60,15 @@ class ActiveRegion : protected LAMMPS_NS::Pointers {
   double distance = 0.0, still = 0.0;
   int every = 0;
   // of a run
-  bool known = false;    // particles were sorted once, here or before a restart
-  double way = 0.0;      // of the fastest particle since then, at most
-  double time = 0.0;     // since then
+  bool known = false;                  // particles were sorted once, here or before a restart
+  double way = 0.0, tool_way = 0.0;    // of the fastest particle and tool since then, at most
   std::vector<int> which, edge, asleep;
   LoopArray<tm_real> flag;
   std::vector<unsigned char> found;
   double steps = 0.0, sum_moving = 0.0, sum_edge = 0.0, at_rest = 0.0;
 
   double reach() const;
-  void check_way(const Scene &);
+  void check_way();
   bool wants(const std::vector<ContactProbe::Box> &tools, LAMMPS_NS::Region *, int i) const;
   void find_near(const Scene &, LAMMPS_NS::Pair *, tm_real least);
   void decide(const Scene &, LAMMPS_NS::Pair *);

@@ -93,12 +93,13 @@ StepResults::Rates StepResults::host_rates()
 
 /* ---------------------------------------------------------------------- arguments of the loops */
 
-// what the gradient correction makes of the stress comes behind the prediction, at the set-up of a run too
+// what the gradient correction makes of the stress comes behind the prediction, at the set-up of a run too, and so does
+// what keeps heat from particles that sleep
 bool StepResults::rounds_in_prediction(ParticleState &state)
 {
   const bool corrects = state.has(TM_FX_CORRECTION);
   const bool later = corrects && (!state.has(TM_FX_ONE_PASS) || state.time_step().ahead() == 0.0);
-  return state.has(TM_FX_MIXED) && !later;
+  return state.has(TM_FX_MIXED) && !later && !state.active().on();
 }
 
 tm_predict_args StepResults::predict_args(ParticleState &state, const tm_state &s)

@@ -10,6 +10,7 @@
 #include "domain.h"
 #include "error.h"
 #include "modify.h"
+#include "output.h"
 #include "update.h"
 
 #include <algorithm>
@@ -136,6 +137,12 @@ void DumpSPHTMVtp::init_style()
   DumpCustom::init_style();
   if (!write_header_flag) error->all(FLERR, "{}: dump_modify header no has no meaning here, leave it out", what());
   plan_values();
+  for (const Dump *other : output->get_dump_list()) {
+    const auto *vtp = dynamic_cast<const DumpSPHTMVtp *>(other);
+    if (vtp && vtp != this && vtp->series.path() == series.path())
+      error->all(FLERR, "{}: dump {} has the list {} too: give the files of one another name before their *", what(),
+                 vtp->id, series.path());
+  }
   begin_series();
 }
 

@@ -193,7 +193,7 @@ void FixSPHTM::final_integrate()
   if (sum.status != TM_OK) stops.stop_on(sum);
   if (sum.melted < INT_MAX) stops.warn_of_melting(sum.melted);
   state.time_step().limit(sum.dt);
-  if (state.active().on()) state.active().moved(sum.speed2, state.time_step().now());
+  if (state.active().on()) state.active().moved(*scene, sum.speed2, state.time_step().now());
   if (state.has(TM_FX_LEDGER)) state.energy().add_step(sum);
   scene->neighbor_check().after_lists(sum.speed2, state.time_step().ahead());
   state.time_step().end_step();
