@@ -20,6 +20,7 @@ class AdaptLists : public AdaptPart, public RowSource {
   void pre_exchange() override { begin_renumbering(); }
   void setup_pre_force() override { stored.begin_steps(false); }
   void pre_force() override { stored.begin_steps(true); }
+  void setup() override;
   void end_of_step() override;
   void post_run() override;
 
@@ -49,6 +50,7 @@ class AdaptLists : public AdaptPart, public RowSource {
   double threshold = -1.0;    // of plastic strain; 0: all particles are updated-Lagrangian; negative: not in use
   double stretch = -1.0;      // of strain since the freezing; negative: by default
   double approach = -1.0;     // of a distance, in reaches; negative: by default
+  bool warned_slow = false;
   CandidateLists lists;
   TagMap map;
   TotalLagrangian stored;
