@@ -282,17 +282,15 @@ static void test_stiffness(void)
 static void test_limit(void)
 {
   const double Y = 3.0, h = 0.5, stiffness = 20.0, most = TM_HOURGLASS_YIELD * Y * h / stiffness;
-  double field[TM_G_COLUMNS] = {0.6 * most, 0, 0.6 * most, 1, 2, 3};
-  tm_hourglass_limit(field, stiffness, Y, h);
-  UT_TRUE(field[0] == 0.6 * most && field[2] == 0.6 * most);
-  field[1] = -5.0 * most;
-  tm_hourglass_limit(field, stiffness, Y, h);
-  UT_NEAR(sqrt(field[0] * field[0] + field[1] * field[1] + field[2] * field[2]), most, 1e-14);
-  UT_NEAR(field[1] / field[0], -5.0 / 0.6, 1e-14);
-  UT_TRUE(field[3] == 1 && field[5] == 3);
-  field[0] = 7.0;
-  tm_hourglass_limit(field, stiffness, 0.0, h); /* it does not flow */
-  UT_TRUE(field[0] == 7.0);
+  tm_vec3 u = tm_hourglass_limit(tm_vec(0.6 * most, 0, 0.6 * most), stiffness, Y, h);
+  UT_TRUE(u.x == 0.6 * most && u.z == 0.6 * most);
+  u.y = -5.0 * most;
+  u = tm_hourglass_limit(u, stiffness, Y, h);
+  UT_NEAR(tm_vec_norm(u), most, 1e-14);
+  UT_NEAR(u.y / u.x, -5.0 / 0.6, 1e-14);
+  u.x = 7.0;
+  u = tm_hourglass_limit(u, stiffness, 0.0, h); /* it does not flow */
+  UT_TRUE(u.x == 7.0);
 }
 
 /* K turns with the particle; unknown it is 1. */
@@ -327,45 +325,48 @@ static void test_correction_step(void)
   tm_real field[TM_K_COLUMNS] = {0};
   tm_mat3 L = tm_mat_scale(0.0, tm_mat_identity());
   L.zz = 1.0;
-  tm_correction_step(field, tm_sym(1, 1, 1, 0, 0, 0), NULL, L, 0.0, 0.0); /* at t = 0 */
+  const tm_sym3 one = tm_sym(1, 1, 1, 0, 0, 0);
+  tm_correction_step(field, NULL, one, NULL, L, 0.0, 0.0); /* at t = 0 */
   for (int n = 0; n < 4; n++) {
     const double t = (n + 0.5) * dt;
-    tm_real used[6];
-    const tm_sym3 K = tm_sym(1 + 0.3 * t, 1, 1 - 0.1 * t, 0.2 * t, 0, 0);
-    tm_sym_store(used, tm_turned_correction(field, 0.5 * dt));
-    UT_WITHIN(used[0] - K.xx, n ? 0.0 : -0.3 * t, 1e-14);
-    UT_WITHIN(used[3] - K.xy, n ? 0.0 : -0.2 * t, 1e-14);
-    tm_correction_step(field, K, used, L, n ? dt : 0.5 * dt, 0.5 * dt);
+    const tm_sym3 K = tm_sym(1 + 0.3 * t, 1, 1 - 0.1 * t, 0.2 * t, 0, 0), used = tm_turned_correction(field, 0.5 * dt);
+    const tm_correction_last last = tm_correction_last_of(field);
+    UT_WITHIN(used.xx - K.xx, n ? 0.0 : -0.3 * t, 1e-14);
+    UT_WITHIN(used.xy - K.xy, n ? 0.0 : -0.2 * t, 1e-14);
+    UT_NEAR(last.since, n ? 0.5 * dt : 0.0, 1e-15);
+    tm_correction_step(field, &last, K, &used, L, n ? dt : 0.5 * dt, 0.5 * dt);
     UT_NEAR(field[TM_K_RATE], 0.3, 1e-12);
   }
-  tm_correction_step(field, tm_sym(1, 1, 1, 0, 0, 0), NULL, L, 0.0, 0.0);
+  tm_correction_step(field, NULL, one, NULL, L, 0.0, 0.0);
   UT_TRUE(field[TM_K_RATE] == 0.0);
 }
 
 /* A spin turns the displacement; plastic strain forgets it, exp(-strain/memory); nothing else does. */
 static void test_step(void)
 {
-  const double none[3] = {0, 0, 0}, along[3] = {2, 0, -1};
+  const tm_vec3 none = tm_vec(0, 0, 0), along = tm_vec(2, 0, -1);
   const tm_mat3 rest = tm_mat_scale(0.0, tm_mat_identity());
-  double field[TM_G_COLUMNS] = {1, 0, 0.5, 0, 0, 0};
-  tm_hourglass_step(field, along, 0.25, rest, 0.5, 0.0, 0);
-  UT_NEAR(field[0], 1.5, 1e-15);
-  UT_NEAR(field[2], 0.25, 1e-15);
-  for (int d = 0; d < 3; d++) UT_TRUE(field[TM_G_RATE + d] == along[d]);
+  tm_vec3 u = tm_hourglass_step(tm_vec(1, 0, 0.5), along, 0.25, rest, 0.5, 0.0, 0);
+  UT_NEAR(u.x, 1.5, 1e-15);
+  UT_NEAR(u.z, 0.25, 1e-15);
+  double field[TM_G_COLUMNS];
+  tm_hourglass_store(field, u, along);
+  UT_TRUE(field[TM_G_U] == u.x && field[TM_G_U + 1] == u.y && field[TM_G_U + 2] == u.z);
+  UT_TRUE(field[TM_G_RATE] == 2 && field[TM_G_RATE + 1] == 0 && field[TM_G_RATE + 2] == -1);
   tm_mat3 spin = rest;
   spin.xy = -1.0;
   spin.yx = 1.0;
   const int steps = 100000;
-  for (int k = 0; k < steps; k++) tm_hourglass_step(field, none, 0.25, spin, 0.5 * TM_PI / steps, 0.0, 0);
-  UT_WITHIN(field[0], 0, 1e-4);
-  UT_NEAR(field[1], 1.5, 1e-4);
-  UT_NEAR(field[2], 0.25, 1e-12);
+  for (int k = 0; k < steps; k++) u = tm_hourglass_step(u, none, 0.25, spin, 0.5 * TM_PI / steps, 0.0, 0);
+  UT_WITHIN(u.x, 0, 1e-4);
+  UT_NEAR(u.y, 1.5, 1e-4);
+  UT_NEAR(u.z, 0.25, 1e-12);
   tm_mat3 shear = rest;
   shear.xy = shear.yx = 1.0 / sqrt(2.0);
-  for (int k = 0; k < steps; k++) tm_hourglass_step(field, none, 0.25, shear, 1.0 / steps, 1.0 / steps, 0);
-  UT_NEAR(field[1], 1.5 * exp(-1), 1e-4);
-  tm_hourglass_step(field, along, 0.25, shear, 1.0, 0.0, 1);
-  for (int c = 0; c < TM_G_COLUMNS; c++) UT_TRUE(field[c] == 0.0);
+  for (int k = 0; k < steps; k++) u = tm_hourglass_step(u, none, 0.25, shear, 1.0 / steps, 1.0 / steps, 0);
+  UT_NEAR(u.y, 1.5 * exp(-1), 1e-4);
+  u = tm_hourglass_step(u, along, 0.25, shear, 1.0, 0.0, 1);
+  UT_TRUE(u.x == 0.0 && u.y == 0.0 && u.z == 0.0);
 }
 
 /* A stiffness that rises and falls while a pattern swings: k u^2/2 is what the force sqrt(xi) k u took from the motion. */
@@ -374,13 +375,14 @@ static void test_stored_energy(void)
   const tm_mat3 rest = tm_mat_scale(0.0, tm_mat_identity());
   const int steps = 20000;
   const double dt = 1.0 / steps;
-  double field[TM_G_COLUMNS] = {0}, work = 0.0, most = 0.0;
+  double work = 0.0, most = 0.0;
+  tm_vec3 u = tm_vec(0, 0, 0);
   for (int k = 0; k < steps; k++) {
-    const double t = (k + 0.5) * dt, xi = 0.03 * (1.0 + sin(17.0 * t)), rate[3] = {cos(9.0 * t), 0, -2.0 * sin(5.0 * t)};
-    const double before[2] = {field[0], field[2]};
-    tm_hourglass_step(field, rate, xi, rest, dt, 0.0, 0);
-    work += dt * sqrt(xi) * 0.5 * ((before[0] + field[0]) * rate[0] + (before[1] + field[2]) * rate[2]);
-    const double stored = 0.5 * (field[0] * field[0] + field[2] * field[2]);
+    const double t = (k + 0.5) * dt, xi = 0.03 * (1.0 + sin(17.0 * t));
+    const tm_vec3 rate = tm_vec(cos(9.0 * t), 0, -2.0 * sin(5.0 * t)), before = u;
+    u = tm_hourglass_step(u, rate, xi, rest, dt, 0.0, 0);
+    work += dt * sqrt(xi) * 0.5 * ((before.x + u.x) * rate.x + (before.z + u.z) * rate.z);
+    const double stored = 0.5 * (u.x * u.x + u.z * u.z);
     most = stored > most ? stored : most;
     UT_WITHIN(stored, work, 1e-12);
   }

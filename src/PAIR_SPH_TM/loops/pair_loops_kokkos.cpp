@@ -92,25 +92,73 @@ KOKKOS_INLINE_FUNCTION void lower(unsigned long long *least, unsigned long long 
   if (value < *(volatile unsigned long long *) least) Kokkos::atomic_min(least, value);
 }
 
-// where the particles lower them, and where the host reads them; until Kokkos ends
-struct LimitsOfStep {
+// The energies of the particles of a warp, with the ledger, and of all
+#if defined(KOKKOS_ENABLE_CUDA)
+constexpr int SUMMED = KOKKOS_WARP;
+#else
+constexpr int SUMMED = 1;
+#endif
+struct Energies {
+  static constexpr int NUMBER = 10;
+  double of[NUMBER];
+};
+KOKKOS_INLINE_FUNCTION Energies energies_of(const tm_update_result &r)
+{
+  return {{r.stress_work, r.plastic, r.plastic_heat, r.failure, r.thermal_pressure, r.compression, r.artificial,
+           r.kinetic_work, r.internal_work, r.heat}};
+}
+void put_energies(const Energies &e, tm_update_result *r)
+{
+  tm_real *const to[] = {&r->stress_work, &r->plastic,    &r->plastic_heat, &r->failure,       &r->thermal_pressure,
+                         &r->compression, &r->artificial, &r->kinetic_work, &r->internal_work, &r->heat};
+  for (int k = 0; k < Energies::NUMBER; k++) *to[k] = e.of[k];
+}
+// thread `i` of n: in the first thread of each warp the sum of all of it
+KOKKOS_INLINE_FUNCTION void sum_of_warp([[maybe_unused]] int i, [[maybe_unused]] int n, [[maybe_unused]] Energies *e)
+{
+#if defined(__CUDA_ARCH__)
+  const int lane = i % KOKKOS_WARP, threads = n - (i - lane) < KOKKOS_WARP ? n - (i - lane) : KOKKOS_WARP;
+  const unsigned all = threads < KOKKOS_WARP ? (1u << threads) - 1u : ~0u;
+  for (int step = KOKKOS_WARP / 2; step > 0; step /= 2)
+    for (double &value : e->of) {
+      const double other = __shfl_down_sync(all, value, step);
+      if (lane + step < threads) value += other;
+    }
+#endif
+}
+
+// where the particles lower and sum them, and where the host reads them; until Kokkos ends
+struct ResultsOfStep {
   Limits *there = nullptr, *here = nullptr;
-  tm_update_result *ledger = nullptr;    // with the ledger all of it
+  Energies *warps = nullptr, *energies = nullptr;
+  int room = 0;    // warps
 } of_step;
 Limits *limits()
 {
   if (!of_step.there) {
     of_step.there = (Limits *) kokkos_backend().allocate(sizeof(Limits), "limits");
     of_step.here = (Limits *) kokkos_backend().allocate_result(sizeof(Limits));
-    of_step.ledger = (tm_update_result *) kokkos_backend().allocate_result(sizeof(tm_update_result));
+    of_step.energies = (Energies *) kokkos_backend().allocate_result(sizeof(Energies));
     Kokkos::push_finalize_hook([] {
       kokkos_backend().release(of_step.there);
+      kokkos_backend().release(of_step.warps);
       kokkos_backend().release_result(of_step.here);
-      kokkos_backend().release_result(of_step.ledger);
+      kokkos_backend().release_result(of_step.energies);
       of_step = {};
     });
   }
   return of_step.there;
+}
+Energies *warps_of(int n)
+{
+  const int wanted = (n + SUMMED - 1) / SUMMED;
+  if (wanted > of_step.room) {
+    kokkos_backend().wait();
+    kokkos_backend().release(of_step.warps);
+    of_step.room = wanted + wanted / 8;
+    of_step.warps = (Energies *) kokkos_backend().allocate(of_step.room * sizeof(Energies), "energies of a step");
+  }
+  return of_step.warps;
 }
 
 struct Predict {
@@ -149,51 +197,59 @@ void drift(Backend &, int n, const tm_drift_args &a, unsigned effects, int *lost
   kokkos_each("sph/tm drift", n, Drift{a, effects, lost});
 }
 
-// The update, with effects that are known to be off; the others are tested at run time. It waits for
-// memory: the more threads the better, as long as registers do not run out by far.
-template <unsigned OFF> struct Update {
+// The update, with effects that are known to be off; the others are tested at run time. It waits for memory: each thread has
+// the registers for all that it reads at once, without spilling any.
+template <unsigned OFF, unsigned LEDGER> struct Update {
   tm_update_args a;
   unsigned effects;
+  int n;
   Limits *limits;
+  Energies *warps;
   KOKKOS_FUNCTION void operator()(int i) const
   {
-    const tm_update_result r = tm_update(i, &a, effects & ~(OFF | TM_FX_LEDGER));
+    const tm_update_result r = tm_update(i, &a, (effects & ~(OFF | TM_FX_LEDGER)) | LEDGER);
     for (int k = 0; k < 3; k++) lower(limits->dt + k, Kokkos::bit_cast<unsigned long long>(r.dt[k]));
     lower(&limits->slow, ~Kokkos::bit_cast<unsigned long long>(r.speed2));
     if (r.status != TM_OK) Kokkos::atomic_min(&limits->trouble, (unsigned long long) i << 8 | r.status);
     if (r.melted < INT_MAX) Kokkos::atomic_min(&limits->melted, r.melted);
+    if (!LEDGER) return;
+    Energies e = energies_of(r);
+    sum_of_warp(i, n, &e);
+    if (i % SUMMED == 0) warps[i / SUMMED] = e;
   }
 };
-template <unsigned OFF> void run_update(int n, const tm_update_args &a, unsigned effects, Limits *limits)
+template <unsigned OFF, unsigned LEDGER = 0u> void run_update(int n, const tm_update_args &a, unsigned effects)
 {
-  using Bounds = std::conditional_t<OFF != 0, Kokkos::LaunchBounds<64, 8>, Kokkos::LaunchBounds<>>;
-  kokkos_each<Bounds>("sph/tm update", n, Update<OFF>{a, effects, limits});
+  kokkos_each<Kokkos::LaunchBounds<64, 4>>("sph/tm update", n,
+                                           Update<OFF, LEDGER>{a, effects, n, limits(),
+                                                               LEDGER ? warps_of(n) : nullptr});
 }
-struct UpdateWithLedger {
-  tm_update_args a;
-  unsigned effects;
-  KOKKOS_FUNCTION tm_update_result operator()(int i) const { return tm_update(i, &a, effects | TM_FX_LEDGER); }
+struct EnergiesOfWarp {
+  const Energies *warps;
+  KOKKOS_FUNCTION Energies operator()(int w) const { return warps[w]; }
 };
-struct SumStep {
-  KOKKOS_FUNCTION void operator()(tm_update_result *sum, const tm_update_result *r) const { tm_step_sum(sum, r); }
+struct SumEnergies {
+  KOKKOS_FUNCTION void operator()(Energies *sum, const Energies *e) const
+  {
+    for (int k = 0; k < Energies::NUMBER; k++) sum->of[k] += e->of[k];
+  }
 };
 tm_update_result update(Backend &backend, int n, const tm_update_args &a, unsigned effects)
 {
   constexpr unsigned RARE = RARE_IN_UPDATE, HEAT = TM_FX_HEAT | TM_FX_CONDUCTION, FLOW = TM_FX_PLASTICITY;
-  if (effects & TM_FX_LEDGER) {
-    limits();
-    kokkos_sum_later<Kokkos::LaunchBounds<128, 3>>("sph/tm update", n, tm_update_nothing(),
-                                                   UpdateWithLedger{a, effects}, SumStep(), of_step.ledger);
-    backend.wait();
-    return *of_step.ledger;
-  }
+  const bool ledger = effects & TM_FX_LEDGER, usual = !(effects & RARE) && effects & HEAT && effects & FLOW;
   tm_update_result r = tm_update_nothing();
   if (n == 0) return r;
-  if (effects & RARE) run_update<0>(n, a, effects, limits());
-  else if (effects & HEAT && effects & FLOW) run_update<RARE>(n, a, effects, limits());
-  else if (effects & HEAT) run_update<RARE | FLOW>(n, a, effects, limits());
-  else if (effects & FLOW) run_update<RARE | HEAT>(n, a, effects, limits());
-  else run_update<RARE | HEAT | FLOW>(n, a, effects, limits());
+  if (ledger && usual) run_update<RARE, TM_FX_LEDGER>(n, a, effects);
+  else if (ledger) run_update<0u, TM_FX_LEDGER>(n, a, effects);
+  else if (effects & RARE) run_update<0u>(n, a, effects);
+  else if (usual) run_update<RARE>(n, a, effects);
+  else if (effects & HEAT) run_update<RARE | FLOW>(n, a, effects);
+  else if (effects & FLOW) run_update<RARE | HEAT>(n, a, effects);
+  else run_update<RARE | HEAT | FLOW>(n, a, effects);
+  if (ledger)
+    kokkos_sum_later("sph/tm energies", (n + SUMMED - 1) / SUMMED, Energies{}, EnergiesOfWarp{of_step.warps},
+                     SumEnergies(), of_step.energies);
   backend.copy_to_result(of_step.here, of_step.there, sizeof(Limits));
   backend.wait();
   const Limits &found = *of_step.here;
@@ -204,6 +260,7 @@ tm_update_result update(Backend &backend, int n, const tm_update_args &a, unsign
   }
   r.melted = found.melted;
   r.speed2 = Kokkos::bit_cast<double>(~found.slow);
+  if (ledger) put_energies(*of_step.energies, &r);
   return r;
 }
 

@@ -48,13 +48,11 @@
 #define TM_HOURGLASS_ZETA 12.0
 #define TM_HOURGLASS_MOST 4.0
 #define TM_HOURGLASS_DAMPING 0.1
-/* Displacements of a material that flows: stiffness |u|, which is sqrt(xi) k |u|, stays below TM_HOURGLASS_YIELD Y h. */
-TM_FN void tm_hourglass_limit(tm_real *field, tm_real stiffness, tm_real yield, tm_real h)
+/* Displacement u of a material that flows: stiffness |u|, which is sqrt(xi) k |u|, stays below TM_HOURGLASS_YIELD Y h. */
+TM_FN tm_vec3 tm_hourglass_limit(tm_vec3 u, tm_real stiffness, tm_real yield, tm_real h)
 {
-  const tm_real x = field[tm_column(TM_G_U)], y = field[tm_column(TM_G_U + 1)], z = field[tm_column(TM_G_U + 2)];
-  const tm_real resists = stiffness * sqrt(x * x + y * y + z * z), limit = TM_HOURGLASS_YIELD * yield * h;
-  if (!(yield > 0.0) || resists <= limit) return;
-  for (int d = 0; d < 3; d++) field[tm_column(TM_G_U + d)] *= limit / resists;
+  const tm_real resists = stiffness * tm_vec_norm(u), limit = TM_HOURGLASS_YIELD * yield * h;
+  return !(yield > 0.0) || resists <= limit ? u : tm_vec_scale(limit / resists, u);
 }
 
 /* Least determinant of the second moment of the neighbors, over that of an even neighborhood: with less
@@ -100,14 +98,28 @@ TM_FN tm_sym3 tm_turned_correction(const tm_real *field, tm_real ahead)
                        tm_vec(half * spin[0], half * spin[tm_column(1)], half * spin[tm_column(2)]));
 }
 
+/* What a step of K needs of the last: the field as it was. */
+typedef struct {
+  tm_real known, since;
+  tm_sym3 rate;
+} tm_correction_last;
+TM_FN tm_correction_last tm_correction_last_of(const tm_real *field)
+{
+  tm_correction_last last;
+  last.known = field[0];
+  last.since = field[tm_column(TM_K_SINCE)];
+  last.rate = tm_sym_from_row(field + tm_column(TM_K_RATE));
+  return last;
+}
+
 /* K of this force point, for the next: `since` before the state, in a particle with velocity gradient L. What the one that
-   was predicted for it, dt after the last, has missed adds to the rate; predicted: NULL at a set-up. */
-TM_FN void tm_correction_step(tm_real *field, tm_sym3 K, const tm_real *predicted, tm_mat3 L, tm_real dt, tm_real since)
+   was predicted for it, dt after the last, has missed adds to the rate; last, predicted: NULL at a set-up. */
+TM_FN void tm_correction_step(tm_real *field, const tm_correction_last *last, tm_sym3 K, const tm_sym3 *predicted,
+                              tm_mat3 L, tm_real dt, tm_real since)
 {
   tm_sym3 rate = tm_sym(0, 0, 0, 0, 0, 0);
-  if (predicted && field[0] != 0.0)
-    rate = tm_sym_axpy(tm_sym_from_row(field + tm_column(TM_K_RATE)), 1.0 / dt,
-                       tm_sym_axpy(K, -1.0, tm_sym_load(predicted)));
+  if (last && predicted && last->known != 0.0)
+    rate = tm_sym_axpy(last->rate, 1.0 / dt, tm_sym_axpy(K, -1.0, *predicted));
   tm_sym_to_row(field, K);
   tm_sym_to_row(field + tm_column(TM_K_RATE), rate);
   field[tm_column(TM_K_SPIN)] = L.zy - L.yz;
@@ -118,17 +130,23 @@ TM_FN void tm_correction_step(tm_real *field, tm_sym3 K, const tm_real *predicte
 
 /* u after a step with velocity gradient L, rate r and stiffness xi; forgotten: plastic strain of the step over
    tm_hourglass_memory(). */
-TM_FN void tm_hourglass_step(tm_real *field, const tm_real *rate, tm_real stiffness, tm_mat3 L, tm_real dt,
-                             tm_real forgotten, int forget)
+TM_FN tm_vec3 tm_hourglass_step(tm_vec3 u, tm_vec3 rate, tm_real stiffness, tm_mat3 L, tm_real dt, tm_real forgotten,
+                                int forget)
 {
   const tm_real keep = forget ? 0.0 : 1.0 / (1.0 + forgotten), root = sqrt(stiffness);
-  const tm_real x = field[tm_column(TM_G_U)], y = field[tm_column(TM_G_U + 1)], z = field[tm_column(TM_G_U + 2)];
   const tm_real sx = 0.5 * (L.zy - L.yz), sy = 0.5 * (L.xz - L.zx), sz = 0.5 * (L.yx - L.xy);
-  const tm_real turn[3] = {sy * z - sz * y, sz * x - sx * z, sx * y - sy * x}, old[3] = {x, y, z};
-  for (int d = 0; d < 3; d++) {
-    field[tm_column(TM_G_U + d)] = keep * (old[d] + dt * (turn[d] + root * rate[d]));
-    field[tm_column(TM_G_RATE + d)] = forget ? 0.0 : rate[d];
-  }
+  const tm_vec3 turn = tm_vec(sy * u.z - sz * u.y, sz * u.x - sx * u.z, sx * u.y - sy * u.x);
+  return tm_vec(keep * (u.x + dt * (turn.x + root * rate.x)), keep * (u.y + dt * (turn.y + root * rate.y)),
+                keep * (u.z + dt * (turn.z + root * rate.z)));
+}
+TM_FN void tm_hourglass_store(tm_real *field, tm_vec3 u, tm_vec3 rate)
+{
+  field[tm_column(TM_G_U)] = u.x;
+  field[tm_column(TM_G_U + 1)] = u.y;
+  field[tm_column(TM_G_U + 2)] = u.z;
+  field[tm_column(TM_G_RATE)] = rate.x;
+  field[tm_column(TM_G_RATE + 1)] = rate.y;
+  field[tm_column(TM_G_RATE + 2)] = rate.z;
 }
 
 /* v_i - a of the fit, from the sums over the neighbors: weights, x, v, x (x) x, v (x) x; relative to particle i. */

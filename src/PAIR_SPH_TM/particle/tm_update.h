@@ -17,97 +17,10 @@
 #include "tm_eigen.h"
 #include "tm_eos.h"
 #include "tm_heat.h"
-#include "tm_hourglass.h"
 #include "tm_residual.h"
-#include "tm_state.h"
 #include "tm_stored_energy.h"
 #include "tm_strength.h"
-#include "tm_time_step.h"
-
-#include <limits.h>
-
-enum tm_status {
-  TM_OK = 0,
-  TM_BAD_NAN = 1,         /* a state value is not finite */
-  TM_BAD_DENSITY = 2,     /* density not positive */
-  TM_BAD_VELOCITY = 3,    /* faster than ten times the speed of sound */
-  TM_BAD_TEMPERATURE = 4, /* temperature not positive */
-  TM_BAD_HEAT = 5,        /* temperature above the largest that the run allows */
-  TM_BAD_VOLUME = 6,      /* density over or under the reference by more than the run allows */
-  TM_BAD_STRAIN = 7       /* more plastic strain in a step than TM_STRAIN_STEP */
-};
-#define TM_STRAIN_STEP 1.0
-
-typedef struct {
-  tm_state state;
-  tm_records rec;
-  const tm_real *gradient, *heat, *xsph_v, *hourglass_rate, *artificial;
-  const tm_real *moment;     /* TM_MOMENT_COLUMNS of the force point, with one pass */
-  const tm_real *correction; /* and the one that was predicted for it and used */
-  const tm_real *share;      /* of the balanced artificial stress, see tm_predict.h */
-  tm_real ratio;
-  const double *force_internal; /* force of the pair style alone, with the ledger */
-  tm_real *source;              /* heat given to the particle by contact and fluxes (power); emptied */
-  int group;                    /* x and v are integrated for these */
-  tm_real dt, visc_alpha;
-  tm_real hourglass;        /* xi of hourglass control, below 0: from the stress */
-  tm_real h;                /* smoothing length of all, where particles have none of their own */
-  tm_real accel_unit;       /* force of the unit style / mass -> acceleration */
-  tm_real temperature;      /* of every particle where heat is off */
-  tm_real heat_rate, k_max; /* see tm_heat_time_step */
-  tm_real hottest;          /* largest temperature that goes on */
-  tm_real densest;          /* largest ratio of density and reference density, either way, that goes on */
-  int watch_melt;           /* look for particles above their melting temperature */
-} tm_update_args;
-
-typedef struct {
-  int status;     /* enum tm_status */
-  int particle;   /* whose status it is */
-  int melted;     /* the first particle above its melting temperature, or INT_MAX */
-  tm_real dt[3];  /* limits by sound, force, conduction (without safety factor) */
-  tm_real speed2; /* square of the largest speed */
-  /* energies of the step, with the ledger. stress_work: of the stress that acted, sigma(n+1/2) : L; failure: what was
-     stored in a particle that failed; thermal_pressure: work of the part of the pressure that heat makes; compression:
-     stored energy that compression turns into heat;
-     heat: thermal energy gained, without that of the artificial terms */
-  tm_real stress_work, plastic, plastic_heat, failure, thermal_pressure, compression, artificial, kinetic_work,
-      internal_work, heat;
-} tm_update_result;
-
-TM_FN tm_update_result tm_update_nothing(void)
-{
-  tm_update_result r;
-  r.status = TM_OK;
-  r.particle = r.melted = INT_MAX;
-  r.dt[0] = r.dt[1] = r.dt[2] = TM_DT_NO_LIMIT;
-  r.speed2 = 0.0;
-  r.stress_work = r.plastic = r.plastic_heat = r.failure = r.thermal_pressure = r.compression = r.artificial = 0.0;
-  r.kinetic_work = r.internal_work = r.heat = 0.0;
-  return r;
-}
-
-/* Adds to the sums over particles: limits are lowered, the first status stays. */
-TM_FN void tm_update_sum(tm_update_result *sum, const tm_update_result *r, int ledger)
-{
-  for (int k = 0; k < 3; k++) sum->dt[k] = tm_min(sum->dt[k], r->dt[k]);
-  if (r->status != TM_OK && r->particle < sum->particle) {
-    sum->status = r->status;
-    sum->particle = r->particle;
-  }
-  if (r->melted < sum->melted) sum->melted = r->melted;
-  if (r->speed2 > sum->speed2) sum->speed2 = r->speed2;
-  if (!ledger) return;
-  sum->stress_work += r->stress_work;
-  sum->plastic += r->plastic;
-  sum->plastic_heat += r->plastic_heat;
-  sum->failure += r->failure;
-  sum->thermal_pressure += r->thermal_pressure;
-  sum->compression += r->compression;
-  sum->artificial += r->artificial;
-  sum->kinetic_work += r->kinetic_work;
-  sum->internal_work += r->internal_work;
-  sum->heat += r->heat;
-}
+#include "tm_update_args.h"
 
 typedef struct {
   tm_sym3 s;
@@ -162,22 +75,28 @@ TM_FN tm_real tm_plane_stress_rate(const tm_material *m, tm_real rho, tm_real rh
   return l1;
 }
 
-/* x and v; returns the acceleration. */
-TM_FN tm_vec3 tm_update_motion(int i, const tm_update_args *a, unsigned effects, tm_update_result *out)
+/* x and v, also of what was read; returns the acceleration. */
+TM_FN tm_vec3 tm_update_motion(int i, const tm_update_args *a, tm_update_read *in, unsigned effects,
+                               tm_update_result *out)
 {
   const tm_state *s = &a->state;
   double *x = s->x + 3 * (ptrdiff_t) i, *v = s->v + 3 * (ptrdiff_t) i;
-  const double *f = s->force + 3 * (ptrdiff_t) i;
-  const tm_real mass = tm_particle_mass(s, i), c = a->accel_unit / mass;
-  const tm_vec3 acc = tm_vec(c * f[0], c * f[1], c * f[2]);
-  const tm_vec3 v0 = tm_vec(v[0], v[1], v[2]);
-  v[0] += a->dt * acc.x;
-  v[1] += a->dt * acc.y;
-  if (effects & TM_FX_3D) v[2] += a->dt * acc.z;
-  const tm_real half = 0.5 * a->dt;
-  x[0] += half * v[0];
-  x[1] += half * v[1];
-  if (effects & TM_FX_3D) x[2] += half * v[2];
+  const tm_real mass = in->mass, c = a->accel_unit / mass, half = 0.5 * a->dt;
+  const tm_vec3 acc = tm_vec_scale(c, in->force), v0 = in->v;
+  in->v.x += a->dt * acc.x;
+  in->v.y += a->dt * acc.y;
+  in->x.x += half * in->v.x;
+  in->x.y += half * in->v.y;
+  if (effects & TM_FX_3D) {
+    in->v.z += a->dt * acc.z;
+    in->x.z += half * in->v.z;
+    v[2] = in->v.z;
+    x[2] = in->x.z;
+  }
+  v[0] = in->v.x;
+  v[1] = in->v.y;
+  x[0] = in->x.x;
+  x[1] = in->x.y;
   if (effects & TM_FX_XSPH) {
     tm_real *u = tm_field_row(s, TM_F_XSPH, i);
     const tm_real *n = a->xsph_v + 3 * (ptrdiff_t) i;
@@ -187,7 +106,7 @@ TM_FN tm_vec3 tm_update_motion(int i, const tm_update_args *a, unsigned effects,
     }
   }
   if (effects & TM_FX_LEDGER) {
-    const tm_vec3 mean = tm_vec(0.5 * (v0.x + v[0]), 0.5 * (v0.y + v[1]), 0.5 * (v0.z + v[2]));
+    const tm_vec3 mean = tm_vec(0.5 * (v0.x + in->v.x), 0.5 * (v0.y + in->v.y), 0.5 * (v0.z + in->v.z));
     const double *fi = a->force_internal + 3 * (ptrdiff_t) i;
     out->kinetic_work = mass * a->dt * tm_vec_dot(acc, mean);
     out->internal_work = a->dt * a->accel_unit * (fi[0] * mean.x + fi[1] * mean.y + fi[2] * mean.z);
@@ -211,32 +130,33 @@ typedef struct {
   tm_real given;       /* of this, by conduction and sources */
 } tm_heat_taken;
 
-/* Temperature at the end of the step. compression: ratio of temperatures by compression; artificial: energy given by the
+/* Temperature at the end of the step, also of what was read. compression: ratio of temperatures by compression; artificial: energy given by the
    artificial terms. */
-TM_FN tm_heat_taken tm_update_temperature(int i, const tm_update_args *a, const tm_material *m, tm_real rho,
-                                          tm_real plastic_power, tm_real compression, tm_real artificial,
+TM_FN tm_heat_taken tm_update_temperature(int i, const tm_update_args *a, tm_update_read *in, const tm_material *m,
+                                          tm_real rho, tm_real plastic_power, tm_real compression, tm_real artificial,
                                           unsigned effects)
 {
   tm_heat_taken out;
   tm_real *t = tm_field_row(&a->state, TM_F_TEMP, i);
-  const tm_real mass = tm_particle_mass(&a->state, i);
+  const tm_real mass = in->mass;
   const tm_real plastic = plastic_power * m->taylor_quinney * mass / rho;
   tm_real power = 0.0;
-  if (effects & TM_FX_CONDUCTION) power += a->heat[i] * mass / tm_main_record(&a->rec, i)[tm_part(TM_REC_RHO)];
+  if (effects & TM_FX_CONDUCTION) power += in->heat * mass / in->rec_rho;
   if (a->source) {
-    power += a->source[i];
+    power += in->source;
     a->source[i] = 0.0;
   }
   out.given = a->dt * power;
   out.compression = 0.0;
   tm_real rise = 0.0;
   if (effects & TM_FX_COMPRESSION_HEAT) {
-    rise = (compression - 1.0) * t[0];
-    out.compression = mass * tm_capacity(m, t[0] + 0.5 * rise) * rise;
+    rise = (compression - 1.0) * in->T;
+    out.compression = mass * tm_capacity(m, in->T + 0.5 * rise) * rise;
   }
-  rise += tm_heat_rise(m, t[0] + rise, (a->dt * (plastic + power) + artificial) / mass);
-  t[0] += rise;
-  t[tm_column(2)] = t[tm_column(1)];
+  rise += tm_heat_rise(m, in->T + rise, (a->dt * (plastic + power) + artificial) / mass);
+  in->T += rise;
+  t[0] = in->T;
+  t[tm_column(2)] = in->T_rate;
   t[tm_column(1)] = rise / a->dt;
   out.heat = a->dt * (plastic + power) + out.compression;
   return out;
@@ -252,9 +172,8 @@ TM_FN void tm_update_energy(tm_real *e, tm_real gain, tm_real dt)
 
 /* Heating by artificial terms, power: of the pairs, and what the balance of the artificial stress takes
    out of the motion, -m rho share R : L. */
-TM_FN tm_real tm_update_artificial(int i, const tm_update_args *a, tm_mat3 L, unsigned effects)
+TM_FN tm_real tm_update_artificial(int i, const tm_update_args *a, tm_real power, tm_mat3 L, unsigned effects)
 {
-  tm_real power = a->artificial[i];
   if ((effects & TM_FX_ARTSTRESS) && a->share) {
     const tm_real *r = tm_main_record(&a->rec, i), *q = tm_stress_record(&a->rec, i);
     const tm_real *size = (effects & TM_FX_SMOOTHING) ? tm_field_row(&a->state, TM_F_SIZE, i) : NULL;
@@ -265,14 +184,18 @@ TM_FN tm_real tm_update_artificial(int i, const tm_update_args *a, tm_mat3 L, un
   return power;
 }
 
-/* The rates of the step become the newer history, those of the last one the older. */
-TM_FN void tm_update_history(tm_real *h1, tm_real *h2, const tm_real *last, tm_vec3 acc, tm_real rho_rate,
-                             tm_sym3 stress_rate, int dim3)
+/* The rates of the last step become the older history and those of this step the newer: first what is known before the
+   material, then its own. */
+TM_FN void tm_update_history(tm_real *h1, const tm_real *last, tm_vec3 acc, int dim3)
 {
+  tm_real *h2 = h1 + tm_column(TM_H_STEP);
   for (int k = 0; k < TM_H_STEP; k++) h2[tm_column(k)] = last[k];
   h1[tm_column(TM_H_V)] = acc.x;
   h1[tm_column(TM_H_V + 1)] = acc.y;
   h1[tm_column(TM_H_V + 2)] = dim3 ? acc.z : 0.0;
+}
+TM_FN void tm_update_material_history(tm_real *h1, tm_real rho_rate, tm_sym3 stress_rate)
+{
   h1[tm_column(TM_H_RHO)] = rho_rate;
   tm_sym_to_row(h1 + tm_column(TM_H_S), stress_rate);
 }
@@ -284,31 +207,15 @@ TM_FN void tm_update_balsara(int i, const tm_state *s, tm_mat3 L, tm_real sound,
   *tm_field_row(s, TM_F_BALSARA, i) = tm_balsara(tm_mat_trace(L), tm_vec_norm(curl), sound, h);
 }
 
-/* TM_MOMENT_FACE of the force point, 0 where it is not known. */
-TM_FN tm_real tm_update_face(int i, const tm_update_args *a, unsigned effects)
+/* Displacement of hourglass control for the next force point; xi: its stiffness, q: at the end of the step, rho_c2: at the
+   force point. */
+TM_FN void tm_update_hourglass(int i, const tm_update_args *a, const tm_update_read *in, tm_real xi, const tm_point *q,
+                               tm_real rho_c2, tm_mat3 L, tm_real h, int forget)
 {
-  return (effects & TM_FX_ONE_PASS) ? a->moment[(ptrdiff_t) i * TM_MOMENT_COLUMNS + TM_MOMENT_FACE] : 0.0;
-}
-
-/* Displacement of hourglass control and correction of the gradients, for the next force point; the stiffness xi. q, half: at
-   the end of the step and at the force point. */
-TM_FN tm_real tm_update_stabilization(int i, const tm_update_args *a, const tm_point *q, const tm_point *half,
-                                      tm_mat3 L, tm_real sound, tm_real h, int forget, unsigned effects)
-{
-  if (effects & TM_FX_ONE_PASS) {
-    tm_real *K = tm_field_row(&a->state, TM_F_CORRECTION, i);
-    const ptrdiff_t row = (ptrdiff_t) i * 6;
-    tm_correction_step(K, tm_sym_load(a->moment + (ptrdiff_t) i * TM_MOMENT_COLUMNS), a->correction + row, L,
-                       0.5 * a->dt + K[tm_column(TM_K_SINCE)], 0.5 * a->dt);
-  }
-  if (!(effects & TM_FX_HOURGLASS)) return 0.0;
-  const tm_real rho_c2 = half->rho * sound * sound; /* as in tm_predict_hourglass() */
-  const tm_real xi = forget ? 0.0 : tm_hourglass_stiffness(a->hourglass, half->s, half->p, rho_c2);
-  tm_real *u = tm_field_row(&a->state, TM_F_HOURGLASS, i);
-  tm_hourglass_step(u, a->hourglass_rate + 3 * (ptrdiff_t) i, xi, L, a->dt,
-                    q->d_eps / tm_hourglass_memory(q->yield, q->p), forget);
-  tm_hourglass_limit(u, sqrt(xi) * rho_c2, q->yield, h);
-  return xi;
+  const tm_vec3 u =
+      tm_hourglass_step(in->u, in->u_rate, xi, L, a->dt, q->d_eps / tm_hourglass_memory(q->yield, q->p), forget);
+  tm_hourglass_store(tm_field_row(&a->state, TM_F_HOURGLASS, i), tm_hourglass_limit(u, sqrt(xi) * rho_c2, q->yield, h),
+                     forget ? tm_vec(0, 0, 0) : in->u_rate);
 }
 
 /* What of a solid particle cannot go on, enum tm_status; v2: its speed squared, others: a sum of its other fields. */
@@ -329,98 +236,88 @@ TM_FN int tm_update_heat_status(const tm_update_args *a, tm_real T)
   return T > a->hottest ? TM_BAD_HEAT : TM_OK;
 }
 
-TM_FN tm_real tm_update_speed2(const tm_state *s, int i)
-{
-  const tm_vec3 v = tm_load3(s->v + 3 * (ptrdiff_t) i);
-  return tm_vec_dot(v, v);
-}
-
 TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effects)
 {
   effects &= TM_FX_PRESENT;
   const tm_state *s = &a->state;
   const tm_material *m = s->material + s->type[i];
-  const tm_real *rec = tm_main_record(&a->rec, i);
-  const int dim3 = (effects & TM_FX_3D) != 0;
+  const int dim3 = (effects & TM_FX_3D) != 0, solid = m->body == TM_BODY_SOLID;
   const tm_real h = tm_particle_h(s, i, a->h, effects);
   tm_update_result out = tm_update_nothing();
   out.particle = i;
-  /* what is long is read before anything is written, so that a GPU waits for memory once */
-  const int solid = m->body == TM_BODY_SOLID;
-  tm_real *dev = tm_field_row(s, TM_F_STRESS, i);
-  tm_real *h1 = tm_field_row(s, TM_F_HISTORY, i), *h2 = h1 + tm_column(TM_H_STEP);
-  tm_mat3 L = tm_mat_scale(0.0, tm_mat_identity());
-  tm_sym3 s0 = tm_sym(0, 0, 0, 0, 0, 0), older = s0;
-  tm_real rate[TM_H_STEP] = {0};
-  if (solid) {
-    L = tm_mat_from_row(a->gradient + tm_row(i, 9));
-    s0 = tm_sym_from_row(dev);
-    older = tm_sym_from_row(h2 + tm_column(TM_H_S));
-    for (int k = 0; k < TM_H_STEP; k++) rate[k] = h1[tm_column(k)];
-  }
+  tm_update_read in = tm_update_read_of(i, a, solid, effects);
 
-  const tm_vec3 acc = s->mask[i] & a->group ? tm_update_motion(i, a, effects, &out) : tm_vec(0, 0, 0);
-  out.speed2 = tm_update_speed2(s, i);
+  const tm_vec3 acc = s->mask[i] & a->group ? tm_update_motion(i, a, &in, effects, &out) : tm_vec(0, 0, 0);
+  out.speed2 = tm_vec_dot(in.v, in.v);
 
-  const tm_real mass = rec[tm_part(TM_REC_M)];
   if (solid) {
-    tm_real *rho = tm_field_row(s, TM_F_RHO, i);
     tm_real *lz = (effects & TM_FX_PLANE_STRESS) ? tm_field_row(s, TM_F_THICKNESS, i) : NULL;
     tm_real *pl = (effects & TM_FX_PLASTICITY) ? tm_field_row(s, TM_F_PSTRAIN, i) : NULL;
     tm_real *dmg = (effects & TM_FX_DAMAGE) ? tm_field_row(s, TM_F_DAMAGE, i) : NULL;
     tm_real *e = (effects & TM_FX_ENERGY) ? tm_field_row(s, TM_F_ENERGY, i) : NULL;
-    const tm_real T = (effects & TM_FX_HEAT) ? tm_field_row(s, TM_F_TEMP, i)[0] : a->temperature;
+    const tm_real T = in.T, mass = in.rec_mass, sound = in.sound;
+    const tm_sym3 s0 = in.s;
+    tm_mat3 L = in.L;
     const tm_predict_weights w = tm_predict_weights_at(0.5 * a->dt);
-    const tm_real rho_half = lz ? rec[tm_part(TM_REC_RHO)] / *lz : rec[tm_part(TM_REC_RHO)];
-    const tm_sym3 s_half = tm_sym_axpy(tm_sym_axpy(s0, w.last, tm_sym_load(rate + TM_H_S)), w.older, older);
-    const tm_real eps_p = pl ? pl[0] : 0.0, energy = e ? tm_predict_value(e, w) : 0.0;
+    const tm_real rho_half = lz ? in.rec_rho / *lz : in.rec_rho;
+    const tm_sym3 s_half = tm_sym_axpy(tm_sym_axpy(s0, w.last, tm_sym_load(in.rate + TM_H_S)), w.older, in.older);
+    /* what is done with is written: the fewer values are waiting, the more particles a GPU has at once */
+    tm_real *history = tm_field_row(s, TM_F_HISTORY, i);
+    tm_update_history(history, in.rate, acc, dim3);
+    out.dt[TM_DT_FORCE] = tm_force_time_step(h, sqrt(tm_vec_dot(acc, acc)));
+    if (effects & TM_FX_ONE_PASS)
+      tm_correction_step(tm_field_row(s, TM_F_CORRECTION, i), &in.last, in.K, &in.predicted, L,
+                         0.5 * a->dt + in.last.since, 0.5 * a->dt);
+    const tm_real eps_p = in.eps_p, energy = e ? tm_predict_value(e, w) : 0.0;
     const int failed = dmg && dmg[tm_column(1)] > 0.5;
     const tm_real T_half = (effects & TM_FX_EXPANSION) ? tm_predict_value(tm_field_row(s, TM_F_TEMP, i), w) : T;
     const tm_real growth = tm_particle_growth(s, i, m, T_half, effects);
 
     /* in plane stress what has failed keeps its thickness: with no deviator a free one would leave no pressure */
     if (lz)
-      L.zz = failed
-                 ? 0.0
-                 : tm_plane_stress_rate(m, *rho, rho_half, s0, s_half, L, energy, growth, eps_p, T, a->dt, pl != NULL);
-    tm_point q =
-        tm_constitutive(m, *rho, rho_half, s0, s_half, L, energy, growth, eps_p, T, a->dt, pl != NULL && !failed);
-    if (failed) q.s = tm_sym(0, 0, 0, 0, 0, 0);
-
-    /* work of the stress that acted, per mass: sigma(n+1/2) : L */
+      L.zz = failed ? 0.0
+                    : tm_plane_stress_rate(m, in.rho, rho_half, s0, s_half, L, energy, growth, eps_p, T, a->dt,
+                                           pl != NULL);
+    /* of the force point: work of the stress that acted, per mass, sigma(n+1/2) : L; stiffness of hourglass control */
     const tm_real p_half = tm_eos_pressure(m, growth * rho_half, energy);
-    const tm_sym3 sigma = tm_sym_add_iso(failed ? q.s : s_half, -tm_damage_pressure(p_half, failed));
-    const tm_real work = a->dt / rho_half * tm_sym_ddot(sigma, tm_mat_symmetric(L));
+    const tm_sym3 s_acting = failed ? tm_sym(0, 0, 0, 0, 0, 0) : s_half;
+    const tm_real work =
+        a->dt / rho_half *
+        tm_sym_ddot(tm_sym_add_iso(s_acting, -tm_damage_pressure(p_half, failed)), tm_mat_symmetric(L));
+    const int forget = failed || m->strength == TM_STRENGTH_NONE, controls = (effects & TM_FX_HOURGLASS) != 0;
+    const tm_real rho_c2 = rho_half * sound * sound; /* as in tm_predict_hourglass() */
+    const tm_real xi =
+        controls && !forget ? tm_hourglass_stiffness(a->hourglass, s_half, lz ? s_half.zz : p_half, rho_c2) : 0.0;
+
+    tm_point q =
+        tm_constitutive(m, in.rho, rho_half, s0, s_half, L, energy, growth, eps_p, T, a->dt, pl != NULL && !failed);
+    if (failed) q.s = s_acting;
     const tm_real plastic = q.yield * q.d_eps / q.rho;
 
     const tm_real inv_dt = 1.0 / a->dt;
-    tm_update_history(h1, h2, rate, acc, (q.rho - *rho) * inv_dt, tm_sym_scale(inv_dt, tm_sym_axpy(q.s, -1.0, s0)),
-                      dim3);
+    tm_update_material_history(history, (q.rho - in.rho) * inv_dt, tm_sym_scale(inv_dt, tm_sym_axpy(q.s, -1.0, s0)));
     /* failed material that carries nothing opens and closes without heat */
     const int heats = (effects & TM_FX_COMPRESSION_HEAT) && !(failed && q.p <= 0.0);
-    const tm_real compression = heats ? tm_compression_heat(tm_gruneisen_density(m, T), *rho, q.rho) : 1.0;
-    *rho = q.rho;
-    tm_sym_to_row(dev, q.s);
+    const tm_real compression = heats ? tm_compression_heat(tm_gruneisen_density(m, T), in.rho, q.rho) : 1.0;
+    *tm_field_row(s, TM_F_RHO, i) = q.rho;
+    tm_sym_to_row(tm_field_row(s, TM_F_STRESS, i), q.s);
     if (lz) *lz += a->dt * *lz * L.zz;
     if (pl) {
-      pl[0] += q.d_eps;
+      pl[0] = eps_p + q.d_eps;
       pl[tm_column(1)] = q.d_eps * inv_dt;
       pl[tm_column(2)] = q.yield;
     }
-    const tm_real artificial = a->artificial ? a->dt * tm_update_artificial(i, a, L, effects) : 0.0;
+    const tm_real artificial = a->artificial ? a->dt * tm_update_artificial(i, a, in.artificial, L, effects) : 0.0;
     if (dmg && !failed) {
       const tm_real p = tm_eos_pressure(m, growth * q.rho, energy);
       dmg[0] += tm_damage_increment(m, -p, tm_sym_mises(q.s), q.d_eps, q.d_eps * inv_dt, T);
       dmg[tm_column(1)] = tm_damage_failed(m, dmg[0], pl ? pl[0] : 0.0) ? 1.0 : 0.0;
     }
-    if (effects & TM_FX_BALSARA) tm_update_balsara(i, s, L, rec[tm_part(TM_REC_C)], h);
-    const tm_real sound = rec[tm_part(TM_REC_C)];
-    const tm_point half = {s_half, lz ? s_half.zz : p_half, rho_half, 0.0, 0.0};
-    const tm_real xi =
-        tm_update_stabilization(i, a, &q, &half, L, sound, h, failed || m->strength == TM_STRENGTH_NONE, effects);
+    if (effects & TM_FX_BALSARA) tm_update_balsara(i, s, L, sound, h);
+    if (controls) tm_update_hourglass(i, a, &in, xi, &q, rho_c2, L, h, forget);
     tm_heat_taken taken = {0.0, 0.0, 0.0};
     if (effects & TM_FX_HEAT)
-      taken = tm_update_temperature(i, a, m, q.rho, q.yield * q.d_eps * inv_dt, compression,
+      taken = tm_update_temperature(i, a, &in, m, q.rho, q.yield * q.d_eps * inv_dt, compression,
                                     tm_artificial_heat(artificial, p_half, effects), effects);
     if (e) tm_update_energy(e, work + (artificial + taken.given) / mass, a->dt);
     out.heat = taken.heat;
@@ -438,20 +335,18 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       out.artificial = artificial;
     }
 
-    out.dt[TM_DT_SOUND] = tm_sound_time_step(h, sound, a->visc_alpha, xi, tm_update_face(i, a, effects), effects);
-    out.dt[TM_DT_FORCE] = tm_force_time_step(h, sqrt(tm_vec_dot(acc, acc)));
-    const tm_real others = (pl ? pl[0] : 0.0) + (e ? *e : 0.0) + (dmg ? dmg[0] + dmg[tm_column(1)] : 0.0);
+    out.dt[TM_DT_SOUND] = tm_sound_time_step(h, sound, a->visc_alpha, xi, in.face, effects);
+    const tm_real others = eps_p + q.d_eps + (e ? *e : 0.0) + (dmg ? dmg[0] + dmg[tm_column(1)] : 0.0);
     out.status = tm_update_status(a, m, &q, out.speed2, sound, others, failed);
+    in.rho = q.rho;
   } else if (effects & TM_FX_HEAT) {
-    out.heat = tm_update_temperature(i, a, m, m->rho0, 0.0, 1.0, 0.0, effects).heat;
+    out.heat = tm_update_temperature(i, a, &in, m, m->rho0, 0.0, 1.0, 0.0, effects).heat;
   }
   if (effects & TM_FX_HEAT) {
-    const tm_real T = tm_field_row(s, TM_F_TEMP, i)[0];
     if (effects & TM_FX_CONDUCTION)
-      out.dt[TM_DT_CONDUCTION] =
-          tm_conduction_time_step(m, *tm_field_row(s, TM_F_RHO, i), T, h, a->k_max, a->heat_rate);
-    if (out.status == TM_OK) out.status = tm_update_heat_status(a, T);
-    if (a->watch_melt && tm_strength_flow(m->strength) == TM_FLOW_THERMAL && T > m->t_melt) out.melted = i;
+      out.dt[TM_DT_CONDUCTION] = tm_conduction_time_step(m, in.rho, in.T, h, a->k_max, a->heat_rate);
+    if (out.status == TM_OK) out.status = tm_update_heat_status(a, in.T);
+    if (a->watch_melt && tm_strength_flow(m->strength) == TM_FLOW_THERMAL && in.T > m->t_melt) out.melted = i;
   }
   return out;
 }
