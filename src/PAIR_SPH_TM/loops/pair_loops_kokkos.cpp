@@ -197,8 +197,9 @@ void drift(Backend &, int n, const tm_drift_args &a, unsigned effects, int *lost
   kokkos_each("sph/tm drift", n, Drift{a, effects, lost});
 }
 
-// The update, with effects that are known to be off; the others are tested at run time. It waits for memory: each thread has
-// the registers for all that it reads at once, without spilling any.
+// The update, with effects that are known to be off; the others are tested at run time. It waits for memory: a thread has the
+// registers for all that it reads at once, hardly spilling any.
+constexpr int update_blocks(unsigned off, unsigned ledger) { return off && !ledger ? 6 : 4; }
 template <unsigned OFF, unsigned LEDGER> struct Update {
   tm_update_args a;
   unsigned effects;
