@@ -68,6 +68,17 @@ int main(void)
     UT_NEAR(r.value[5], V * 2.0, 1e-14);
     UT_NEAR(r.value[6], -V * 3.0, 1e-14);
   }
+  /* both energies at once, that of the stress with the ledger alone */
+  tm_energies energies = tm_energies_nothing();
+  for (int i = 0; i < 2; i++) *tm_field_row(&p.state, TM_F_RHO, i) = 1.01 * p.material[1].rho0;
+  for (int i = 0; i < 2; i++) {
+    const tm_energies e = tm_energies_of(i, &p.state, i == 0 ? TM_FX_LEDGER : 0u);
+    UT_TRUE(e.kinetic == tm_kinetic_energy(i, &p.state) && e.stored == (i == 0 ? tm_stored_in(0, &p.state) : 0.0));
+    tm_energies_sum(&energies, &e);
+  }
+  UT_NEAR(energies.kinetic, tm_kinetic_energy(0, &p.state) + tm_kinetic_energy(1, &p.state), 1e-15);
+  UT_NEAR(energies.stored, tm_stored_in(0, &p.state), 1e-15);
+
   /* each particle's row, the unit of energy, sums */
   press(2, tm_sym(7.0, 1.0, 2.0, 3.0, 4.0, 5.0), 0);
   a.to_energy = 0.25;

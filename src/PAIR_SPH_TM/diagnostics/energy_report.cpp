@@ -16,10 +16,24 @@ namespace SPHTM_NS {
 
 EnergyReport::EnergyReport(LAMMPS *lmp, ParticleState &s, const Scene &sc) : Pointers(lmp), state(s), scene(sc) {}
 
+// what needs no sum over particles takes none
 double EnergyReport::value(int entry)
 {
+  if (entry == DT) return state.time_step().now();
+  if (entry == CAUSE) return state.time_step().cause();
+  if (entry == NEIGHBORS) return neighbors();
   sum();
   return now[entry];
+}
+
+double EnergyReport::neighbors()
+{
+  if (counted_at == update->ntimestep && update->whichflag) return near;
+  counted_at = update->ntimestep;
+  const double mine = scene.results().neighbors();
+  MPI_Allreduce(&mine, &near, 1, MPI_DOUBLE, MPI_SUM, world);
+  near /= std::max((double) atom->natoms, 1.0);
+  return near;
 }
 
 void EnergyReport::sum()
@@ -29,21 +43,18 @@ void EnergyReport::sum()
   using E = EnergyBalance;
   const E &b = state.energy();
   double mine[ENTRIES] = {};
-  const tm_state arrays = state.arrays();
-  const PairLoops &loops = PairLoops::of(state.loops());
-  mine[KINETIC] = loops.kinetic_energy(state.loops(), atom->nlocal, arrays, state.effects());
-  const double stored =
-      state.has(TM_FX_LEDGER) ? loops.stored_energy(state.loops(), atom->nlocal, arrays, state.effects()) : 0.0;
-  mine[ELASTIC] = stored + b.of(E::THERMAL_PRESSURE) - b.of(E::COMPRESSION);
+  const tm_energies e =
+      PairLoops::of(state.loops()).energy_sums(state.loops(), atom->nlocal, state.arrays(), state.effects());
+  mine[KINETIC] = e.kinetic;
+  mine[ELASTIC] = e.stored + b.of(E::THERMAL_PRESSURE) - b.of(E::COMPRESSION);
   mine[PLASTIC] = b.of(E::PLASTIC) - b.of(E::PLASTIC_HEAT) + b.of(E::FAILURE);
   mine[FAILURE] = b.of(E::FAILURE);
-  mine[UNEXPLAINED] = b.of(E::STRESS_WORK) - b.of(E::PLASTIC) - b.of(E::FAILURE) - stored - b.of(E::THERMAL_PRESSURE);
+  mine[UNEXPLAINED] = b.of(E::STRESS_WORK) - b.of(E::PLASTIC) - b.of(E::FAILURE) - e.stored - b.of(E::THERMAL_PRESSURE);
   mine[HEAT] = b.of(E::HEAT) - b.of(E::HEAT_EXCHANGED);
   mine[CONTACT] = b.spring() + b.of(E::CONTACT_DAMPING);
   mine[FRICTION] = b.of(E::FRICTION);
   mine[ARTIFICIAL] = b.of(E::ARTIFICIAL);
   mine[EXTERNAL] = -(b.of(E::KINETIC_WORK) - b.of(E::INTERNAL_WORK) - b.of(E::CONTACT_WORK) + b.of(E::TOOL_WORK));
-  mine[NEIGHBORS] = scene.results().neighbors();
   MPI_Allreduce(mine, now, ENTRIES, MPI_DOUBLE, MPI_SUM, world);
   const double unit = state.model().units().energy;
   double total = 0.0;
@@ -52,12 +63,9 @@ void EnergyReport::sum()
     total += now[k];
   }
   now[SUM] = total;
-  now[DT] = state.time_step().now();
-  now[CAUSE] = state.time_step().cause();
   now[FAILURE] /= unit;
   unstored = now[UNEXPLAINED] / unit;
   now[UNEXPLAINED] = energy_watch.unexplained(unstored);
-  now[NEIGHBORS] /= std::max((double) atom->natoms, 1.0);
 }
 
 // of a body strained by 1e-7: of less nothing can be said

@@ -24,8 +24,8 @@ class EnergyReport : protected LAMMPS_NS::Pointers {
   static bool is_of_balance(int entry) { return entry <= SUM || entry == UNEXPLAINED || entry == FAILURE; }
   EnergyReport(LAMMPS_NS::LAMMPS *, ParticleState &, const Scene &);
 
-  double value(int entry);             // now; collective
-  void forget() { summed_at = -1; }    // velocities and particles may have changed
+  double value(int entry);                          // now; collective
+  void forget() { summed_at = counted_at = -1; }    // velocities and particles may have changed
 
   void set_drift_allowed(double d) { drift_allowed = d; }    // of what went in
   // at the start of a run, every so many steps, at its end; a glance does not count
@@ -39,11 +39,13 @@ class EnergyReport : protected LAMMPS_NS::Pointers {
   const Scene &scene;
   double now[ENTRIES] = {};
   double unstored = 0.0;    // see EnergyWatch
-  LAMMPS_NS::bigint summed_at = -1;
+  double near = 0.0;        // neighbors of a particle on the mean
+  LAMMPS_NS::bigint summed_at = -1, counted_at = -1;
   EnergyWatch energy_watch;
   double drift_allowed = 0.1;
 
   void sum();
+  double neighbors();
   double least_energy();
 };
 

@@ -65,8 +65,7 @@ TM_FN tm_tally_result tm_tally_nothing(void)
   LOOP(EACH, initial_of_new, tm_initial_args, tm_initial_of_new(i, &a))                                \
   LOOP(SUM, initial_limits, InitialLimitsLoop, tm_update_result, tm_step,                              \
        tm_initial_limits(i, &a.update, effects, a.seed))                                               \
-  LOOP(SUM, kinetic_energy, tm_state, double, tm_number, tm_kinetic_energy(i, &a))                     \
-  LOOP(SUM, stored_energy, tm_state, double, tm_number, tm_stored_in(i, &a))                           \
+  LOOP(SUM, energy_sums, tm_state, tm_energies, tm_energies, tm_energies_of(i, &a, effects))           \
   LOOP(SUM, tally, tm_tally_args, tm_tally_result, tm_tally, tm_tally(i, &a, effects))                 \
   LOOP(EACH, active_near, tm_active_args, a.found[i] = (unsigned char) tm_active_near(i, &a))          \
   /* numerical fracture */                                                                             \

@@ -249,7 +249,7 @@ tm_update_result update(Backend &backend, int n, const tm_update_args &a, unsign
   else if (effects & FLOW) run_update<RARE | HEAT>(n, a, effects);
   else run_update<RARE | HEAT | FLOW>(n, a, effects);
   if (ledger)
-    kokkos_sum_later("sph/tm energies", (n + SUMMED - 1) / SUMMED, Energies{}, EnergiesOfWarp{of_step.warps},
+    kokkos_sum_later("sph/tm update energies", (n + SUMMED - 1) / SUMMED, Energies{}, EnergiesOfWarp{of_step.warps},
                      SumEnergies(), of_step.energies);
   backend.copy_to_result(of_step.here, of_step.there, sizeof(Limits));
   backend.wait();

@@ -26,6 +26,26 @@ TM_FN tm_real tm_stored_in(int i, const tm_state *s)
                                                    tm_has_failed(s, i));
 }
 
+/* Both, for sums; the elastic energy with the ledger. */
+typedef struct {
+  tm_real kinetic, stored;
+} tm_energies;
+TM_FN tm_energies tm_energies_of(int i, const tm_state *s, unsigned effects)
+{
+  const tm_energies e = {tm_kinetic_energy(i, s), (effects & TM_FX_LEDGER) ? tm_stored_in(i, s) : 0.0};
+  return e;
+}
+TM_FN tm_energies tm_energies_nothing(void)
+{
+  const tm_energies none = {0.0, 0.0};
+  return none;
+}
+TM_FN void tm_energies_sum(tm_energies *sum, const tm_energies *e)
+{
+  sum->kinetic += e->kinetic;
+  sum->stored += e->stored;
+}
+
 typedef struct {
   tm_records rec;
   tm_state state;
