@@ -98,6 +98,81 @@ void kokkos_sum_later(const char *label, int n, const RESULT &nothing, const ONE
   else *result = nothing;
 }
 
+/* ---------------------------------------------------------------------- sums of a warp */
+
+// A reduction of Kokkos moves a long result through all its steps, whatever is in it. Where few particles have one, or the
+// result is long, the threads of a warp are summed first, and then what the warps have: rows, one for each.
+#if defined(KOKKOS_ENABLE_CUDA)
+constexpr int KOKKOS_SUMMED = KOKKOS_WARP;    // threads that make a row
+#else
+constexpr int KOKKOS_SUMMED = 1;
+#endif
+inline int kokkos_warps(int threads) { return (threads + KOKKOS_SUMMED - 1) / KOKKOS_SUMMED; }
+
+// the warp of thread i of n
+struct KokkosWarp {
+  int lane, threads;
+  unsigned all;
+  KOKKOS_INLINE_FUNCTION KokkosWarp(int i, int n) : lane(i % KOKKOS_SUMMED), threads(n - (i - lane)), all(~0u)
+  {
+    if (threads >= KOKKOS_SUMMED) threads = KOKKOS_SUMMED;
+    else all = (1u << threads) - 1u;
+  }
+  KOKKOS_INLINE_FUNCTION bool any(bool one) const
+  {
+#if defined(__CUDA_ARCH__)
+    return __any_sync(all, one);
+#else
+    return one;
+#endif
+  }
+  // of the thread that is so many steps ahead
+  template <class NUMBER> KOKKOS_INLINE_FUNCTION NUMBER from(NUMBER mine, [[maybe_unused]] int step) const
+  {
+#if defined(__CUDA_ARCH__)
+    return __shfl_down_sync(all, mine, step);
+#else
+    return mine;
+#endif
+  }
+};
+// in the first thread the sum of all: other(warp, value, step) is the value of the thread so many steps ahead, add(&sum, &value)
+template <class RESULT, class OTHER, class ADD>
+KOKKOS_INLINE_FUNCTION void kokkos_sum_warp(const KokkosWarp &warp, RESULT *value, const OTHER &other, const ADD &add)
+{
+  for (int step = KOKKOS_SUMMED / 2; step > 0; step /= 2) {
+    const RESULT of_other = other(warp, *value, step);
+    if (warp.lane + step < warp.threads) add(value, &of_other);
+  }
+}
+
+// memory of the loops for rows, until Kokkos ends
+template <class ROW> class KokkosRows {
+ public:
+  ROW *of(int n, const char *what)
+  {
+    if (n > room) {
+      if (!rows) Kokkos::push_finalize_hook([this] { release(); });
+      release();
+      room = n + n / 8;
+      rows = (ROW *) kokkos_backend().allocate(room * sizeof(ROW), what);
+    }
+    return rows;
+  }
+
+ private:
+  ROW *rows = nullptr;
+  int room = 0;
+
+  void release()
+  {
+    if (rows) kokkos_backend().wait();
+    kokkos_backend().release(rows);
+    rows = nullptr;
+    room = 0;
+  }
+};
+
 }    // namespace SPHTM_NS
 
 #endif

@@ -6,16 +6,65 @@ namespace SPHTM_NS {
 
 namespace {
 
+// Of a warp: whether a thread has a contact, and the sum where one has
+struct WarpContacts {
+  tm_contact_result *sum;
+  unsigned char *touches;
+};
+struct ContactAhead {
+  KOKKOS_FUNCTION tm_vec3 vector(const KokkosWarp &warp, tm_vec3 v, int step) const
+  {
+    return tm_vec(warp.from(v.x, step), warp.from(v.y, step), warp.from(v.z, step));
+  }
+  KOKKOS_FUNCTION tm_contact_result operator()(const KokkosWarp &warp, const tm_contact_result &mine, int step) const
+  {
+    tm_contact_result r;
+    r.force = vector(warp, mine.force, step);
+    r.torque = vector(warp, mine.torque, step);
+    r.friction_power = warp.from(mine.friction_power, step);
+    r.friction_heat = warp.from(mine.friction_heat, step);
+    r.conducted = warp.from(mine.conducted, step);
+    r.heat_tool = warp.from(mine.heat_tool, step);
+    r.spring = warp.from(mine.spring, step);
+    r.damping_power = warp.from(mine.damping_power, step);
+    r.particle_power = warp.from(mine.particle_power, step);
+    r.tool_power = warp.from(mine.tool_power, step);
+    r.late_friction = warp.from(mine.late_friction, step);
+    r.depth = warp.from(mine.depth, step);
+    r.inner = warp.from(mine.inner, step);
+    r.contacts = warp.from(mine.contacts, step);
+    return r;
+  }
+};
+struct SumContact {
+  KOKKOS_FUNCTION void operator()(tm_contact_result *sum, const tm_contact_result *r) const { tm_contact_sum(sum, r); }
+};
+
 // GROUP threads look for the contacts of a particle
 template <unsigned SET, int GROUP> struct ContactKernel {
   tm_contact_args a;
   unsigned given;
-  KOKKOS_FUNCTION tm_contact_result operator()(int thread) const
+  int threads;
+  WarpContacts warps;
+  KOKKOS_FUNCTION void operator()(int thread) const
   {
-    return tm_contact_tri_shared(thread / GROUP, tm_group{thread % GROUP, GROUP}, &a, SET ? SET : given);
+    tm_contact_result r = tm_contact_tri_shared(thread / GROUP, tm_group{thread % GROUP, GROUP}, &a, SET ? SET : given);
+    const KokkosWarp warp(thread, threads);
+    const bool touches = warp.any(r.depth > 0.0);
+    if (touches) kokkos_sum_warp(warp, &r, ContactAhead(), SumContact());
+    if (warp.lane != 0) return;
+    warps.touches[thread / KOKKOS_SUMMED] = touches;
+    if (touches) warps.sum[thread / KOKKOS_SUMMED] = r;
   }
 };
-struct SumContact {
+struct ContactOfWarp {
+  WarpContacts warps;
+  KOKKOS_FUNCTION tm_contact_result operator()(int w) const
+  {
+    return warps.touches[w] ? warps.sum[w] : tm_contact_nothing();
+  }
+};
+struct SumContactOfWarps {
   KOKKOS_FUNCTION void operator()(tm_contact_result *sum, const tm_contact_result *r) const
   {
     if (r->depth > 0.0) tm_contact_sum(sum, r);
@@ -33,8 +82,13 @@ struct Contact {
   template <unsigned SET, int GROUP> void in_groups() const
   {
     using Bounds = Kokkos::LaunchBounds<128, 4>;    // few particles touch: the others should not wait for registers
-    kokkos_sum_later<Bounds>("sph/tm contact", n * GROUP, tm_contact_nothing(), ContactKernel<SET, GROUP>{a, given},
-                             SumContact(), result);
+    static KokkosRows<tm_contact_result> sums;
+    static KokkosRows<unsigned char> touches;
+    const int threads = n * GROUP, warps = kokkos_warps(threads);
+    const WarpContacts of_warps = {sums.of(warps, "contacts of a step"), touches.of(warps, "contacts of a step")};
+    kokkos_each<Bounds>("sph/tm contact", threads, ContactKernel<SET, GROUP>{a, given, threads, of_warps});
+    kokkos_sum_later("sph/tm contact sums", warps, tm_contact_nothing(), ContactOfWarp{of_warps}, SumContactOfWarps(),
+                     result);
   }
   template <unsigned SET> void with() const
   {

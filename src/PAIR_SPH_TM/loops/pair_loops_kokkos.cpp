@@ -93,11 +93,6 @@ KOKKOS_INLINE_FUNCTION void lower(unsigned long long *least, unsigned long long 
 }
 
 // The energies of the particles of a warp, with the ledger, and of all
-#if defined(KOKKOS_ENABLE_CUDA)
-constexpr int SUMMED = KOKKOS_WARP;
-#else
-constexpr int SUMMED = 1;
-#endif
 struct Energies {
   static constexpr int NUMBER = 10;
   double of[NUMBER];
@@ -113,26 +108,31 @@ void put_energies(const Energies &e, tm_update_result *r)
                          &r->compression, &r->artificial, &r->kinetic_work, &r->internal_work, &r->heat};
   for (int k = 0; k < Energies::NUMBER; k++) *to[k] = e.of[k];
 }
-// thread `i` of n: in the first thread of each warp the sum of all of it
-KOKKOS_INLINE_FUNCTION void sum_of_warp([[maybe_unused]] int i, [[maybe_unused]] int n, [[maybe_unused]] Energies *e)
-{
-#if defined(__CUDA_ARCH__)
-  const int lane = i % KOKKOS_WARP, threads = n - (i - lane) < KOKKOS_WARP ? n - (i - lane) : KOKKOS_WARP;
-  const unsigned all = threads < KOKKOS_WARP ? (1u << threads) - 1u : ~0u;
-  for (int step = KOKKOS_WARP / 2; step > 0; step /= 2)
-    for (double &value : e->of) {
-      const double other = __shfl_down_sync(all, value, step);
-      if (lane + step < threads) value += other;
-    }
-#endif
-}
+struct EnergiesAhead {
+  KOKKOS_FUNCTION Energies operator()(const KokkosWarp &warp, const Energies &mine, int step) const
+  {
+    Energies other;
+    for (int k = 0; k < Energies::NUMBER; k++) other.of[k] = warp.from(mine.of[k], step);
+    return other;
+  }
+};
+struct SumEnergies {
+  KOKKOS_FUNCTION void operator()(Energies *sum, const Energies *e) const
+  {
+    for (int k = 0; k < Energies::NUMBER; k++) sum->of[k] += e->of[k];
+  }
+};
 
 // where the particles lower and sum them, and where the host reads them; until Kokkos ends
 struct ResultsOfStep {
   Limits *there = nullptr, *here = nullptr;
-  Energies *warps = nullptr, *energies = nullptr;
-  int room = 0;    // warps
+  Energies *energies = nullptr;
 } of_step;
+Energies *rows_of(int n)
+{
+  static KokkosRows<Energies> rows;
+  return rows.of(kokkos_warps(n), "energies of a step");
+}
 Limits *limits()
 {
   if (!of_step.there) {
@@ -141,7 +141,6 @@ Limits *limits()
     of_step.energies = (Energies *) kokkos_backend().allocate_result(sizeof(Energies));
     Kokkos::push_finalize_hook([] {
       kokkos_backend().release(of_step.there);
-      kokkos_backend().release(of_step.warps);
       kokkos_backend().release_result(of_step.here);
       kokkos_backend().release_result(of_step.energies);
       of_step = {};
@@ -149,18 +148,6 @@ Limits *limits()
   }
   return of_step.there;
 }
-Energies *warps_of(int n)
-{
-  const int wanted = (n + SUMMED - 1) / SUMMED;
-  if (wanted > of_step.room) {
-    kokkos_backend().wait();
-    kokkos_backend().release(of_step.warps);
-    of_step.room = wanted + wanted / 8;
-    of_step.warps = (Energies *) kokkos_backend().allocate(of_step.room * sizeof(Energies), "energies of a step");
-  }
-  return of_step.warps;
-}
-
 struct Predict {
   tm_predict_args a;
   unsigned effects;
@@ -215,25 +202,19 @@ template <unsigned OFF, unsigned LEDGER> struct Update {
     if (r.melted < INT_MAX) Kokkos::atomic_min(&limits->melted, r.melted);
     if (!LEDGER) return;
     Energies e = energies_of(r);
-    sum_of_warp(i, n, &e);
-    if (i % SUMMED == 0) warps[i / SUMMED] = e;
+    const KokkosWarp warp(i, n);
+    kokkos_sum_warp(warp, &e, EnergiesAhead(), SumEnergies());
+    if (warp.lane == 0) warps[i / KOKKOS_SUMMED] = e;
   }
 };
 template <unsigned OFF, unsigned LEDGER = 0u> void run_update(int n, const tm_update_args &a, unsigned effects)
 {
-  kokkos_each<Kokkos::LaunchBounds<64, 4>>("sph/tm update", n,
-                                           Update<OFF, LEDGER>{a, effects, n, limits(),
-                                                               LEDGER ? warps_of(n) : nullptr});
+  using Bounds = Kokkos::LaunchBounds<64, update_blocks(OFF, LEDGER)>;
+  kokkos_each<Bounds>("sph/tm update", n, Update<OFF, LEDGER>{a, effects, n, limits(), LEDGER ? rows_of(n) : nullptr});
 }
 struct EnergiesOfWarp {
   const Energies *warps;
   KOKKOS_FUNCTION Energies operator()(int w) const { return warps[w]; }
-};
-struct SumEnergies {
-  KOKKOS_FUNCTION void operator()(Energies *sum, const Energies *e) const
-  {
-    for (int k = 0; k < Energies::NUMBER; k++) sum->of[k] += e->of[k];
-  }
 };
 tm_update_result update(Backend &backend, int n, const tm_update_args &a, unsigned effects)
 {
@@ -249,8 +230,8 @@ tm_update_result update(Backend &backend, int n, const tm_update_args &a, unsign
   else if (effects & FLOW) run_update<RARE | HEAT>(n, a, effects);
   else run_update<RARE | HEAT | FLOW>(n, a, effects);
   if (ledger)
-    kokkos_sum_later("sph/tm update energies", (n + SUMMED - 1) / SUMMED, Energies{}, EnergiesOfWarp{of_step.warps},
-                     SumEnergies(), of_step.energies);
+    kokkos_sum_later("sph/tm update energies", kokkos_warps(n), Energies{}, EnergiesOfWarp{rows_of(n)}, SumEnergies(),
+                     of_step.energies);
   backend.copy_to_result(of_step.here, of_step.there, sizeof(Limits));
   backend.wait();
   const Limits &found = *of_step.here;
