@@ -36,6 +36,7 @@ fi
 
 missing=
 for package in $wanted; do
+  case " $missing " in *" $package "*) continue ;; esac
   case $(dpkg-query -W -f '${db:Status-Abbrev}' "$package" 2> /dev/null) in
     ii*) ;;
     *) missing="$missing $package" ;;
