@@ -10,7 +10,9 @@ shift
 build=$root/build/${host##*/host-}
 make_folder "$build"
 lock "$(build_lock "$build")"
-if [ ! -f "$build/build.ninja" ]; then
+# also where the packages of the tests have come since: without them there is no harness
+if [ ! -f "$build/build.ninja" ] ||
+  { [ "$*" = all ] && grep -qsE '^(GTest_DIR|YAML_[A-Z_]*):.*NOTFOUND$' "$build/CMakeCache.txt"; }; then
   say "configuring $build"
   cmake -S "$root" -B "$build" -G Ninja -D LAMMPS_SOURCE_DIR="$(cat "$host/source")" -D LAMMPS_BUILD_DIR="$host" \
     > "$build/configure.log" 2>&1 || { cat "$build/configure.log" >&2; rm -f "$build/build.ninja"; die "CMake failed"; }

@@ -91,15 +91,23 @@ lock() {
 # the name of the lock of a build folder
 build_lock() { echo "plugin-$(echo "$1" | cksum | cut -d ' ' -f 1)"; }
 
+# Lines "[done/all] ..." thinned. Not with awk: mawk reads a pipe in blocks, which may be more than a whole build writes
+thinned() {
+  t0=$(date +%s) shown=0
+  while IFS= read -r line; do
+    case $line in '['[0-9]*/[1-9]*']'*) ;; *) continue ;; esac
+    line=${line#?}; line=${line%%]*}; n=${line%%/*} all=${line#*/}
+    case $n$all in *[!0-9]*) continue ;; esac
+    [ "$n" -gt 0 ] && p=$((100 * n / all)) && [ "$p" -ge $((shown + 5)) ] || continue
+    shown=$p
+    printf '  %3d%%  %d of %d, about %d s left\n' "$p" "$n" "$all" $((($(date +%s) - t0) * (all - n) / n))
+  done
+}
+
 # Ninja with its hundreds of lines thinned to one for every five percent: thin_ninja LOG ARGS...
 thin_ninja() {
   log=$1; shift
-  { NINJA_STATUS='[%f/%t] ' nice -n 5 ninja -j "$jobs" "$@" 2>&1; echo "exit $?"; } | tee "$log" |
-    awk 'function left() { return (n ? int((systime() - t0) * (a[2] - n) / n) : 0) }
-         BEGIN { t0 = systime(); shown = 0 }
-         /^\[[0-9]+\/[0-9]+\]/ { split(substr($1, 2), a, /[\/\]]/); n = a[1]; p = int(100 * n / a[2])
-           if (n > 0 && p >= shown + 5) { shown = p; printf "  %3d%%  %d of %d, about %d s left\n", p, n, a[2], left()
-             fflush() } }' >&2
+  { NINJA_STATUS='[%f/%t] ' nice -n 5 ninja -j "$jobs" "$@" 2>&1; echo "exit $?"; } | tee "$log" | thinned >&2
   case $(tail -n 1 "$log") in
     'exit 0') return 0 ;;
     *) grep -v '^\[' "$log" | head -n 80 >&2; cause=$(cause_in "$log"); [ -z "$cause" ] || say "the build stopped$cause"

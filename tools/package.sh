@@ -4,9 +4,9 @@
 set -eu
 . "$(dirname -- "$0")/common.sh"
 
+"$root/tools/packages.sh" package
 command -v dpkg-shlibdeps > /dev/null ||
-  die "a .deb needs dpkg-dev: apt-get install dpkg-dev; elsewhere cmake --install makes a tree to pack by other means"
-"$root/tools/packages.sh" demo
+  die "a .deb needs dpkg-shlibdeps (of dpkg-dev); elsewhere cmake --install makes a tree to pack by other means"
 host=$("$root/tools/host-plain.sh")
 build=$("$root/tools/build-plugin.sh" "$host")
 mkdir -p "$root/build"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Installs what is missing of the Debian packages that a command needs; does nothing when all are there.
-#   packages.sh demo|identify|manual|test|effects|bench|all [list]      list: only prints those that are missing
+#   packages.sh demo|identify|manual|package|test|effects|bench|all [list]      list: only prints those that are missing
 set -eu
 . "$(dirname -- "$0")/common.sh"
 
@@ -8,6 +8,7 @@ demo='build-essential cmake ninja-build pkg-config libopenmpi-dev openmpi-bin li
   xz-utils ca-certificates debian-archive-keyring python3 python3-numpy python3-matplotlib'
 identify="$demo python3-scipy"
 manual='python3 python3-sphinx python3-sphinx-rtd-theme libjs-mathjax'
+deb="$demo dpkg-dev file"    # CPack tells programs from other files by file
 test="$identify $manual libgtest-dev libgmock-dev libyaml-dev"
 effects="$demo valgrind"
 bench="$test libeigen3-dev"
@@ -17,11 +18,12 @@ case ${1:-demo} in
   demo) wanted=$demo ;;
   identify) wanted=$identify ;;
   manual) wanted=$manual ;;
+  package) wanted=$deb ;;
   test) wanted=$test ;;
   effects) wanted=$effects ;;
   bench) wanted=$bench ;;
   all) wanted=$all ;;
-  *) die "packages.sh demo|identify|manual|test|effects|bench|all" ;;
+  *) die "packages.sh demo|identify|manual|package|test|effects|bench|all" ;;
 esac
 
 if ! command -v apt-get > /dev/null; then
@@ -36,6 +38,7 @@ fi
 
 missing=
 for package in $wanted; do
+  case " $missing " in *" $package "*) continue ;; esac
   case $(dpkg-query -W -f '${db:Status-Abbrev}' "$package" 2> /dev/null) in
     ii*) ;;
     *) missing="$missing $package" ;;

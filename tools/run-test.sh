@@ -32,7 +32,7 @@ if ctest -N "$@" | grep -q ': kokkos_'; then
 fi
 
 log=$build/test.log
-{ ctest --output-on-failure -j "$jobs" "$@" 2>&1; echo "exit $?"; } | tee "$log" | grep -v '^exit '
+{ ctest --output-on-failure -j "$jobs" "$@" 2>&1; echo "exit $?"; } | tee "$log" | grep --line-buffered -v '^exit '
 
 awk -v filter="$filter" '
   /^ *[0-9]+\/[0-9]+ +Test +#[0-9]+:/ {

@@ -11,7 +11,8 @@ effusivity = {name: np.sqrt(np.prod(m)) for name, m in BODIES.items()}
 def history(tool, folder=".", area=AREA):
     """Time, rise of the tool, heat of work and tool, their sum over the work of friction, heat flux."""
     time, power, T, work, heat = np.loadtxt(os.path.join(folder, "history_%s.dat" % tool))[:, 1:].T
-    friction = np.trapz(np.r_[0, power], np.r_[0, time])
+    t, p = np.r_[0, time], np.r_[0, power]
+    friction = (np.diff(t) * (p[1:] + p[:-1]) / 2).sum()
     return time, T - 300, work, heat, (work + heat)[-1] / friction, (work + heat)[-1] / area / time[-1]
 
 

@@ -271,7 +271,7 @@ static void energy_closes(void)
     double gone = 0.0, tool = 0.0, spring = 0.0, friction = 0.0;
     const double weight = -9.81, z0 = s.x[2];
     double t = 0.0;
-    for (int n = 0; t < 1.0; n++, t += s.args.dt) {
+    for (; t < 1.0; t += s.args.dt) {
       s.args.pose = tm_motion_pose(&m, &rest, t + 0.5 * s.args.dt);
       const tm_contact_result out = step(0, tm_vec(0, 0, weight), TM_CT_FRICTION);
       gone += s.args.dt * (out.damping_power + out.friction_power);

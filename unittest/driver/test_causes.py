@@ -138,6 +138,20 @@ c.stub("ninja", "echo '[1/1] a'")
 out, status = c.run("tools/build-plugin.sh", host)
 say(status == 0 and out.splitlines()[-1] == os.path.join(c.checkout, "build", "plain-1"),
     "a plugin is built in a checkout with spaces", out)
+again = os.path.join(c.checkout, "build", "plain-1")
+c.stub("cmake", ': > "$4/build.ninja"; echo configured >> "$4/times"')
+for found, times in ("/usr", 0), ("YAML_LIBRARY-NOTFOUND", 1):
+    c.write(again, "CMakeCache.txt", text="YAML_LIBRARY:FILEPATH=%s\n" % found)
+    for targets in (), ("all",):
+        c.run("tools/build-plugin.sh", host, *targets)
+    count = len(open(os.path.join(again, "times")).readlines()) if times else int(os.path.exists(os.path.join(again, "times")))
+    say(count == times, "configured again for tests whose packages have come, times %d" % times, str(count))
+c.stub("ninja", """echo '[1/2] a'
+for k in $(seq 100); do ! grep -q '50%' "$SPHTM_SAID" || { echo '[2/2] b'; exit 0; }; sleep 0.1; done; exit 1""")
+said = os.path.join(c.top, "said")
+out, status = c.run("sh", "-c", 'tools/build-plugin.sh "$1" 2> "$SPHTM_SAID"', "sh", host, SPHTM_SAID=said)
+with open(said) as f:
+    say(status == 0, "the progress of a build is told while it runs", f.read())
 
 # mpirun
 empty = os.path.join(c.top, "no mpirun")

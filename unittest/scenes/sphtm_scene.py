@@ -28,6 +28,7 @@ import threading
 import numpy as np
 
 SKIPPED = 77
+np.set_printoptions(legacy="1.21")    # or from NumPy 2 on %r of a number is np.float64(...), which is no input
 SOURCE = os.environ.get("SPHTM_SOURCE", os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))))
 
 
