@@ -39,6 +39,7 @@ write_dump      all custom end.dump id x y z vx vy vz fx fy fz ix iy iz c_p[*] m
 """
 
 ON_DEVICE = "-pk kokkos comm device sort device"
+HOST_CODE = "classic", "legacy"    # what versions of LAMMPS call it in the warning that they go back to it
 checks = Checks()
 
 
@@ -57,8 +58,8 @@ def fly(name, scene, all_ranks, open_box=False):
         same_bits(checks, what, run_way("serial", scene, ranks=ranks), plain)
         result = run_way("serial", scene, ranks=ranks, options=ON_DEVICE)
         same_bits(checks, what + ", exchanged where the loops run", result, plain)
-        checks.true(what + ": without LAMMPS's host code", not any("classic" in w for w in result.warnings()),
-                    " ".join(result.warnings()))
+        went_back = [w for w in result.warnings() if any(word in w for word in HOST_CODE)]
+        checks.true(what + ": without LAMMPS's host code", not went_back, " ".join(result.warnings()))
         same_bits(checks, what + ", device loops", run_way("device", scene, ranks=ranks, options=ON_DEVICE), default)
 
 

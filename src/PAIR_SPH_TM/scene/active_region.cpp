@@ -23,7 +23,7 @@ namespace SPHTM_NS {
 
 namespace {
 constexpr int EVERY = 20;                          // steps
-enum Flag { RESTS = 0, AWAKE = 1, MOVING = 2 };    // of particles and their ghosts
+constexpr int RESTS = 0, AWAKE = 1, MOVING = 2;    // flags of particles and their ghosts
 }    // namespace
 
 ActiveRegion::ActiveRegion(LAMMPS *lmp, ParticleState &s, Backend &where) :
@@ -162,8 +162,9 @@ void ActiveRegion::list()
   edge.clear();
   asleep.clear();
   for (int i = 0; i < atom->nlocal; i++) {
-    if (kind[i] == TM_ACTIVE_EDGE) edge.push_back(i);
-    (kind[i] == TM_ACTIVE_ASLEEP ? asleep : which).push_back(i);
+    const int now = (int) kind[i];
+    if (now == TM_ACTIVE_EDGE) edge.push_back(i);
+    (now == TM_ACTIVE_ASLEEP ? asleep : which).push_back(i);
   }
   active.set(which);
 }
