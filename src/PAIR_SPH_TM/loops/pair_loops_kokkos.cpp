@@ -4,7 +4,6 @@
 #include "pair_loops.h"
 #include "rates_kokkos.h"
 
-#include <type_traits>
 #include <utility>
 
 namespace SPHTM_NS {
