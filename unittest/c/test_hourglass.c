@@ -403,6 +403,23 @@ static void test_time_step(void)
   UT_TRUE(0.4 * 5.3 * tm_sound_time_step(2, 5, 0, 0.0, close, TM_FX_CORRECTION) / (2.0 / 5.0) < 0.77);
 }
 
+/* Less correction for a particle that would set the time step of all; none less for faces and corners of a lattice. */
+static void test_loose(void)
+{
+  const double h = 2.0, step = tm_sound_time_step(h, 5, 0, 0.0, 0.0, TM_FX_CORRECTION);
+  const tm_sym3 K = tm_sym(2.0, 3.0, 4.0, 0.5, -0.25, 0.125);
+  for (double f = 0.0; f < 4.0; f += 0.1) {
+    double face = f / h;
+    const tm_sym3 used = tm_correction_of_loose(K, h, &face);
+    const double share = f > TM_FACE_OF_TURN ? TM_FACE_OF_TURN / f : 1.0;
+    UT_NEAR(face, share * f / h, 1e-15);
+    UT_NEAR(used.xx, share * K.xx, 1e-15);
+    UT_NEAR(used.yz, share * K.yz, 1e-15);
+    UT_NEAR(tm_sound_time_step(h, 5, 0, 0.0, face, TM_FX_CORRECTION), step, 1e-15);
+    if (f <= 1.31) UT_TRUE(face == f / h && used.xx == K.xx && used.xy == K.xy);
+  }
+}
+
 int main(void)
 {
   static const int kernels[] = {TM_KERNEL_HYPERBOLIC, TM_KERNEL_CUBIC, TM_KERNEL_WENDLAND_C2, TM_KERNEL_QUINTIC,
@@ -428,5 +445,6 @@ int main(void)
   test_step();
   test_stored_energy();
   test_time_step();
+  test_loose();
   return ut_summary();
 }

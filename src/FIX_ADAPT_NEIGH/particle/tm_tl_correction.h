@@ -30,7 +30,8 @@ TM_FN void tm_tl_correction(int i, const tm_tl_correction_args *a, unsigned effe
   const tm_rates_args *r = &a->ul;
   const tm_real *history = a->history + (ptrdiff_t) i * TM_TL_HISTORY;
   tm_mat3 M = tm_mat_scale(0.0, tm_mat_identity());
-  if (r->rows.mechanical[i] > 0) M = tm_mat_from_sym(tm_moment_sum(i, r, effects));
+  tm_vec3 face; /* stored pairs hold the particle */
+  if (r->rows.mechanical[i] > 0) M = tm_mat_from_sym(tm_moment_sum(i, r, effects, &face));
   if (stored)
     M = tm_mat_add(M, tm_mat_mul(tm_mat_load(history + TM_TL_G), tm_mat_transposed(tm_mat_load(history + TM_TL_B))));
   int good = 0;

@@ -32,6 +32,8 @@ typedef struct {
   const int *thermal;    /* number of neighbors that only exchange heat */
   const int *contact;    /* number of neighbors of other bodies */
   ptrdiff_t stride;
+  const int *with_thermal; /* the particles with neighbors that only exchange heat, or NULL: no list of them */
+  int n_with_thermal;      /* how many */
 } tm_rows;
 
 /* Arguments of the passes over rows. */
@@ -102,6 +104,12 @@ TM_FN tm_pair_records tm_pair_records_of(const tm_rates_args *a)
   r.length = r.volume = r.position = 1.0;
 #endif
   return r;
+}
+
+/* Smoothing length of particle i. */
+TM_FN tm_real tm_rates_h(int i, const tm_rates_args *a)
+{
+  return a->rec.size ? 1.0 / a->rec.size[(ptrdiff_t) i * TM_REC_SIZE + TM_SIZE_INV_H] : a->h;
 }
 
 /* Kernel of all pairs, where particles have no size of their own. */

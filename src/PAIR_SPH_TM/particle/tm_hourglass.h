@@ -241,12 +241,15 @@ TM_FN tm_vec3 tm_sum_vec_total(const tm_sum_vec *s)
 }
 
 /* Rate of w and force of particle i from its mechanical neighbors, the force added to what is there, its
-   power to the heating by artificial terms. */
+   power to the heating by artificial terms. None of particles without k. */
 TM_FN void tm_hourglass(int i, const tm_rates_args *a, unsigned effects)
 {
   const int kernel = tm_fx_kernel(effects), dim3 = (effects & TM_FX_3D) != 0;
   const int sizes = (a->effects & TM_FX_SMOOTHING) != 0;
   const tm_real *own = a->rec.hourglass + (ptrdiff_t) i * TM_REC_HOURGLASS;
+  tm_real *out = a->hourglass_rate + 3 * (ptrdiff_t) i;
+  out[0] = out[1] = out[2] = 0.0;
+  if (!(own[TM_HOURGLASS_K] > 0.0)) return;
   tm_real ri[TM_REC];
   tm_fetch(a->rec.main + tm_record(i, TM_REC), TM_REC, ri);
   tm_hourglass_sums s = tm_hourglass_sums_zero();
@@ -279,7 +282,6 @@ TM_FN void tm_hourglass(int i, const tm_rates_args *a, unsigned effects)
                                          tm_mat_load(vx), dim3);
   const tm_vec3 acceleration = tm_sum_vec_total(&s.acceleration);
   const tm_real mf = ri[TM_REC_M] * a->force_unit;
-  tm_real *out = a->hourglass_rate + 3 * (ptrdiff_t) i;
   double *f = a->force + 3 * (ptrdiff_t) i;
   out[0] = rate.x;
   out[1] = rate.y;

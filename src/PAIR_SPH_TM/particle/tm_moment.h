@@ -24,8 +24,8 @@
 #error "double only: the correction of the gradients has the precision of the state"
 #endif
 
-/* M of row i of the arguments. */
-TM_FN tm_sym3 tm_moment_sum(int i, const tm_rates_args *a, unsigned effects)
+/* M of row i of the arguments, and sum_j V_j gradW. */
+TM_FN tm_sym3 tm_moment_sum(int i, const tm_rates_args *a, unsigned effects, tm_vec3 *face)
 {
   const int kernel = tm_fx_kernel(effects), dim3 = (effects & TM_FX_3D) != 0;
   const int sizes = (a->effects & TM_FX_SMOOTHING) != 0;
@@ -34,6 +34,7 @@ TM_FN tm_sym3 tm_moment_sum(int i, const tm_rates_args *a, unsigned effects)
   tm_real ri[TM_REC];
   tm_fetch(a->rec.main + tm_record(i, TM_REC), TM_REC_V, ri);
   tm_sum_mat M = tm_sum_mat_zero();
+  tm_sum_vec F = tm_sum_vec_zero();
 
   tm_chunk c;
   int jj[TM_CHUNK_ROOM];
@@ -58,10 +59,13 @@ TM_FN tm_sym3 tm_moment_sum(int i, const tm_rates_args *a, unsigned effects)
     for (int l = 0; l < lanes; l += TM_LANES) {
       const tm_lanes_vec d = {tm_chunk_lanes_apart(c.x, col[0], l), tm_chunk_lanes_apart(c.y, col[1], l),
                               dim3 ? tm_chunk_lanes_apart(c.z, col[2], l) : zero};
-      tm_pair_gradient(&M, d, tm_lanes_scale(tm_values_load(col[SLOPE], l), d), dim3);
+      const tm_lanes_vec m_gradw = tm_lanes_scale(tm_values_load(col[SLOPE], l), d);
+      tm_pair_gradient(&M, d, m_gradw, dim3);
+      tm_sum_vec_add(&F, m_gradw);
     }
   }
   const tm_real s = (sizes ? 1.0 : a->slope_norm) / tm_main_record(&a->rec, i)[tm_part(TM_REC_RHO)];
+  *face = tm_vec(s * tm_lanes_sum(F.x), s * tm_lanes_sum(F.y), s * tm_lanes_sum(F.z));
   return tm_sym(s * tm_lanes_sum(M.xx), s * tm_lanes_sum(M.yy), s * tm_lanes_sum(M.zz), s * tm_lanes_sum(M.yx),
                 s * tm_lanes_sum(M.zx), s * tm_lanes_sum(M.zy));
 }
@@ -69,7 +73,11 @@ TM_FN tm_sym3 tm_moment_sum(int i, const tm_rates_args *a, unsigned effects)
 /* K of particle i into a->correction, P K into its record. */
 TM_FN void tm_moment(int i, const tm_rates_args *a, unsigned effects)
 {
-  const tm_sym3 K = tm_sym_inverse_bounded(tm_moment_sum(i, a, effects), (effects & TM_FX_3D) != 0, TM_MOMENT_LOW);
+  tm_vec3 g;
+  const tm_sym3 M = tm_moment_sum(i, a, effects, &g);
+  const tm_sym3 inverse = tm_sym_inverse_bounded(M, (effects & TM_FX_3D) != 0, TM_MOMENT_LOW);
+  tm_real face = tm_vec_norm(tm_sym_mul_vec(inverse, g));
+  const tm_sym3 K = tm_correction_of_loose(inverse, tm_rates_h(i, a), &face);
   const tm_sym3 P = tm_sym_from_record(tm_main_record(&a->rec, i), TM_REC_P);
   tm_sym_store(a->correction + (ptrdiff_t) i * 6, K);
   const tm_mat3 PK = tm_sym_mul(P, K);

@@ -218,8 +218,9 @@ TM_FN void tm_rates_store_stabilized(int i, const tm_rates_args *a, const tm_rat
   const tm_sym3 K = tm_sym_inverse_bounded(M, t->dim3, TM_MOMENT_LOW);
   const tm_vec3 gd = tm_vec(length * sum[7], length * sum[8], length * sum[9]);
   tm_real *moment = a->moment + (ptrdiff_t) i * TM_MOMENT_COLUMNS;
-  tm_sym_store(moment, K);
-  moment[TM_MOMENT_FACE] = per_rho / (length * length) * tm_vec_norm(tm_sym_mul_vec(K, gd));
+  tm_real face = per_rho / (length * length) * tm_vec_norm(tm_sym_mul_vec(K, gd));
+  tm_sym_store(moment, tm_correction_of_loose(K, tm_rates_h(i, a), &face));
+  moment[TM_MOMENT_FACE] = face;
   const tm_vec3 rate = tm_residual_velocity(sum[6], gd, tm_vec(sum[10], sum[11], sum[12]), L);
   tm_real *out = a->hourglass_rate + 3 * (ptrdiff_t) i;
   out[0] = rate.x;

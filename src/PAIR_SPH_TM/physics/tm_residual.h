@@ -21,6 +21,21 @@
    swings against them faster than any wave of a lattice (tm_sound_time_step()). */
 enum { TM_MOMENT_FACE = 6, TM_MOMENT_COLUMNS };
 
+/* face h of particles that turn by what the safety of courant 0.4 allows. */
+#define TM_FACE_OF_TURN 1.9
+
+/* A particle that hangs loose would set the time step of all (a cut made half as long by some in the chip). Its K is reduced
+   to a face of TM_FACE_OF_TURN/h: L, with which its stress follows, and the force of its own stress are made with the same
+   K, so energy and momenta stay exact, a rotation still makes no strain and the stress no torque; the particle is softer. */
+TM_FN tm_sym3 tm_correction_of_loose(tm_sym3 K, tm_real h, tm_real *face)
+{
+  const tm_real most = TM_FACE_OF_TURN / h;
+  if (!(*face > most)) return K;
+  const tm_real share = most / *face;
+  *face = most;
+  return tm_sym_scale(share, K);
+}
+
 /* v_i minus the linear field, from the sums of g, g d and g v, g = m_j W'/r < 0; 0 without neighbors. */
 TM_FN tm_vec3 tm_residual_velocity(tm_real weights, tm_vec3 gd, tm_vec3 gv, tm_mat3 L)
 {
