@@ -37,6 +37,7 @@ typedef struct {
   const tm_real *exported;   /* TM_TL_EXPORT, owned and ghost */
   tm_real *history;          /* TM_TL_HISTORY, owned; B and G go on to the next force point */
   tm_real dt;                /* to that */
+  int lets_go;               /* stored pairs alone are without hourglass control */
   tm_real h, slope_norm;     /* as in tm_rates_args */
   const tm_real *correction; /* K, 9 in rows: see tm_tl_correction.h. NULL: K = 1 */
   tm_real force_unit;
@@ -77,9 +78,18 @@ TM_FN tm_mat3 tm_tl_position_gradient(int i, const tm_tl_rows *r, const tm_recor
   return tm_mat_scale(slope_norm * r->unit, tm_mat_load(G));
 }
 
+/* Hourglass control has no hold on a particle all of whose pairs are stored, unless it was asked for: its row is not summed. */
+TM_FN void tm_tl_let_go(int i, const tm_tl_args *a)
+{
+  if (!a->lets_go || !a->rec.hourglass || a->rows.tl[i] == 0 || a->rows.ul[i] > 0) return;
+  tm_real *hourglass = a->rec.hourglass + (ptrdiff_t) i * TM_REC_HOURGLASS;
+  for (int c = 0; c < TM_REC_HOURGLASS; c++) hourglass[c] = 0.0;
+}
+
 /* What particle i exports, from its record: A = rho P B, with corrected gradients rho P K^T B. */
 TM_FN void tm_tl_export(int i, const tm_tl_args *a, tm_real *exported)
 {
+  tm_tl_let_go(i, a);
   const tm_real *r = tm_main_record(&a->rec, i), rho = r[tm_part(TM_REC_RHO)];
   const tm_sym3 P = tm_sym_from_record(r, TM_REC_P);
   tm_mat3 map = tm_mat_load(a->history + (ptrdiff_t) i * TM_TL_HISTORY + TM_TL_B);

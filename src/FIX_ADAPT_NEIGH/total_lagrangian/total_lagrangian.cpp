@@ -227,6 +227,7 @@ tm_tl_args TotalLagrangian::rate_args(const tm_records &rec)
   a.exported = exported.loop_write();
   a.history = tl_pairs.history();
   a.dt = stepping ? parts.state().time_step().now() : 0.0;
+  a.lets_go = parts.model().settings_in_use().hourglass < 0.0;    // as with threshold inf
   a.h = rates.h;
   a.slope_norm = rates.slope_norm;
   a.correction = corrects() ? correction.loop_read() : nullptr;
