@@ -14,7 +14,8 @@ sys.path.append(os.path.dirname(HERE))
 from shared_gpu import shared_gpu                                                      # noqa: E402
 
 SECTIONS = ("Pair", "Modify", "Neigh", "Comm", "Other")
-BLOCK, CUT, MACHINING = "contact", "orthogonal_cut_2d", "high_speed_machining"    # scenes whose scripts are used
+# scenes whose scripts are used
+BLOCK, CUT, MACHINING, TURNING = "contact", "orthogonal_cut_2d", "high_speed_machining", "turning"
 
 # name: scene, variables, steps, (pattern, replacement) pairs for its script, whether copies are counted
 WIDE = (r"hyperbolic 1\.2", "hyperbolic 1.7")          # 164 neighbors in 3D
@@ -44,6 +45,12 @@ CASES = {
     "3d_contact_1m_mixed": (BLOCK, {"case": "contact", "n": 100, "mesh": "tool.stl"}, 300, (), False),
     "3d_contact_1m_164_mixed": (BLOCK, {"case": "contact", "n": 102, "mesh": "tool.stl"}, 100, (WIDE,), False),
     "2d_cut_1400k_mixed": (CUT, {"dx": 5.83e-7}, 300, (WIDE_2D,), False),
+    # what sleeps, and the same with all particles
+    "turning_1900k": (TURNING, {"dx": 20e-6}, 300, (), True),
+    "turning_1900k_all": (TURNING, {"dx": 20e-6, "active": "no"}, 300, (), False),
+    "turning_30k": (TURNING, {}, 2000, (), False),
+    "turning_30k_all": (TURNING, {"active": "no"}, 2000, (), False),
+    "hsm_1160k_active": (MACHINING, {"dp": 5e-5, "body": "active near 1e-3 speed 5"}, 300, MACHINING_HERE, False),
     "lj_4m": (None, {}, 200, (), False),
 }
 

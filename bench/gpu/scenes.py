@@ -6,11 +6,12 @@ import os
 import re
 
 STATE, START = "state.dump", "start.dump"
-COLUMNS = ("x", "y", "z", "vx", "vy", "vz", "density", "pressure", "temperature", "pstrain", "vonmises")
+COLUMNS = ("x", "y", "z", "vx", "vy", "vz", "density", "pressure", "temperature", "pstrain", "vonmises", "active")
 # columns that share a scale: a difference counts against the largest value among them
-SCALES = ("x y z", "vx vy vz", "density", "pressure vonmises", "temperature", "pstrain")
+SCALES = ("x y z", "vx vy vz", "density", "pressure vonmises", "temperature", "pstrain", "active")
 
 MIXED = "_mixed"    # at the end of a name: pair arithmetic in single
+ACTIVE = "_active"    # what is outside of a window that follows the tool sleeps
 AUDIT = "_audit"    # fix sph/tm audits, and the last audit is compared too
 AUDITED = "audit.dat"
 
@@ -26,6 +27,9 @@ SCENES = {
     "high_speed_machining": ("examples/high_speed_machining/in.high_speed_machining",
                              {"dp": 0.25e-3, "width": 1e-3}, 300),
     "orthogonal_cut_2d": ("examples/orthogonal_cut_2d/in.orthogonal_cut_2d", {"dx": 40e-6}, 500),
+    "orthogonal_cut_2d_active": ("examples/orthogonal_cut_2d/in.orthogonal_cut_2d", {"dx": 20e-6}, 600),
+    "turning": ("examples/turning/in.turning", {}, 500),
+    "turning_mixed": ("examples/turning/in.turning", {}, 500),
     "oscillating_plate": ("examples/oscillating_plate/in.oscillating_plate", {"rows": 6}, 500),
     "rings": ("examples/rings/in.rings", {}, 300),
     "taylor_bar": ("examples/taylor_bar/in.taylor_bar", {"dx": "spacing"}, 300),
@@ -54,6 +58,17 @@ def in_mixed(text):
     text, count = re.subn(r"^(pair_style\s+sph/tm\b.*?)(\s+spacing\b)", r"\1 precision mixed\2", text, flags=re.M)
     if not count:
         raise SystemExit("no pair_style sph/tm ... spacing in the script")
+    return text
+
+
+def in_window(text):
+    """The cut in the plane with a window that moves with the tool."""
+    window = ("variable        way equal -8.33*time\n"
+              "region          win block 1.0e-3 1.4e-3 INF INF INF INF units box move v_way NULL NULL\n")
+    text, count = re.subn(r"^(fix\s+body all sph/tm\b.*)$", window + r"\1 energy yes active region win speed 1 every 10",
+                          text, flags=re.M)
+    if not count:
+        raise SystemExit("no fix body all sph/tm in the script")
     return text
 
 

@@ -51,6 +51,8 @@ def run_scene(name, folder, gpus, steps=None, more="", before=()):
         text = scenes.in_mixed(text)
     if name.endswith(scenes.AUDIT):
         text = scenes.audited(text)
+    if name.endswith(scenes.ACTIVE):
+        text = scenes.in_window(text)
     write(os.path.join(folder, "in.small"), scenes.small_script(text, steps or usual, more))
     start = time.time()
     output, status = lammps(folder, ["-in", "in.small"] + scenes.variables(name, folder), gpus, before=before)

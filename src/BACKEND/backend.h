@@ -33,6 +33,9 @@ class Backend {
   virtual void fill(unsigned char *, unsigned char value, size_t n);
   virtual void wait() {}    // until all loops are done
 
+  // loops that are no loops of the host: the particles among the first n that they run over, and how many; nullptr: all
+  virtual const int *some(int & /*n*/) const { return nullptr; }
+
   // times of loops that are not waited for: mark number k lies behind all loops so far; the time between two marks waits
   // for the second
   virtual void mark(int /*k*/) {}

@@ -30,6 +30,47 @@ template <class BOUNDS = Kokkos::LaunchBounds<>, class ONE> void kokkos_each(con
   Kokkos::parallel_for(label, kokkos_range<BOUNDS>(n), one);
 }
 
+// The particles a loop runs over: all of the first n, or those that a backend says (Backend::some). One kernel for both: a
+// test that all threads take the same way costs nothing beside what a loop reads.
+struct KokkosParticles {
+  int number;
+  const int *which;
+  KokkosParticles(const Backend &b, int n) : number(n), which(b.some(number)) {}
+  KokkosParticles(int n, const int *list) : number(n), which(list) {}
+};
+// one(i) of these, or one(i, what a thread is told besides)
+template <class ONE> struct KokkosOfList {
+  ONE one;
+  const int *which;
+  template <class... MORE> KOKKOS_FUNCTION auto operator()(int k, const MORE &...more) const
+  {
+    return one(which ? which[k] : k, more...);
+  }
+};
+template <class BOUNDS = Kokkos::LaunchBounds<>, class ONE>
+void kokkos_each(const char *label, const KokkosParticles &p, const ONE &one)
+{
+  kokkos_each<BOUNDS>(label, p.number, KokkosOfList<ONE>{one, p.which});
+}
+
+// the numbers i of 0..n-1 for which takes(i), in rising order; returns how many
+template <class TAKES> struct KokkosList {
+  TAKES takes;
+  int *list;
+  KOKKOS_FUNCTION void operator()(int i, int &m, bool last) const
+  {
+    if (!takes(i)) return;
+    if (last) list[m] = i;
+    m++;
+  }
+};
+template <class TAKES> int kokkos_list(const char *label, int n, const TAKES &takes, int *list)
+{
+  int m = 0;
+  Kokkos::parallel_scan(label, Kokkos::RangePolicy<LMPDeviceType>(0, n), KokkosList<TAKES>{takes, list}, m);
+  return m;
+}
+
 // Threads for each of n particles, a power of two up to `most`: as many as keep a GPU busy.
 inline int kokkos_threads_of_one(int n, int most)
 {
@@ -63,6 +104,11 @@ void kokkos_each_shared(const char *label, int n, const ONE &one)
 {
   kokkos_each<BOUNDS>(label, n * GROUP, KokkosShared<GROUP, ONE>{one});
 }
+template <int GROUP, class BOUNDS = Kokkos::LaunchBounds<>, class ONE>
+void kokkos_each_shared(const char *label, const KokkosParticles &p, const ONE &one)
+{
+  kokkos_each_shared<GROUP, BOUNDS>(label, p.number, KokkosOfList<ONE>{one, p.which});
+}
 
 // the sum of one(i), i = 0..n-1; JOIN()(&sum, &value) adds
 template <class RESULT, class ONE, class JOIN> struct KokkosSum {
@@ -85,6 +131,12 @@ RESULT kokkos_sum(const char *label, int n, const RESULT &nothing, const ONE &on
   RESULT sum = nothing;
   if (n > 0) Kokkos::parallel_reduce(label, kokkos_range(n), KokkosSum<RESULT, ONE, JOIN>{nothing, one, join}, sum);
   return sum;
+}
+
+template <class RESULT, class ONE, class JOIN>
+RESULT kokkos_sum(const char *label, const KokkosParticles &p, const RESULT &nothing, const ONE &one, const JOIN &join)
+{
+  return kokkos_sum(label, p.number, nothing, KokkosOfList<ONE>{one, p.which}, join);
 }
 
 // the same into memory that the host sees, without waiting for it

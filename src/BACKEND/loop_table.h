@@ -12,11 +12,14 @@
      LOOP(RANGE, name, arguments), LOOP(RANGE_SUM, name, arguments, result, family)
          as these, but what runs particles begin to end - 1 is written by hand for each instruction set, and for Kokkos:
          for loops that are instantiated for sets of effects
+     LOOP(LIST, name, arguments, expression)
+         a list of the particles for which the expression holds, in rising order
      LOOP(OWN, name, result, parameters)
          written by hand for the host and for Kokkos
 
    All are called as table.name(backend, n, arguments, effects) for particles 0 to n - 1, those of kind OWN with their
-   parameters behind the backend. A package has these files in its folder loops:
+   parameters behind the backend, those of kind LIST as table.name(backend, n, arguments, list), which returns the length
+   of the list. A package has these files in its folder loops:
 
      x_loops.h         the list and   struct XLoops { SPHTM_LOOP_POINTERS(X_LOOPS) ... };
      x_loops.cpp       namespace { loops of kind OWN; X_LOOPS(SPHTM_HOST_LOOP) }  and the table {X_LOOPS(SPHTM_LOOP_NAME)}
@@ -40,6 +43,7 @@
 #define SPHTM_POINTER_HOT_SUM SPHTM_POINTER_SUM
 #define SPHTM_POINTER_RANGE SPHTM_POINTER_EACH
 #define SPHTM_POINTER_RANGE_SUM SPHTM_POINTER_SUM
+#define SPHTM_POINTER_LIST(NAME, ARGS, ...) int (*NAME)(Backend &, int n, const ARGS &, int *list);
 #define SPHTM_POINTER_OWN(NAME, RESULT, ...) RESULT (*NAME)(Backend &, __VA_ARGS__);
 
 #define SPHTM_LOOP_NAME(KIND, NAME, ...) NAME,
@@ -87,6 +91,14 @@
   }
 #define SPHTM_HOST_HOT_EACH(NAME, ARGS, ...) SPHTM_HOST_RANGE(NAME, ARGS)
 #define SPHTM_HOST_HOT_SUM(NAME, ARGS, RESULT, FAMILY, ...) SPHTM_HOST_RANGE_SUM(NAME, ARGS, RESULT, FAMILY)
+#define SPHTM_HOST_LIST(NAME, ARGS, ...)               \
+  int NAME(Backend &, int n, const ARGS &a, int *list) \
+  {                                                    \
+    int m = 0;                                         \
+    for (int i = 0; i < n; i++)                        \
+      if (__VA_ARGS__) list[m++] = i;                  \
+    return m;                                          \
+  }
 #define SPHTM_HOST_OWN(...)
 
 // ---- ranges of particles, for one instruction set: pointers, the functions of kind HOT, names
@@ -95,6 +107,7 @@
 #define SPHTM_RANGE_POINTERS(LOOPS) LOOPS(SPHTM_RANGE_POINTER)
 #define SPHTM_RANGE_POINTER_EACH(...)
 #define SPHTM_RANGE_POINTER_SUM(...)
+#define SPHTM_RANGE_POINTER_LIST(...)
 #define SPHTM_RANGE_POINTER_OWN(...)
 #define SPHTM_RANGE_POINTER_RANGE(NAME, ARGS, ...) void (*NAME)(int begin, int end, const ARGS *, unsigned effects);
 #define SPHTM_RANGE_POINTER_RANGE_SUM(NAME, ARGS, RESULT, ...) \
@@ -105,6 +118,7 @@
 #define SPHTM_RANGE_LOOP(KIND, ...) SPHTM_RANGE_LOOP_##KIND(__VA_ARGS__)
 #define SPHTM_RANGE_LOOP_EACH(...)
 #define SPHTM_RANGE_LOOP_SUM(...)
+#define SPHTM_RANGE_LOOP_LIST(...)
 #define SPHTM_RANGE_LOOP_OWN(...)
 #define SPHTM_RANGE_LOOP_RANGE(...)
 #define SPHTM_RANGE_LOOP_RANGE_SUM(...)
@@ -131,6 +145,7 @@
 #define SPHTM_RANGE_NAME(KIND, ...) SPHTM_RANGE_NAME_##KIND(__VA_ARGS__)
 #define SPHTM_RANGE_NAME_EACH(...)
 #define SPHTM_RANGE_NAME_SUM(...)
+#define SPHTM_RANGE_NAME_LIST(...)
 #define SPHTM_RANGE_NAME_OWN(...)
 #define SPHTM_RANGE_NAME_RANGE(NAME, ...) NAME,
 #define SPHTM_RANGE_NAME_RANGE_SUM(NAME, ...) NAME,

@@ -46,6 +46,26 @@ compute         fc all cutting/force tool
 thermo_style    custom step time dt c_fc[1] c_fc[2] f_tool[10] f_tool[12] f_body[1] f_body[9]
 """
 
+# a bar of which only what is in a window that passes, or near the tool, is awake; the window is faster than any tool
+ASLEEP = lattice_block("0 0.03 -0.006 0 0 0.006", "-0.01 0.04 -0.02 0.02 -0.01 0.02", dim=3) + """
+pair_style      sph/tm hyperbolic 1.2 spacing 1e-3 {style}
+pair_coeff      1 1 materials.sphtm c45e
+region          base block INF INF INF -0.005 INF INF units box
+group           base region base
+variable        way equal -2000*time
+region          win block 0.024 0.034 INF INF INF INF units box move v_way NULL NULL
+region          bar cylinder z 0.027 -0.002 0.003 INF INF units box move v_way NULL NULL
+region          both union 2 win bar
+fix             body all sph/tm temperature 300 {fix}
+fix             hold base setforce 0 0 0
+fix             tool all contact/tri file tool.stl scale 1e-3 move 0.03001 -0.0015 0 friction 0.3 &
+                heat conductance 1e5 temperature 350 effusivity 3000
+fix_modify      tool move linear -150 0 0
+compute         fc all cutting/force tool
+thermo_style    custom step time dt c_fc[1] c_fc[2] f_tool[10] f_tool[12] f_body[1] {sums}
+"""
+LEDGER = "f_body[7] f_body[8] f_body[9]"
+
 # plane stress, two bodies that rub and conduct, heat that leaves through the free surface, a driven end
 BODIES = PLANE + """
 lattice         sq 4e-4 origin 0.5 0.5 0
@@ -113,7 +133,7 @@ def box_stl(lo, hi):
 PLASTIC = "strength plastic 300e6 1e9"
 JOHNSON_COOK = "strength johnson/cook 324e6 114e6 0.42 0.002 1.34 293 855 1.0 heat 167 896 0.9"
 # a thermo column that must have become other than 0, of the scenes with contact
-TOUCHING = {"cut": "f_tool[12]", "bodies, heat fixes, drive": "f_body[5]", "tool of particles": "f_tool[11]"}
+TOUCHING = {"cut": "f_tool[12]", "asleep, window": "f_tool[12]", "bodies, heat fixes, drive": "f_body[5]", "tool of particles": "f_tool[11]"}
 # name, script; more than one block of particles (backend.h) each, so that threads share them
 SCENES = {
     "elastic": BAR.format(style="", material="", fix="") + end(60),
@@ -139,6 +159,16 @@ SCENES = {
     "cut": CUT + end(80),
     "bodies, heat fixes, drive": BODIES + end(150, VALUES + " surface/area"),
     "tool of particles": TOOL_OF_PARTICLES + end(150),
+    # 'active' is the first column of the values
+    "asleep, window": ASLEEP.format(style="", fix="energy yes active region win speed 5 every 5", sums=LEDGER)
+                      + end(120, "active " + VALUES),
+    "asleep, window of several regions": ASLEEP.format(style="", fix="conduction explicit active region both speed 5 "
+                                                       "every 7\nfix air all sph/tm/heat convection 1e4 280", sums="")
+                                         + end(120, "active " + VALUES + " surface/area"),
+    "asleep, near the tool": ASLEEP.format(style="stabilize artstress", fix="active near 3e-3 speed 5 every 5", sums="")
+                             + end(120, "active " + VALUES),
+    "asleep, in stages": ASLEEP.format(style="", fix="energy yes active region win speed 5 every 5", sums=LEDGER).replace(
+        "c45e", "c45e set conductivity 5e6") + end(60, "active " + VALUES),
     # they conduct so well that a step takes stages
     "conduction in stages": BAR.format(style="", material=JOHNSON_COOK.replace("heat 167", "heat 3.3e7"),
                                        fix="energy yes") + end(60),

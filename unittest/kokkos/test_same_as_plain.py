@@ -24,6 +24,10 @@ for name, script in SCENES.items():
     if name in TOUCHING:
         checks.above("%s: bodies touch, %s" % (name, TOUCHING[name]),
                      abs(results["plain"].thermo[-1][TOUCHING[name]][-1]), 1e-9)
+    if name.startswith("asleep"):
+        kinds = results["plain"].dump("end.dump")[-1]["c_p[1]"]
+        checks.true("%s: particles sleep, stand at the edge and move" % name, all((kinds == k).sum() > 50 for k in (0, 1, 2)),
+                    "%d, %d, %d" % tuple((kinds == k).sum() for k in (0, 1, 2)))
     for way, reference in ("serial", "plain"), ("threads", "plain"), ("device", "plain default"), \
             ("rows in list", "plain default"):
         same_bits(checks, "%s: %s as %s" % (name, way, reference), results[way], results[reference])

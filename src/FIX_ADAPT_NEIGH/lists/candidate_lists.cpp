@@ -108,7 +108,7 @@ bool CandidateLists::search_moved(bool all_rows)
   cells.sort_into_cells(m.place);
   int n = owned;
   if (!all_rows) {
-    loops->count_marked(*backend, cells.grid(), m.marks);
+    SearchLoops::of(*backend).count_marked(*backend, cells.grid(), m.marks);
     n = loops->near_moved(*backend, owned, {cells.grid(), dirty.loop_write()}, which.loop_write());
   } else backend->fill(dirty.loop_write(), 1, owned);
   search(table, TM_MEETS_MECHANICAL, widest + skin, n, all_rows ? nullptr : which.loop_read());

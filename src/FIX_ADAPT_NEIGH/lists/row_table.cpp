@@ -33,14 +33,26 @@ void RowTable::make_room(int n, int room)
 
 tm_rows RowTable::loop_rows()
 {
-  return {index.loop_read(),    first.loop_read(),    count[0].loop_read(),
-          count[1].loop_read(), count[2].loop_read(), stride};
+  return {index.loop_read(),
+          first.loop_read(),
+          count[0].loop_read(),
+          count[1].loop_read(),
+          count[2].loop_read(),
+          stride,
+          nullptr,
+          0};
 }
 
 tm_rows RowTable::host_rows()
 {
-  return {index.host_read(),    first.host_read(),    count[0].host_read(),
-          count[1].host_read(), count[2].host_read(), stride};
+  return {index.host_read(),
+          first.host_read(),
+          count[0].host_read(),
+          count[1].host_read(),
+          count[2].host_read(),
+          stride,
+          nullptr,
+          0};
 }
 
 double RowTable::bytes() const

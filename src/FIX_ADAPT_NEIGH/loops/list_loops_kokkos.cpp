@@ -8,52 +8,6 @@ namespace SPHTM_NS {
 
 namespace {
 
-struct CountMarked {
-  tm_cells c;
-  const unsigned char *marks;
-  KOKKOS_FUNCTION void operator()(int k, int &sum, bool last) const
-  {
-    if (last) c.marked[k] = sum;
-    if (k < c.n) sum += marks[c.index[k]];
-  }
-};
-void count_marked(Backend &, const tm_cells &c, const unsigned char *marks)
-{
-  Kokkos::parallel_scan("sph/tm count marked", Kokkos::RangePolicy<LMPDeviceType>(0, c.n + 1), CountMarked{c, marks});
-}
-
-/* ---------------------------------------------------------------------- lists of particles */
-
-template <class TAKES> struct List {
-  TAKES takes;
-  int *which;
-  KOKKOS_FUNCTION void operator()(int i, int &m, bool last) const
-  {
-    if (!takes(i)) return;
-    if (last) which[m] = i;
-    m++;
-  }
-};
-template <class TAKES> int list(const char *label, int n, int *which, const TAKES &takes)
-{
-  int m = 0;
-  Kokkos::parallel_scan(label, Kokkos::RangePolicy<LMPDeviceType>(0, n), List<TAKES>{takes, which}, m);
-  return m;
-}
-struct NearMoved {
-  tm_near_moved_args a;
-  KOKKOS_FUNCTION int operator()(int i) const { return tm_near_moved(i, &a); }
-};
-int near_moved(Backend &, int n, const tm_near_moved_args &a, int *which)
-{
-  return list("sph/tm near moved", n, which, NearMoved{a});
-}
-struct OfKind {
-  tm_kind_args a;
-  KOKKOS_FUNCTION int operator()(int i) const { return tm_is_of_kind(i, &a); }
-};
-int of_kind(Backend &, int n, const tm_kind_args &a, int *which) { return list("sph/tm of kind", n, which, OfKind{a}); }
-
 struct ChainTags {
   tm_tag_map_args a;
   KOKKOS_FUNCTION void operator()(int j) const { a.next[j] = Kokkos::atomic_exchange(a.first + a.tag[j], j + 1); }

@@ -1,6 +1,7 @@
 #ifdef LMP_KOKKOS
 #include "contact_loops.h"
 #include "loop_table_kokkos.h"
+#include "thermal_rows_kokkos.h"
 
 namespace SPHTM_NS {
 
@@ -44,11 +45,13 @@ struct SumContact {
 template <unsigned SET, int GROUP> struct ContactKernel {
   tm_contact_args a;
   unsigned given;
+  const int *which;
   int threads;
   WarpContacts warps;
   KOKKOS_FUNCTION void operator()(int thread) const
   {
-    tm_contact_result r = tm_contact_tri_shared(thread / GROUP, tm_group{thread % GROUP, GROUP}, &a, SET ? SET : given);
+    const int i = which ? which[thread / GROUP] : thread / GROUP;
+    tm_contact_result r = tm_contact_tri_shared(i, tm_group{thread % GROUP, GROUP}, &a, SET ? SET : given);
     const KokkosWarp warp(thread, threads);
     const bool touches = warp.any(r.depth > 0.0);
     if (touches) kokkos_sum_warp(warp, &r, ContactAhead(), SumContact());
@@ -75,7 +78,7 @@ constexpr int MANY = 100000;    // particles: with more of them those that do no
 #endif
 
 struct Contact {
-  int n;
+  KokkosParticles particles;
   const tm_contact_args &a;
   unsigned given;
   tm_contact_result *result;
@@ -84,23 +87,24 @@ struct Contact {
     using Bounds = Kokkos::LaunchBounds<128, 4>;    // few particles touch: the others should not wait for registers
     static KokkosRows<tm_contact_result> sums;
     static KokkosRows<unsigned char> touches;
-    const int threads = n * GROUP, warps = kokkos_warps(threads);
+    const int threads = particles.number * GROUP, warps = kokkos_warps(threads);
     const WarpContacts of_warps = {sums.of(warps, "contacts of a step"), touches.of(warps, "contacts of a step")};
-    kokkos_each<Bounds>("sph/tm contact", threads, ContactKernel<SET, GROUP>{a, given, threads, of_warps});
+    kokkos_each<Bounds>("sph/tm contact", threads,
+                        ContactKernel<SET, GROUP>{a, given, particles.which, threads, of_warps});
     kokkos_sum_later("sph/tm contact sums", warps, tm_contact_nothing(), ContactOfWarp{of_warps}, SumContactOfWarps(),
                      result);
   }
   template <unsigned SET> void with() const
   {
 #if defined(LMP_KOKKOS_GPU)    // those that touch take long, whatever else there is
-    if (n < MANY) return in_groups<SET, 8>();
+    if (particles.number < MANY) return in_groups<SET, 8>();
 #endif
     in_groups<SET, 1>();
   }
 };
-void contact(Backend &, int n, const tm_contact_args &a, unsigned effects, tm_contact_result *result)
+void contact(Backend &backend, int n, const tm_contact_args &a, unsigned effects, tm_contact_result *result)
 {
-  for_contact_set(effects, Contact{n, a, effects, result});
+  for_contact_set(effects, Contact{KokkosParticles(backend, n), a, effects, result});
 }
 
 struct DivideHeat {
@@ -121,9 +125,9 @@ struct CollectHeat {
   tm_spread_args a;
   KOKKOS_FUNCTION void operator()(int i, tm_group group) const { tm_spread_collect(i, group, &a); }
 };
-void collect_heat(Backend &, int n, const tm_spread_args &a, unsigned)
+void collect_heat(Backend &backend, int n, const tm_spread_args &a, unsigned)
 {
-  kokkos_each_shared<ROW_THREADS>("sph/tm collect_heat", n, CollectHeat{a});
+  kokkos_each_shared<ROW_THREADS>("sph/tm collect_heat", kokkos_with_thermal(backend, n, a.rows), CollectHeat{a});
 }
 
 CONTACT_LOOPS(SPHTM_KOKKOS_LOOP)

@@ -20,7 +20,10 @@ struct AuditPatch {
   std::vector<ptrdiff_t> first;
   std::vector<double> main, stress, heat, size, correction, hourglass, stab;    // records of the members
 
-  tm_rows rows() const { return {index.data(), first.data(), mechanical.data(), none.data(), none.data(), 1}; }
+  tm_rows rows() const
+  {
+    return {index.data(), first.data(), mechanical.data(), none.data(), none.data(), 1, nullptr, 0};
+  }
   tm_records records();
 };
 

@@ -28,6 +28,18 @@ struct AddLoop {
   double *to;
   const double *from;
 };
+struct ActiveKindLoop {
+  const tm_real *kind;
+  int edge;    // those at the edge, or all that do not sleep
+};
+struct InsulateLoop {
+  tm_state state;
+  tm_records rec;
+};
+struct HoldLoop {
+  double *force;
+  const int *which;
+};
 struct InitialLimitsLoop {
   tm_update_args update;
   int seed;
@@ -67,7 +79,16 @@ TM_FN tm_tally_result tm_tally_nothing(void)
        tm_initial_limits(i, &a.update, effects, a.seed))                                               \
   LOOP(SUM, energy_sums, tm_state, tm_energies, tm_energies, tm_energies_of(i, &a, effects))           \
   LOOP(SUM, tally, tm_tally_args, tm_tally_result, tm_tally, tm_tally(i, &a, effects))                 \
-  LOOP(EACH, active_near, tm_active_args, a.found[i] = (unsigned char) tm_active_near(i, &a))          \
+  /* particles that sleep */                                                                           \
+  LOOP(EACH, active_flag, tm_active_args, a.flag[i] = tm_active_flag(i, &a))                           \
+  LOOP(EACH, active_mark, tm_active_args, a.marks[i] = a.flag[i] >= a.least)                           \
+  LOOP(EACH, active_wake, tm_active_args, tm_active_wake(i, &a))                                       \
+  LOOP(SUM, active_sort, tm_active_args, double, tm_number, tm_active_sort(i, &a))                     \
+  LOOP(SUM, active_known, ActiveKindLoop, double, tm_number, (int) a.kind[i] > TM_ACTIVE_UNKNOWN)      \
+  LOOP(LIST, active_list, ActiveKindLoop,                                                              \
+       a.edge ? (int) a.kind[i] == TM_ACTIVE_EDGE : (int) a.kind[i] != TM_ACTIVE_ASLEEP)               \
+  LOOP(EACH, active_insulate, InsulateLoop, tm_active_insulate(i, &a.state, &a.rec))                   \
+  LOOP(EACH, active_hold, HoldLoop, tm_active_hold(a.which[i], a.force))                               \
   /* numerical fracture */                                                                             \
   LOOP(SUM, fracture_unknown, tm_fracture_args, double, tm_number, tm_fracture_is_unknown(i, &a))      \
   LOOP(SUM, fracture_torn, tm_fracture_args, double, tm_number, tm_fracture_is_torn(i, &a))            \

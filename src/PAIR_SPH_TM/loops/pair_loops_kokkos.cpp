@@ -3,6 +3,7 @@
 #include "loop_table_kokkos.h"
 #include "pair_loops.h"
 #include "rates_kokkos.h"
+#include "thermal_rows_kokkos.h"
 
 #include <utility>
 
@@ -27,9 +28,16 @@ template <int... INDEX> device_rate_loop_t correction_of(int index, std::integer
   static const device_rate_loop_t table[] = {run_correction<kernel_set(INDEX)>...};
   return table[index];
 }
-void correction(Backend &, int n, const tm_rates_args &a, unsigned effects)
+// the rows of a backend's particles, for loops that take a list in their arguments
+tm_rates_args of_list(const KokkosParticles &p, tm_rates_args a)
 {
-  correction_of(kernel_set_index(effects), std::make_integer_sequence<int, KERNEL_SETS>())(n, a);
+  if (p.which) a.which = p.which;
+  return a;
+}
+void correction(Backend &backend, int n, const tm_rates_args &a, unsigned effects)
+{
+  const KokkosParticles p(backend, n);
+  correction_of(kernel_set_index(effects), std::make_integer_sequence<int, KERNEL_SETS>())(p.number, of_list(p, a));
 }
 
 template <unsigned EFFECTS> struct Hourglass {
@@ -50,10 +58,15 @@ void hourglass(Backend &, int n, const tm_rates_args &a, unsigned effects)
   hourglass_of(kernel_set_index(effects), std::make_integer_sequence<int, KERNEL_SETS>())(n, a);
 }
 
-void rates_in_double(Backend &, int n, const tm_rates_args &a, unsigned effects) { kokkos_rates(n, a, effects); }
-void rates_in_single(Backend &, int n, const tm_rates_args &a, unsigned effects)
+void rates_in_double(Backend &backend, int n, const tm_rates_args &a, unsigned effects)
 {
-  kokkos_rates_in_single(n, a, effects);
+  const KokkosParticles p(backend, n);
+  kokkos_rates(p.number, of_list(p, a), effects);
+}
+void rates_in_single(Backend &backend, int n, const tm_rates_args &a, unsigned effects)
+{
+  const KokkosParticles p(backend, n);
+  kokkos_rates_in_single(p.number, of_list(p, a), effects);
 }
 
 struct Thermal {
@@ -64,9 +77,9 @@ struct Thermal {
     if (a.rows.thermal[i]) tm_thermal(i, group, &a, effects);
   }
 };
-void thermal(Backend &, int n, const tm_rates_args &a, unsigned effects)
+void thermal(Backend &backend, int n, const tm_rates_args &a, unsigned effects)
 {
-  kokkos_each_shared<ROW_THREADS>("sph/tm thermal", n, Thermal{a, effects});
+  kokkos_each_shared<ROW_THREADS>("sph/tm thermal", kokkos_with_thermal(backend, n, a.rows), Thermal{a, effects});
 }
 
 /* ---------------------------------------------------------------------- one step */
@@ -150,10 +163,12 @@ Limits *limits()
 struct Predict {
   tm_predict_args a;
   unsigned effects;
+  const int *which;
   Limits *limits;    // of the step that begins
-  KOKKOS_FUNCTION void operator()(int i) const
+  KOKKOS_FUNCTION void operator()(int k) const
   {
-    if (i == 0) {
+    const int i = which ? which[k] : k;
+    if (k == 0) {
       for (unsigned long long *p : {limits->dt, limits->dt + 1, limits->dt + 2, &limits->slow, &limits->trouble})
         *p = ~0ull;
       limits->melted = INT_MAX;
@@ -163,9 +178,10 @@ struct Predict {
     tm_predict_single(i, &a, effects);
   }
 };
-void predict(Backend &, int n, const tm_predict_args &a, unsigned effects)
+void predict(Backend &backend, int n, const tm_predict_args &a, unsigned effects)
 {
-  kokkos_each("sph/tm predict", n, Predict{a, effects, limits()});
+  const KokkosParticles p(backend, n);
+  kokkos_each("sph/tm predict", p.number, Predict{a, effects, p.which, limits()});
 }
 
 struct Drift {
@@ -177,10 +193,10 @@ struct Drift {
     if (tm_drift(i, &a, effects)) Kokkos::atomic_min(lost, i);
   }
 };
-void drift(Backend &, int n, const tm_drift_args &a, unsigned effects, int *lost)
+void drift(Backend &backend, int n, const tm_drift_args &a, unsigned effects, int *lost)
 {
   *lost = n;
-  kokkos_each("sph/tm drift", n, Drift{a, effects, lost});
+  kokkos_each("sph/tm drift", KokkosParticles(backend, n), Drift{a, effects, lost});
 }
 
 // The update, with effects that are known to be off; the others are tested at run time. It waits for memory: a thread has the
@@ -189,45 +205,50 @@ void drift(Backend &, int n, const tm_drift_args &a, unsigned effects, int *lost
 template <unsigned OFF, unsigned LEDGER> struct Update {
   tm_update_args a;
   unsigned effects;
-  int n;
+  KokkosParticles particles;
   Limits *limits;
   Energies *warps;
-  KOKKOS_FUNCTION void operator()(int i) const
+  KOKKOS_FUNCTION void operator()(int k) const
   {
+    const int i = particles.which ? particles.which[k] : k;
     const tm_update_result r = tm_update(i, &a, (effects & ~(OFF | TM_FX_LEDGER)) | LEDGER);
-    for (int k = 0; k < 3; k++) lower(limits->dt + k, Kokkos::bit_cast<unsigned long long>(r.dt[k]));
+    for (int d = 0; d < 3; d++) lower(limits->dt + d, Kokkos::bit_cast<unsigned long long>(r.dt[d]));
     lower(&limits->slow, ~Kokkos::bit_cast<unsigned long long>(r.speed2));
     if (r.status != TM_OK) Kokkos::atomic_min(&limits->trouble, (unsigned long long) i << 8 | r.status);
     if (r.melted < INT_MAX) Kokkos::atomic_min(&limits->melted, r.melted);
     if (!LEDGER) return;
     Energies e = energies_of(r);
-    const KokkosWarp warp(i, n);
+    const KokkosWarp warp(k, particles.number);
     kokkos_sum_warp(warp, &e, EnergiesAhead(), SumEnergies());
-    if (warp.lane == 0) warps[i / KOKKOS_SUMMED] = e;
+    if (warp.lane == 0) warps[k / KOKKOS_SUMMED] = e;
   }
 };
-template <unsigned OFF, unsigned LEDGER = 0u> void run_update(int n, const tm_update_args &a, unsigned effects)
+template <unsigned OFF, unsigned LEDGER = 0u>
+void run_update(const KokkosParticles &p, const tm_update_args &a, unsigned effects)
 {
   using Bounds = Kokkos::LaunchBounds<64, 4>;
-  kokkos_each<Bounds>("sph/tm update", n, Update<OFF, LEDGER>{a, effects, n, limits(), LEDGER ? rows_of(n) : nullptr});
+  kokkos_each<Bounds>("sph/tm update", p.number,
+                      Update<OFF, LEDGER>{a, effects, p, limits(), LEDGER ? rows_of(p.number) : nullptr});
 }
 struct EnergiesOfWarp {
   const Energies *warps;
   KOKKOS_FUNCTION Energies operator()(int w) const { return warps[w]; }
 };
-tm_update_result update(Backend &backend, int n, const tm_update_args &a, unsigned effects)
+tm_update_result update(Backend &backend, int all, const tm_update_args &a, unsigned effects)
 {
+  const KokkosParticles p(backend, all);
+  const int n = p.number;
   constexpr unsigned RARE = RARE_IN_UPDATE, HEAT = TM_FX_HEAT | TM_FX_CONDUCTION, FLOW = TM_FX_PLASTICITY;
   const bool ledger = effects & TM_FX_LEDGER, usual = !(effects & RARE) && effects & HEAT && effects & FLOW;
   tm_update_result r = tm_update_nothing();
   if (n == 0) return r;
-  if (ledger && usual) run_update<RARE, TM_FX_LEDGER>(n, a, effects);
-  else if (ledger) run_update<0u, TM_FX_LEDGER>(n, a, effects);
-  else if (effects & RARE) run_update<0u>(n, a, effects);
-  else if (usual) run_update<RARE>(n, a, effects);
-  else if (effects & HEAT) run_update<RARE | FLOW>(n, a, effects);
-  else if (effects & FLOW) run_update<RARE | HEAT>(n, a, effects);
-  else run_update<RARE | HEAT | FLOW>(n, a, effects);
+  if (ledger && usual) run_update<RARE, TM_FX_LEDGER>(p, a, effects);
+  else if (ledger) run_update<0u, TM_FX_LEDGER>(p, a, effects);
+  else if (effects & RARE) run_update<0u>(p, a, effects);
+  else if (usual) run_update<RARE>(p, a, effects);
+  else if (effects & HEAT) run_update<RARE | FLOW>(p, a, effects);
+  else if (effects & FLOW) run_update<RARE | HEAT>(p, a, effects);
+  else run_update<RARE | HEAT | FLOW>(p, a, effects);
   if (ledger)
     kokkos_sum_later("sph/tm update energies", kokkos_warps(n), Energies{}, EnergiesOfWarp{rows_of(n)}, SumEnergies(),
                      of_step.energies);

@@ -37,6 +37,16 @@ void sort_into_cells(Backend &backend, const tm_cells &c)
     of_cells(c.look[axis % 2], [&](int k) { return tm_cells_look(&c, k, axis, c.look[1 - axis % 2]); });
 }
 
+void count_marked(Backend &, const tm_cells &c, const unsigned char *marks)
+{
+  int sum = 0;
+  for (int k = 0; k < c.n; k++) {
+    c.marked[k] = sum;
+    sum += marks[c.index[k]];
+  }
+  c.marked[c.n] = sum;
+}
+
 SEARCH_LOOPS(SPHTM_HOST_LOOP)
 
 const SearchLoops host = {SEARCH_LOOPS(SPHTM_LOOP_NAME)};

@@ -59,6 +59,20 @@ void sort_into_cells(Backend &backend, const tm_cells &c)
     kokkos_each("sph/tm look from cells", cells, CellLook{c, axis, c.look[1 - axis % 2], c.look[axis % 2]});
 }
 
+struct CountMarked {
+  tm_cells c;
+  const unsigned char *marks;
+  KOKKOS_FUNCTION void operator()(int k, int &sum, bool last) const
+  {
+    if (last) c.marked[k] = sum;
+    if (k < c.n) sum += marks[c.index[k]];
+  }
+};
+void count_marked(Backend &, const tm_cells &c, const unsigned char *marks)
+{
+  Kokkos::parallel_scan("sph/tm count marked", Kokkos::RangePolicy<LMPDeviceType>(0, c.n + 1), CountMarked{c, marks});
+}
+
 // the threads of a warp search for one particle; what they find stands in their scratch memory
 struct Search {
   using Team = Kokkos::TeamPolicy<LMPDeviceType>;

@@ -4,16 +4,26 @@
 
 namespace SPHTM_NS {
 
-void ActiveLoops::set(const std::vector<int> &particles)
+void ActiveLoops::set(const int *particles, int n)
 {
+  list = particles;
+  listed = n;
+  if (!shared()) return;
   runs.clear();
   first_run.assign(1, 0);
-  for (const int i : particles) {
+  for (int k = 0; k < n; k++) {
+    const int i = particles[k];
     while ((int) first_run.size() <= i / LOOP_BLOCK) first_run.push_back(runs.size());
     if (i % LOOP_BLOCK != 0 && !runs.empty() && runs.back().end == i) runs.back().end++;
     else runs.push_back({i, i + 1});
   }
   first_run.push_back(runs.size());
+}
+
+const int *ActiveLoops::some(int &n) const
+{
+  n = std::min(n, listed);
+  return list;
 }
 
 void ActiveLoops::blocks(int n, const std::function<void(int, int)> &f)

@@ -1,5 +1,5 @@
-/* SPH-TM: loops over some of the particles: those of a backend of the host, over runs of indices that follow one another.
-   The loops themselves know nothing of it. */
+/* SPH-TM: loops over some of the particles. On the host those of another backend, over runs of indices that follow one
+   another: the loops themselves know nothing of it. Elsewhere a loop gets the list. */
 #ifndef SPHTM_ACTIVE_LOOPS_H
 #define SPHTM_ACTIVE_LOOPS_H
 
@@ -13,14 +13,22 @@ class ActiveLoops : public Backend {
  public:
   explicit ActiveLoops(Backend &all) : loops(all) {}
   std::string name() const override { return loops.name(); }
+  bool shared() const override { return loops.shared(); }
   void wait() override { loops.wait(); }
   void zero(void *p, size_t bytes) override { loops.zero(p, bytes); }
+  void copy_to_result(void *result, const void *of_loops, size_t bytes) override
+  {
+    loops.copy_to_result(result, of_loops, bytes);
+  }
 
-  void set(const std::vector<int> &particles);    // in rising order
+  void set(const int *particles, int n);    // in rising order, where the loops run; they stay there
+  const int *some(int &n) const override;
   void blocks(int n, const std::function<void(int, int)> &f) override;
 
  private:
   Backend &loops;
+  const int *list = nullptr;
+  int listed = 0;
   struct Run {
     int begin, end;
   };

@@ -1,6 +1,7 @@
 #include "active_region.h"
 
 #include "argument.h"
+#include "contact_probe.h"
 #include "scene.h"
 
 #include "atom.h"
@@ -22,12 +23,12 @@ using namespace LAMMPS_NS;
 namespace SPHTM_NS {
 
 namespace {
-constexpr int EVERY = 20;                          // steps
-constexpr int RESTS = 0, AWAKE = 1, MOVING = 2;    // flags of particles and their ghosts
+constexpr int EVERY = 20;    // steps
 }    // namespace
 
 ActiveRegion::ActiveRegion(LAMMPS *lmp, ParticleState &s, Backend &where) :
-    Pointers(lmp), state(s), loops(where), active(where), flag(Backend::host())
+    Pointers(lmp), state(s), loops(where), active(where), which(where), edge(where), flag(where), marks(where),
+    tools(where)
 {
 }
 
@@ -54,8 +55,6 @@ void ActiveRegion::check(const Scene &scene, bool audits)
   const auto refuse = [this](const std::string &what) {
     error->all(FLERR, "Fix sph/tm {} active does not work with {}", state.id(), what);
   };
-  if (!loops.shared())
-    refuse("the loops of a GPU, which run over all particles; leave 'active' out, or run on the host");
   if (sizeof(tagint) != sizeof(int)) refuse("a LAMMPS built with BIGBIG: rows sort by tags of 32 bits");
   if (atom->molecular != Atom::ATOMIC) refuse("atoms with bonds, whose pairs its rows do not leave out");
   if (utils::strmatch(force->pair_style, "^hybrid"))
@@ -94,118 +93,104 @@ void ActiveRegion::check_way()
                state.id(), all, every, neighbor->skin);
 }
 
-// not for its neighbors' sake
-bool ActiveRegion::wants(const std::vector<ContactProbe::Box> &tools, Region *region, int i) const
-{
-  const double *x = atom->x[i];
-  if (state.model().materials()[atom->type[i]].body != TM_BODY_SOLID) return true;
-  if (region && region->match(x[0], x[1], x[2])) return true;
-  const double from_tool = region ? reach() : std::max(distance, reach());
-  return std::any_of(tools.begin(), tools.end(),
-                     [&](const ContactProbe::Box &t) { return t.is_near(x, from_tool, domain->dimension); });
-}
-
-// particles that have one with at least this flag within reach
-void ActiveRegion::find_near(const Scene &scene, Pair *pair, tm_real least)
+// marks particles and ghosts with at least this flag
+void ActiveRegion::look_for(tm_active_args &a, const Scene &scene, Pair *pair, tm_real least)
 {
   scene.results().communicate(pair, flag, 1);
-  tm_active_args a;
-  a.flag = flag.host_read();
-  a.cells = finder->cells_with(a.flag, least);
+  a.flag = flag.loop_write();
+  a.marks = marks.loop_write();
   a.least = least;
-  a.radius = reach();
-  a.found = found.data();
-  PairLoops::of(loops).active_near(loops, atom->nlocal, a, 0u);
+  PairLoops::of(loops).active_mark(loops, atom->nlocal + atom->nghost, a, 0u);
+  a.cells = finder->cells_with(a.marks);
 }
 
 void ActiveRegion::decide(const Scene &scene, Pair *pair)
 {
   check_way();
+  const PairLoops &of = PairLoops::of(loops);
   const int n = atom->nlocal;
-  const tm_state s = state.arrays();
+  std::vector<tm_tool_box> boxes;
+  for (const ContactProbe *p : scene.contact_probes()) boxes.push_back(p->box());
+  tools.assign(boxes.data(), boxes.size());
+  const size_t all = (size_t) n + atom->nghost + 1;
+  flag.make_room(true, all);
+  marks.make_room(true, all);
+  tm_active_args a = {};
+  a.state = state.arrays();
   Region *region = region_id.empty() ? nullptr : domain->get_region_by_id(region_id);
-  if (region) region->prematch();
-  std::vector<ContactProbe::Box> tools;
-  for (const ContactProbe *p : scene.contact_probes()) tools.push_back(p->box());
-  flag.make_room(true, (size_t) n + atom->nghost + 1);
-  found.resize(n + 1);
-  tm_real *f = flag.host_write();
-  for (int i = 0; i < n; i++) {
-    const double *v = atom->v[i];
-    const bool moves = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] >= still * still;
-    f[i] = moves ? MOVING : wants(tools, region, i) ? AWAKE : RESTS;
-  }
-  find_near(scene, pair, MOVING);
-  f = flag.host_write();
-  for (int i = 0; i < n; i++)
-    if (found[i]) f[i] = std::max(f[i], (tm_real) AWAKE);
-  find_near(scene, pair, AWAKE);
-  double energy = 0.0;
-  tm_real *kind = state.fields()[TM_F_ACTIVE].host_write();
-  for (int i = 0; i < n; i++) {
-    const double *v = atom->v[i];
-    const int now = f[i] > RESTS ? TM_ACTIVE_MOVES : found[i] ? TM_ACTIVE_EDGE : TM_ACTIVE_ASLEEP;
-    if (now != TM_ACTIVE_MOVES && (now != kind[i] || v[0] != 0.0 || v[1] != 0.0 || v[2] != 0.0))
-      energy += tm_active_rest(i, &s);
-    kind[i] = now;
-  }
+  a.inside = region ? state.atoms().inside(*region) : nullptr;
+  a.tool = tools.loop_read();
+  a.tools = (int) boxes.size();
+  a.dimension = domain->dimension;
+  a.from_tool = region ? reach() : std::max(distance, reach());
+  a.still2 = still * still;
+  a.radius = reach();
+  a.flag = flag.loop_write();
+  of.active_flag(loops, n, a, 0u);
+  look_for(a, scene, pair, TM_MOVING);
+  of.active_wake(loops, n, a, 0u);
+  look_for(a, scene, pair, TM_AWAKE);
+  const double energy = of.active_sort(loops, n, a, 0u);
+  state.atoms().velocities_changed();
   state.energy().add(EnergyBalance::ARTIFICIAL, energy);
   at_rest += energy;
   known = true;
 }
 
+const tm_real *ActiveRegion::kinds() { return state.fields()[TM_F_ACTIVE].loop_read(); }
+
+// of a restart file
+void ActiveRegion::take_up_known()
+{
+  const double mine = PairLoops::of(loops).active_known(loops, atom->nlocal, {kinds(), 0}, 0u);
+  double all;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  known = all > 0.0;
+}
+
 // of this rank, from the field
 void ActiveRegion::list()
 {
-  const tm_real *kind = state.fields()[TM_F_ACTIVE].host_read();
-  which.clear();
-  edge.clear();
-  asleep.clear();
-  for (int i = 0; i < atom->nlocal; i++) {
-    const int now = (int) kind[i];
-    if (now == TM_ACTIVE_EDGE) edge.push_back(i);
-    (now == TM_ACTIVE_ASLEEP ? asleep : which).push_back(i);
-  }
-  active.set(which);
+  const int n = atom->nlocal;
+  const PairLoops &of = PairLoops::of(loops);
+  which.make_room(true, (size_t) n + 1);
+  edge.make_room(true, (size_t) n + 1);
+  awake = of.active_list(loops, n, {kinds(), 0}, which.loop_write());
+  at_edge = of.active_list(loops, n, {kinds(), 1}, edge.loop_write());
+  active.set(which.loop_read(), awake);
 }
 
 void ActiveRegion::renew(const Scene &scene, Pair *pair)
 {
   if (!finder) finder = std::make_unique<RowSearch>(lmp, loops);
-  finder->sort(reach());
-  if (!known) {    // of a restart file
-    const tm_real *kind = state.fields()[TM_F_ACTIVE].host_read();
-    const double mine = atom->nlocal ? *std::max_element(kind, kind + atom->nlocal) : 0.0;
-    double most;
-    MPI_Allreduce(&mine, &most, 1, MPI_DOUBLE, MPI_MAX, world);
-    if (update->setupflag) known = most > 0.0;
-  }
+  finder->sort(reach(), state.arrays());
+  if (!known && update->setupflag) take_up_known();
   if (!update->setupflag && due(update->ntimestep)) decide(scene, pair);
   list();
-  scene.rows().build(*finder, which, state.has(TM_FX_CONDUCTION));
+  scene.rows().build(*finder, which.loop_read(), awake, state.has(TM_FX_CONDUCTION));
 }
 
 /* ---------------------------------------------------------------------- in a step */
 
 void ActiveRegion::insulate(const tm_records &rec)
 {
-  for (size_t k = 0; rec.heat && k < asleep.size(); k++) tm_heat_record(&rec, asleep[k])[tm_part(TM_REC_K)] = 0.0;
+  if (on() && rec.heat) PairLoops::of(loops).active_insulate(loops, atom->nlocal, {state.arrays(), rec}, 0u);
 }
 
-void ActiveRegion::hold(double *force) const
+void ActiveRegion::hold(double *force)
 {
-  for (const int i : edge) std::fill_n(force + 3 * (size_t) i, 3, 0.0);
+  if (on() && at_edge) PairLoops::of(loops).active_hold(loops, at_edge, {force, edge.loop_read()}, 0u);
 }
 
 void ActiveRegion::moved(const Scene &scene, double speed2, double dt)
 {
-  double tools = 0.0;
-  for (const ContactProbe *p : scene.contact_probes()) tools = std::max(tools, p->box().top_speed);
+  double tool_speed = 0.0;
+  for (const ContactProbe *p : scene.contact_probes()) tool_speed = std::max(tool_speed, p->box().top_speed);
   way += sqrt(speed2) * dt;
-  tool_way += tools * dt;
+  tool_way += tool_speed * dt;
   steps++;
-  sum_moving += (double) (which.size() - edge.size());
-  sum_edge += (double) edge.size();
+  sum_moving += awake - at_edge;
+  sum_edge += at_edge;
 }
 
 std::string ActiveRegion::in_words()
@@ -222,8 +207,7 @@ std::string ActiveRegion::in_words()
 
 double ActiveRegion::bytes() const
 {
-  return flag.bytes() + found.size() + sizeof(int) * (double) (which.size() + edge.size() + asleep.size()) +
-         (finder ? finder->bytes() : 0.0);
+  return flag.bytes() + marks.bytes() + which.bytes() + edge.bytes() + (finder ? finder->bytes() : 0.0);
 }
 
 }    // namespace SPHTM_NS

@@ -4,7 +4,6 @@
 #define SPHTM_ACTIVE_REGION_H
 
 #include "active_loops.h"
-#include "contact_probe.h"
 #include "loop_array.h"
 #include "row_search.h"
 #include "tm_active.h"
@@ -13,7 +12,6 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace LAMMPS_NS {
 class Pair;
@@ -43,7 +41,7 @@ class ActiveRegion : protected LAMMPS_NS::Pointers {
   void renew(const Scene &, LAMMPS_NS::Pair *);
   void insulate(const tm_records &);    // no heat is conducted into those that sleep
   // in each step: before the update, so that the edge stays; behind it
-  void hold(double *force) const;
+  void hold(double *force);
   void moved(const Scene &, double speed2, double dt);
 
   std::string in_words();    // mean shares of particles, for the table of a run; collective
@@ -62,15 +60,18 @@ class ActiveRegion : protected LAMMPS_NS::Pointers {
   // of a run
   bool known = false;                  // particles were sorted once, here or before a restart
   double way = 0.0, tool_way = 0.0;    // of the fastest particle and tool since then, at most
-  std::vector<int> which, edge, asleep;
+  LoopArray<int> which, edge;          // those that do not sleep; of these those at the edge
+  int awake = 0, at_edge = 0;          // so many
   LoopArray<tm_real> flag;
-  std::vector<unsigned char> found;
+  LoopArray<unsigned char> marks;
+  LoopArray<tm_tool_box> tools;
   double steps = 0.0, sum_moving = 0.0, sum_edge = 0.0, at_rest = 0.0;
 
   double reach() const;
   void check_way();
-  bool wants(const std::vector<ContactProbe::Box> &tools, LAMMPS_NS::Region *, int i) const;
-  void find_near(const Scene &, LAMMPS_NS::Pair *, tm_real least);
+  const tm_real *kinds();
+  void take_up_known();
+  void look_for(tm_active_args &, const Scene &, LAMMPS_NS::Pair *, tm_real least);
   void decide(const Scene &, LAMMPS_NS::Pair *);
   void list();
 };

@@ -1,6 +1,7 @@
 #include "atom_arrays.h"
 
 #include "atom.h"
+#include "region.h"
 
 namespace SPHTM_NS {
 
@@ -15,6 +16,20 @@ void AtomArrays::point_to_host(tm_state &s)
   s.mask = atom->mask;
   s.mass = atom->mass;
   s.rmass = atom->rmass_flag ? atom->rmass : nullptr;
+}
+
+void AtomArrays::match(LAMMPS_NS::Region &region, int *inside) const
+{
+  double **x = atom->x;
+  for (int i = 0; i < atom->nlocal; i++) inside[i] = region.match(x[i][0], x[i][1], x[i][2]);
+}
+
+const int *AtomArrays::inside(LAMMPS_NS::Region &region)
+{
+  matches.resize(atom->nlocal + 1);
+  region.prematch();
+  match(region, matches.data());
+  return matches.data();
 }
 
 }    // namespace SPHTM_NS

@@ -26,6 +26,7 @@ NeighborRows::NeighborRows(LAMMPS *lmp, Pair *p, Backend &loops, Model &m) :
 {
   for (auto *a : {&row_index, &row_mechanical, &row_thermal, &row_contact}) a->live_in(loops);
   row_first.live_in(loops);
+  meets.live_in(loops);
   for (auto *a : {&row_index, &row_mechanical, &row_thermal, &row_contact}) a->call("rows of neighbors");
   row_first.call("rows of neighbors");
 }
@@ -46,15 +47,27 @@ void NeighborRows::make_room()
 
 tm_rows NeighborRows::loop_rows()
 {
-  return {row_index.loop_read(),   row_first.loop_read(),   row_mechanical.loop_read(),
-          row_thermal.loop_read(), row_contact.loop_read(), row_stride};
+  return {row_index.loop_read(),
+          row_first.loop_read(),
+          row_mechanical.loop_read(),
+          row_thermal.loop_read(),
+          row_contact.loop_read(),
+          row_stride,
+          nullptr,
+          0};
 }
 
 tm_rows NeighborRows::host_rows()
 {
   if (row_source) return row_source->host_mechanical();
-  return {row_index.host_read(),   row_first.host_read(),   row_mechanical.host_read(),
-          row_thermal.host_read(), row_contact.host_read(), row_stride};
+  return {row_index.host_read(),
+          row_first.host_read(),
+          row_mechanical.host_read(),
+          row_thermal.host_read(),
+          row_contact.host_read(),
+          row_stride,
+          nullptr,
+          0};
 }
 
 const int *NeighborRows::loop_tags() { return (const int *) atom->tag; }
@@ -182,17 +195,18 @@ void NeighborRows::build(NeighList *list, bool conduction)
 
 /* ---------------------------------------------------------------------- rows of some particles */
 
-void NeighborRows::build(RowSearch &finder, const std::vector<int> &which, bool conduction)
+void NeighborRows::build(RowSearch &finder, const int *which, int n, bool conduction)
 {
-  std::vector<unsigned char> meets = model.pair_laws().segments(model.materials(), conduction);
+  const std::vector<unsigned char> segments = model.pair_laws().segments(model.materials(), conduction);
   const int n1 = model.types() + 1;
   bool alike = true;
   for (int t = 1; t < n1; t++)
-    for (int u = 1; u < n1; u++) alike = alike && meets[t * n1 + u] == TM_MEETS_MECHANICAL;
-  if (alike) meets.clear();
-  row_stride = 1;
-  finder.search({meets, &row_index, {&row_mechanical, &row_thermal, &row_contact}, &row_first}, which,
-                model.settings_in_use().spacing, (const int *) atom->tag);
+    for (int u = 1; u < n1; u++) alike = alike && segments[t * n1 + u] == TM_MEETS_MECHANICAL;
+  meets.assign(segments.data(), segments.size());
+  row_stride = finder.stride();
+  finder.search(
+      {alike ? nullptr : meets.loop_read(), &row_index, {&row_mechanical, &row_thermal, &row_contact}, &row_first},
+      which, n, model.settings_in_use().spacing, loop_tags());
 }
 
 }    // namespace SPHTM_NS

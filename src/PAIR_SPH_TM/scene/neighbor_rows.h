@@ -7,8 +7,6 @@
 
 #include "pointers.h"
 
-#include <vector>
-
 namespace LAMMPS_NS {
 class NeighList;
 class Pair;
@@ -31,8 +29,8 @@ class NeighborRows : protected LAMMPS_NS::Pointers {
   bool keeps_all() const { return row_source && row_source->keeps_all(); }    // these alone, at any distance
   bool cover(int n) const { return (int) row_first.size() >= n; }             // so many particles
   virtual void build(LAMMPS_NS::NeighList *, bool conduction);
-  // rows of these particles alone, from a search that has sorted all; the others have none
-  void build(RowSearch &, const std::vector<int> &which, bool conduction);
+  // rows of the n particles of a list alone, from a search that has sorted all; the others have none
+  virtual void build(RowSearch &, const int *which, int n, bool conduction);
   virtual tm_rows loop_rows();
   virtual tm_rows host_rows();
   virtual const int *loop_tags();    // IDs of owned and ghost particles, where the loops run
@@ -48,6 +46,7 @@ class NeighborRows : protected LAMMPS_NS::Pointers {
   Model &model;
   LoopArray<int> row_index, row_mechanical, row_thermal, row_contact;
   LoopArray<ptrdiff_t> row_first;
+  LoopArray<unsigned char> meets;    // segments of a type pair
   ptrdiff_t row_stride = 1;
   void make_room();
 

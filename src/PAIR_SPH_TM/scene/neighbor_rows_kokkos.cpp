@@ -19,8 +19,10 @@ namespace SPHTM_NS {
 static const ExecutionSpace SPACE = ExecutionSpaceFromDevice<LMPDeviceType>::space;
 
 NeighborRowsKokkos::NeighborRowsKokkos(LAMMPS *lmp, Pair *pair, Backend &loops, Model &m) :
-    NeighborRows(lmp, pair, loops, m), atoms((AtomKokkos *) atom), meets(loops)
+    NeighborRows(lmp, pair, loops, m), atoms((AtomKokkos *) atom)
 {
+  with_thermal.live_in(loops);
+  with_thermal.call("rows of neighbors");
 }
 
 const int *NeighborRowsKokkos::loop_tags()
@@ -34,6 +36,10 @@ tm_rows NeighborRowsKokkos::loop_rows()
 {
   tm_rows rows = NeighborRows::loop_rows();
   if (in_list) rows.index = in_list;
+  if (lists_thermal) {
+    rows.with_thermal = with_thermal.loop_read();
+    rows.n_with_thermal = n_with_thermal;
+  }
   return rows;
 }
 
@@ -61,6 +67,10 @@ namespace {
 struct CountRow {
   tm_row_args a;
   KOKKOS_FUNCTION void operator()(int i) const { tm_row_count(i, &a); }
+};
+struct HasThermal {
+  const int *thermal;
+  KOKKOS_FUNCTION bool operator()(int i) const { return thermal[i] > 0; }
 };
 struct PlaceRows {
   tm_row_args a;
@@ -114,6 +124,19 @@ struct FillRowByWarp {
 
 }    // namespace
 
+void NeighborRowsKokkos::leave_list()
+{
+  in_list = nullptr;
+  list_here = {};
+  lists_thermal = false;
+}
+
+void NeighborRowsKokkos::build(RowSearch &finder, const int *which, int n, bool conduction)
+{
+  leave_list();
+  NeighborRows::build(finder, which, n, conduction);
+}
+
 void NeighborRowsKokkos::build(NeighList *list, bool conduction)
 {
   const int n = atom->nlocal;
@@ -121,8 +144,7 @@ void NeighborRowsKokkos::build(NeighList *list, bool conduction)
   meets.assign(segments.data(), segments.size());
   make_room();
   row_stride = TM_ROW_SLICE;
-  in_list = nullptr;
-  list_here = {};
+  leave_list();
   row_index.make_room(true, 1);
   if (n == 0) return;
 
@@ -149,6 +171,12 @@ void NeighborRowsKokkos::build(NeighList *list, bool conduction)
   // entries have no bits of bonds
   a.in_place = by_warps && !in_two && atom->molecular == Atom::ATOMIC && memory_is_short((double) list_size);
   kokkos_each("sph/tm count rows", n, CountRow{a});
+  lists_thermal = conduction && model.pair_laws().has_thermal();
+  if (lists_thermal) {    // some of the particles: those of a tool, and beside it
+    with_thermal.make_room(true, n);
+    n_with_thermal =
+        kokkos_list("sph/tm rows with heat", n, HasThermal{row_thermal.loop_read()}, with_thermal.loop_write());
+  }
   if (a.in_place) {
     row_index.clear();
     a.index = in_list = from->d_neighbors.data();

@@ -17,6 +17,7 @@ class NeighborRowsKokkos : public NeighborRows {
  public:
   NeighborRowsKokkos(LAMMPS_NS::LAMMPS *, LAMMPS_NS::Pair *, Backend &, Model &);
   void build(LAMMPS_NS::NeighList *, bool conduction) override;
+  void build(RowSearch &, const int *which, int n, bool conduction) override;
   tm_rows loop_rows() override;
   tm_rows host_rows() override;
   const int *loop_tags() override;
@@ -26,8 +27,11 @@ class NeighborRowsKokkos : public NeighborRows {
   size_t list_size = 0;
   std::vector<int> list_here;
   LAMMPS_NS::AtomKokkos *atoms;
-  LoopArray<unsigned char> meets;    // segments of a type pair
+  LoopArray<int> with_thermal;    // particles with neighbors that only exchange heat, if they are listed
+  int n_with_thermal = 0;
+  bool lists_thermal = false;
 
+  void leave_list();
   bool memory_is_short(double values) const;
 };
 

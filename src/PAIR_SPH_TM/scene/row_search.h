@@ -1,14 +1,13 @@
-/* SPH-TM: rows of neighbors from a search in cells (tm_cells.h, tm_search.h), of some particles of this rank. On the
-   host. */
+/* SPH-TM: rows of neighbors from a search in cells (tm_cells.h, tm_search.h), of some particles of this rank. All arrays
+   are where the loops run. */
 #ifndef SPHTM_ROW_SEARCH_H
 #define SPHTM_ROW_SEARCH_H
 
 #include "loop_array.h"
 #include "search_loops.h"
+#include "tm_state.h"
 
 #include "pointers.h"
-
-#include <vector>
 
 namespace SPHTM_NS {
 
@@ -17,25 +16,27 @@ class RowSearch : protected LAMMPS_NS::Pointers {
   RowSearch(LAMMPS_NS::LAMMPS *, Backend &);
 
   // all particles, owned and ghost, in cells for a search radius
-  void sort(double radius);
-  // of these, how many in the order of cells have at least this flag: what a search for them needs
-  const tm_cells &cells_with(const tm_real *flag, tm_real least);
-  const tm_cells &cells() const { return grid; }
-  // rows of these particles, entries by segment and tag; `meets` and the places of results as in tm_search_args
+  void sort(double radius, const tm_state &);
+  // the same with how many before each of the order are marked: what a search for these needs
+  const tm_cells &cells_with(const unsigned char *marks);
+  // rows of the n particles of a list, entries by segment and tag; the others have none. `meets` and the places of results
+  // as in tm_search_args
   struct Rows {
-    std::vector<unsigned char> meets;    // empty: all are mechanical neighbors
+    const unsigned char *meets;    // or nullptr: all are mechanical neighbors
     LoopArray<int> *index, *count[TM_SEGMENTS];
     LoopArray<ptrdiff_t> *first;
   };
-  void search(const Rows &, const std::vector<int> &which, double spacing, const int *tag);
+  void search(const Rows &, const int *which, int n, double spacing, const int *tag);
+  ptrdiff_t stride() const { return loops.shared() ? 1 : TM_ROW_SLICE_GPU; }    // of the entries of a row
   double bytes() const;
 
  private:
   Backend &loops;
   tm_cells grid = {};
   double radius = 0.0;
-  std::vector<int> cell, begin, index, marked;
-  std::vector<tm_real> column[3];
+  const int *type = nullptr;
+  LoopArray<int> cell, begin, index, marked;
+  LoopArray<tm_real> column[3];
 };
 
 }    // namespace SPHTM_NS

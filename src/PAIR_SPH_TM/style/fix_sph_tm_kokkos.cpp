@@ -9,6 +9,7 @@
 #include "comm_kokkos.h"
 #include "lammps.h"
 #include "modify.h"
+#include "region.h"
 #include "utils.h"
 
 using namespace LAMMPS_NS;
@@ -108,6 +109,22 @@ class KokkosAtomArrays : public AtomArrays {
     s.mass = atom->mass ? atoms->k_mass.view<LMPDeviceType>().data() : nullptr;
     s.rmass = atom->rmass_flag ? atoms->k_rmass.view<LMPDeviceType>().data() : nullptr;
   }
+  void velocities_changed() override { atoms->modified(SPACE, V_MASK); }
+  // LAMMPS has blocks and spheres where the loops run; others are asked on the host
+  const int *inside(Region &region) override
+  {
+    if ((int) matches.extent(0) <= atom->nlocal) matches = DAT::tdual_int_1d("sph/tm: in region", atom->nmax + 1);
+    matches.clear_sync_state();
+    region.prematch();
+    if (auto *there = dynamic_cast<KokkosBase *>(&region)) there->match_all_kokkos(1, matches);
+    else {
+      atoms->sync(Host, X_MASK);
+      match(region, matches.view<LMPHostType>().data());
+      matches.modify<LMPHostType>();
+    }
+    matches.sync<LMPDeviceType>();
+    return matches.view<LMPDeviceType>().data();
+  }
   // what the loops have changed is known to LAMMPS only at the end of a step
   void to_host_in_step() override
   {
@@ -123,6 +140,7 @@ class KokkosAtomArrays : public AtomArrays {
 
  private:
   AtomKokkos *atoms;
+  DAT::tdual_int_1d matches;
 };
 
 }    // namespace

@@ -232,9 +232,12 @@ void PairSPHTM::rates(const tm_state &s, tm_rates_args &args)
   if (source) source->tl_export(results.records());
   if (effects & TM_FX_MIXED) {
     const auto timed = state->clock().timed(RunClock::RATES);
-    const int first = results.rounds_in_prediction(*state) ? nlocal : 0;
-    if (const int n = nlocal + atom->nghost - first)
-      loops.round_to_single(backend, n, {args.rec, args.single, first}, effects);
+    const auto round = [&](Backend &those, int first, int n) {
+      if (n) loops.round_to_single(those, n, {args.rec, args.single, first}, effects);
+    };
+    if (!results.rounds_in_prediction(*state))
+      round(neighbor->ago == 0 ? backend : state->active().stepping(), 0, nlocal);
+    round(backend, nlocal, atom->nghost);
   }
   backend.zero(args.artificial, args.artificial ? nlocal * sizeof(double) : 0);
 
