@@ -20,10 +20,11 @@ struct SetForce {
   const int *mask;
   int group, sets[3];
   double value[3];
+  KOKKOS_FUNCTION bool holds(int i) const { return mask[i] & group; }
   KOKKOS_FUNCTION Sum operator()(int i) const
   {
     Sum replaced = {};
-    if (!(mask[i] & group)) return replaced;
+    if (!holds(i)) return replaced;
     for (int k = 0; k < 3; k++) {
       double &f = force[3 * (ptrdiff_t) i + k];
       replaced.of[k] = f;
@@ -38,6 +39,48 @@ struct Add {
     for (int k = 0; k < 3; k++) sum->of[k] += one->of[k];
   }
 };
+
+// many particles: first the sum of each warp, where it has a particle of the group
+struct Ahead {
+  KOKKOS_FUNCTION Sum operator()(const KokkosWarp &warp, const Sum &mine, int step) const
+  {
+    return {{warp.from(mine.of[0], step), warp.from(mine.of[1], step), warp.from(mine.of[2], step)}};
+  }
+};
+struct SetForceByWarp {
+  SetForce one;
+  int n;
+  Sum *warps;
+  KOKKOS_FUNCTION void operator()(int i) const
+  {
+    const KokkosWarp warp(i, n);
+    Sum sum = {};
+    if (warp.any(one.holds(i))) {
+      sum = one(i);
+      kokkos_sum_warp(warp, &sum, Ahead(), Add());
+    }
+    if (warp.lane == 0) warps[i / KOKKOS_SUMMED] = sum;
+  }
+};
+struct SumOfWarp {
+  const Sum *warps;
+  KOKKOS_FUNCTION Sum operator()(int w) const { return warps[w]; }
+};
+void set_force(int n, const SetForce &one, Sum *replaced)
+{
+#if defined(LMP_KOKKOS_GPU)
+  constexpr int MANY = 200000;    // particles: with fewer a second kernel costs more than it saves
+  if (n > MANY) {
+    static KokkosRows<Sum> rows;
+    const int warps = kokkos_warps(n);
+    Sum *of_warps = rows.of(warps, "sums of a step");
+    kokkos_each("sph/tm setforce", n, SetForceByWarp{one, n, of_warps});
+    kokkos_sum_later("sph/tm setforce sums", warps, Sum{}, SumOfWarp{of_warps}, Add(), replaced);
+    return;
+  }
+#endif
+  kokkos_sum_later("sph/tm setforce", n, Sum{}, one, Add(), replaced);
+}
 
 }    // namespace
 
@@ -64,7 +107,7 @@ void FixSetForceLaterKokkos::post_force(int vflag)
                groupbit,
                {xstyle == CONSTANT, ystyle == CONSTANT, zstyle == CONSTANT},
                {xvalue, yvalue, zvalue}};
-  kokkos_sum_later("sph/tm setforce", atom->nlocal, Sum{}, one, Add(), replaced);
+  set_force(atom->nlocal, one, replaced);
   atomKK->modified(execution_space, F_MASK);
   force_flag = 0;
 }
