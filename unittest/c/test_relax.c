@@ -94,6 +94,22 @@ int main(void)
   p.mask[0] = 1;
   p.material[1].body = TM_BODY_HEAT;
   UT_TRUE(tm_relax(0, &a, 0).unbalanced == 0 && p.force[0] == 5);
+  /* driven in y: damped and summed in x alone */
+  p.material[1].body = TM_BODY_SOLID;
+  p.v[0] = 2;
+  p.v[1] = 8;
+  p.force[0] = p.force[1] = 0;
+  a.damping = 0.5;
+  a.driven[1] = 1;
+  const tm_relax_result r = tm_relax(0, &a, 0);
+  UT_TRUE(p.force[0] < 0 && p.force[1] == 0);
+  UT_NEAR(r.momentum2, tm_particle_mass(&a.state, 0) * 1.6 * 1.6, 1e-15);
+  a.driven[1] = 2; /* of another group */
+  tm_relax(0, &a, 0);
+  UT_TRUE(p.force[1] < 0);
+  a.driven[1] = 0;
+  p.v[0] = p.v[1] = p.force[1] = 0;
+  p.force[0] = 5;
   /* what a particle carries: stress times its face */
   p.material[1].body = TM_BODY_SOLID;
   record[TM_REC_M] = 16;

@@ -19,6 +19,7 @@ typedef struct {
   tm_state state;
   tm_records rec;
   int group;
+  int driven[3];   /* groups whose velocity in x, y, z is prescribed: neither damped there nor summed */
   int act;         /* 0: only sum */
   tm_real damping; /* c, 1/time */
   tm_real dt;
@@ -59,8 +60,12 @@ TM_FN tm_relax_result tm_relax(int i, const tm_relax_args *a, unsigned effects)
   double *f = s->force + 3 * (ptrdiff_t) i;
   const double *v = s->v + 3 * (ptrdiff_t) i;
   const tm_real mass = tm_particle_mass(s, i), per_mass = a->accel_unit / mass, half = 0.5 * a->dt;
-  const tm_vec3 acc = tm_vec(per_mass * f[0], per_mass * f[1], dim3 ? per_mass * f[2] : 0.0);
-  const tm_vec3 mean = tm_vec_scale(1.0 / (1.0 + half * a->damping), tm_vec_axpy(tm_vec(v[0], v[1], v[2]), half, acc));
+  const int mask = s->mask[i];
+  const tm_real x = mask & a->driven[0] ? 0.0 : 1.0, y = mask & a->driven[1] ? 0.0 : 1.0;
+  const tm_real z = !dim3 || mask & a->driven[2] ? 0.0 : 1.0;
+  const tm_vec3 acc = tm_vec(x * per_mass * f[0], y * per_mass * f[1], z * per_mass * f[2]);
+  const tm_vec3 free = tm_vec(x * v[0], y * v[1], dim3 ? z * v[2] : v[2]);
+  const tm_vec3 mean = tm_vec_scale(1.0 / (1.0 + half * a->damping), tm_vec_axpy(free, half, acc));
   out.power = mass * tm_vec_dot(acc, mean);
   out.force2 = mass * tm_vec_dot(acc, acc);
   out.momentum2 = mass * tm_vec_dot(mean, mean);

@@ -23,6 +23,7 @@ class FixSPHTMDrive : public Fix {
   double compute_vector(int) override;
   void write_restart(FILE *) override;
   void restart(char *) override;
+  bool drives(int k) const { return given[k]; }    // x, y, z
 
  private:
   std::shared_ptr<SPHTM_NS::Scene> scene;

@@ -2,6 +2,7 @@
 #include "fix_sph_tm_relax.h"
 
 #include "argument.h"
+#include "fix_sph_tm_drive.h"
 #include "heat_loops.h"
 #include "restart_block.h"
 
@@ -50,6 +51,12 @@ void FixSPHTMRelax::init()
 {
   state = &scene->state("Fix sph/tm/relax");
   if (!adapts) given.init();
+  // what is driven has no equilibrium of its own, and damping would change its velocity unseen by the energy balance
+  std::fill_n(driven, 3, 0);
+  for (Fix *f : modify->get_fix_list())
+    if (const auto *drive = dynamic_cast<FixSPHTMDrive *>(f))
+      for (int k = 0; k < 3; k++)
+        if (drive->drives(k)) driven[k] |= drive->groupbit;
 }
 
 // forces that come later are neither damped nor in the measure of the equilibrium
@@ -76,6 +83,7 @@ void FixSPHTMRelax::sum(bool act)
   a.state = state->arrays();
   a.rec = scene->results().rate_args().rec;
   a.group = groupbit;
+  std::copy_n(driven, 3, a.driven);
   a.act = act;
   a.damping = damping;
   a.dt = state->time_step().now();

@@ -30,6 +30,7 @@ class FixSPHTMRelax : public Fix {
   SPHTM_NS::ParticleState *state = nullptr;    // of fix sph/tm
   bool adapts = true;                          // damping auto
   SPHTM_NS::EqualValue given;
+  int driven[3] = {0, 0, 0};            // bits of the groups of fix sph/tm/drive, by direction
   double damping = 0.0, taken = 0.0;    // of all ranks: of the next step; energy so far
   tm_relax_mode mode = {};
   tm_relax_result sums = {};    // of all ranks, of the last step
