@@ -132,6 +132,10 @@ GROUP = "group some dynamic all every 1\nfix tool some contact/tri " + AWAY.repl
 wrong("tool with a dynamic group", dict(THREE_D, more=GROUP), "contact/tri", "dynamic group")
 NOBODY = "group nobody empty\nfix tool nobody contact/tri " + AWAY.replace("@", MESH)
 warned("tool with an empty group", dict(THREE_D, more=NOBODY), T, "group nobody", "no particles")
+warned("particles that only conduct", dict(tool(AWAY + "heat conductance 100"), **coeff("density 2700 body heat" + HEAT)), T,
+       "type 1", "only conduct heat", "sph/tm/heat")
+warned("tool far away", tool("file @ascii.stl scale 1e-3 move 1 0 0"), T, "away from the simulation box", "units")
+warned("tool in other units", tool("file @ascii.stl move 10 0 0 overlap allow"), T, "simulation box", "units")
 warned("share without heat constants", tool(AWAY + "friction 0.3 share 0.4"), T, "share has no use", "type 1",
        "no heat constants")
 warned("effusivity without heat constants", tool(AWAY + "effusivity 5000"), T, "effusivity has no use", "type 1")

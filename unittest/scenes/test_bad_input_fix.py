@@ -113,6 +113,8 @@ wrong("fix dt/reset", {"more": "fix 2 all dt/reset 10 NULL NULL 1e-5"}, "Fix 2 d
 wrong("pair_modify compute no", {"more": "pair_modify compute no"}, F, "pair_modify compute yes")
 wrong("a dynamic group", {"fix": "variable fast atom vx>0\ngroup quick dynamic all var fast\nfix body quick sph/tm"},
       F, "dynamic group")
+warned("degrees Celsius", dict(coeff(JC + HEAT), **fix("temperature 20")), F, "20 K", "kelvin")
+warned("no particles", {"work": "region work block 1 2 1 2 INF INF units box"}, F, "no particles")
 warned("an empty group", {"fix": "group nobody empty\nfix body nobody sph/tm"}, F, "group nobody is empty")
 wrong("dt above what a contact of bodies allows",
       dict(TWO, **fix("dt 3e-8"), more="pair_coeff 2 2 %s\npair_coeff 1 2 contact penalty 100" % GOOD), F, "dt 3e-08",

@@ -60,6 +60,8 @@ for factor in "0.75", "1.5":
 refused("another mass", "run 10\nmass 1 1e-5\nrun 10\n", "mass of the particles changed")
 refused("another density", "run 10\npair_coeff 1 1 density 5000 elastic 70e9 0.33\nrun 10\n", "density of type 1",
         "2700 to 5000")
+goes("other elastic moduli", "run 10\npair_coeff 1 1 density 2700 elastic 35e9 0.33 strength plastic 100e6 1e9 heat 200 900 0.9\nrun 10\n",
+     "elastic moduli")
 refused("another spacing", "run 10\npair_style sph/tm hyperbolic 1.2 spacing 0.5e-3\nrun 10\n", "spacing changed",
         "after a run")
 goes("fix deform", "fix d all deform 1 x erate 1e-3\nrun 10\n", "changes the box")

@@ -120,8 +120,54 @@ void ToolChecks::empty_group()
                         group->names[fix.igroup]);
 }
 
-// types of solids that have particles in the group, on any rank
-std::vector<int> ToolChecks::types_in_group(const Model &model) const
+void ToolChecks::conductors(const Model &model, const std::vector<int> &fillings)
+{
+  if (warned_conductors) return;
+  for (const int t : types_in_group(model, TM_BODY_HEAT)) {
+    if (std::count(fillings.begin(), fillings.end(), t)) continue;
+    warned_conductors = true;
+    if (lmp->comm->me == 0)
+      lmp->error->warning(FLERR,
+                          "{}: particles of type {} ({}) only conduct heat (body heat): the tool neither touches nor "
+                          "heats them. Heat them with fix sph/tm/heat, or leave out 'body heat'",
+                          who, t, model.material_name(t));
+    return;
+  }
+}
+
+static constexpr double FAR_AWAY = 3.0, FAR_LARGER = 100.0;    // over the diagonal of the simulation box
+
+void ToolChecks::far_from_box(const tm_pose &pose) const
+{
+  tm_vec3 corner[8];
+  corners(pose, corner);
+  const double *lo = lmp->domain->boxlo_bound, *hi = lmp->domain->boxhi_bound;
+  if (lmp->domain->triclinic == 0) lo = lmp->domain->boxlo, hi = lmp->domain->boxhi;
+  double gap2 = 0.0, box2 = 0.0, tool2 = 0.0;
+  for (int k = 0; k < lmp->domain->dimension; k++) {
+    double least = 1e300, most = -1e300;
+    for (const tm_vec3 &c : corner) {
+      const double x = k == 0 ? c.x : k == 1 ? c.y : c.z;
+      least = std::min(least, x);
+      most = std::max(most, x);
+    }
+    const double gap = std::max({0.0, lo[k] - most, least - hi[k]});
+    gap2 += gap * gap;
+    box2 += (hi[k] - lo[k]) * (hi[k] - lo[k]);
+    tool2 += (most - least) * (most - least);
+  }
+  const double gap = sqrt(gap2 / box2), size = sqrt(tool2 / box2);
+  const char *remedy = "check 'scale', 'move' and the units of the file";
+  if (lmp->comm->me) return;
+  if (gap > FAR_AWAY)
+    lmp->error->warning(FLERR, "{}: the tool is {:.6g} away from the simulation box, {:.3g} times its diagonal; {}",
+                        who, sqrt(gap2), gap, remedy);
+  else if (size > FAR_LARGER)
+    lmp->error->warning(FLERR, "{}: the tool is {:.3g} times as large as the simulation box; {}", who, size, remedy);
+}
+
+// types of this kind of body (TM_BODY_SOLID ...) that have particles in the group, on any rank
+std::vector<int> ToolChecks::types_in_group(const Model &model, int body) const
 {
   Atom *atom = lmp->atom;
   std::vector<int> mine(atom->ntypes + 1, 0), all(mine), types;
@@ -129,7 +175,7 @@ std::vector<int> ToolChecks::types_in_group(const Model &model) const
     if (atom->mask[i] & fix.groupbit) mine[atom->type[i]] = 1;
   MPI_Allreduce(mine.data(), all.data(), (int) mine.size(), MPI_INT, MPI_MAX, lmp->world);
   for (int t = 1; t <= atom->ntypes; t++)
-    if (all[t] && model.materials()[t].body == TM_BODY_SOLID) types.push_back(t);
+    if (all[t] && model.materials()[t].body == body) types.push_back(t);
   return types;
 }
 
@@ -149,7 +195,7 @@ void ToolChecks::heat(ParticleState &state)
   if (set.heat_given) state.need(TM_FX_HEAT, fmt::format("fix contact/tri {} exchanges heat", fix.id));
   const char *keyword = set.share >= 0.0 ? "share" : set.effusivity >= 0.0 ? "effusivity" : nullptr;
   const bool friction = set.has_friction();
-  const std::vector<int> touched = types_in_group(model);
+  const std::vector<int> touched = types_in_group(model, TM_BODY_SOLID);
   if ((!friction && !keyword) || touched.empty()) return;
 
   const tm_material *material = model.materials();

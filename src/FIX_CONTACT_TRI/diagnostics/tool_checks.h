@@ -21,6 +21,9 @@ class ToolChecks {
   void body_material(const Model &) const;
   void extent(double spacing) const;    // in 2d
   void empty_group();
+  // particles that only conduct heat, but for the fillings of tools (types): the tool does not reach them
+  void conductors(const Model &, const std::vector<int> &fillings);
+  void far_from_box(const tm_pose &) const;    // or far larger: a unit is wrong
   // turns heat on as a state where the tool needs it, and warns where it cannot be
   void heat(ParticleState &);
   // a step: largest speed of the tool, sound speed of the particles (0: there are none)
@@ -36,12 +39,12 @@ class ToolChecks {
   const ContactSettings &set;
   const TriTool &tool;
   std::string who;
-  bool warned_empty = false, warned_heat = false;
+  bool warned_empty = false, warned_heat = false, warned_conductors = false;
   tm_vec3 last_corner[8];                 // of the mesh's box after the last step, here or before a restart
   bool seen = false, restored = false;    // there was one; before a restart
 
   void corners(const tm_pose &, tm_vec3 *) const;
-  std::vector<int> types_in_group(const Model &) const;
+  std::vector<int> types_in_group(const Model &, int body) const;
 };
 
 }    // namespace SPHTM_NS

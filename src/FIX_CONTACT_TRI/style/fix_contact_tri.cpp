@@ -72,7 +72,11 @@ void FixContactTri::init()
 {
   state = &scene->state(fmt::format("Fix contact/tri {}", id));
   if (modify->find_fix(id) < modify->find_fix(state->id()))
-    error->all(FLERR, "Fix contact/tri {} must come after fix {} sph/tm in the input", id, state->id());
+    error->all(
+        FLERR,
+        "Fix contact/tri {} must come after fix {} sph/tm in the input (which takes the state of the particles with "
+        "it where it is removed and written again)",
+        id, state->id());
   model = &state->model();
   laws.live_in(state->loops());
   particles.live_in(lmp, *scene);
@@ -93,7 +97,14 @@ void FixContactTri::init()
   }
   checks.body_material(*model);
   laws.make(set, *model, state->start_temperatures().of_all(), domain->dimension);
-  if (first) report();
+  if (first) {
+    report();
+    checks.far_from_box(motion.pose_now());
+  }
+  std::vector<int> fillings;    // types of the particles that fill tools
+  for (Fix *fix : modify->get_fix_list())
+    if (const auto *of = dynamic_cast<FixContactTri *>(fix)) fillings.push_back(of->set.body_type);
+  checks.conductors(*model, fillings);
   limit_time_step();    // the first step of the run keeps to it too
 }
 
@@ -359,7 +370,7 @@ void FixContactTri::touched(int i, double radius, std::vector<Surface> &found)
   }
 }
 
-ContactProbe::Box FixContactTri::box() const
+tm_tool_box FixContactTri::box() const
 {
   const double *lo = tool.mesh().lo, *hi = tool.mesh().hi;
   const tm_pose pose = motion.pose_now();

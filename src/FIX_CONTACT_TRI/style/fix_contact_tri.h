@@ -45,7 +45,7 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   int image(int *&, double **&) override;
   void touched(int i, double radius, std::vector<Surface> &) override;
   std::string write_surface(const std::string &path, double time) override;
-  Box box() const override;
+  tm_tool_box box() const override;
   int pack_forward_comm(int, int *, double *, int, int *) override;
   void unpack_forward_comm(int, int, double *) override;
   void write_restart(FILE *) override;

@@ -50,7 +50,7 @@ void StartChecks::check_company(const Pair *pair)
     error->all(FLERR, "Fix sph/tm does not work with run_style respa; use run_style verlet");
   if (update->whichflag == 2)
     error->all(FLERR, "Fix sph/tm does not work with minimize: the forces follow from the history of the "
-                      "deformation, not from an energy; use run, with fix viscous to bring a body to rest");
+                      "deformation, not from an energy; use run, with fix sph/tm/relax to bring a body to rest");
   if (input->command && strcmp(input->command, "rerun") == 0)
     error->all(FLERR, "Fix sph/tm does not work with rerun: a dump has positions, not the state (stress, density, "
                       "temperature) that the forces follow from; write the values with the dump, or restart files");
@@ -71,6 +71,9 @@ void StartChecks::check_company(const Pair *pair)
   state.atoms().to_host();
   check_integrators();
   const bigint members = group->count(fix.igroup);
+  if (atom->natoms == 0 && comm->me == 0)
+    error->warning(FLERR, "Fix sph/tm {}: there are no particles; does create_atoms meet the region, in its units?",
+                   state.id());
   if (members == 0 && atom->natoms > 0 && comm->me == 0)
     error->warning(FLERR, "Fix sph/tm {}: group {} is empty: no particle moves", state.id(), group->names[fix.igroup]);
 }
@@ -146,8 +149,13 @@ void StartChecks::remember_particles()
   if (!scene.is_current(&state)) return;
   state.atoms().to_host();
   last_run.types = particles_of_types(false);
-  last_run.density.clear();
-  for (int t = 0; t <= atom->ntypes; t++) last_run.density.push_back(model().materials()[t].rho0);
+  for (auto *values : {&last_run.density, &last_run.bulk, &last_run.shear}) values->clear();
+  for (int t = 0; t <= atom->ntypes; t++) {
+    const tm_material &m = model().materials()[t];
+    last_run.density.push_back(m.rho0);
+    last_run.bulk.push_back(m.bulk);
+    last_run.shear.push_back(m.shear);
+  }
   const tm_nearest c = scene.results().nearest();
   const double mine[4] = {c.sum, c.count, scene.results().neighbors(), (double) atom->nlocal};
   double all[4];
@@ -184,6 +192,30 @@ void StartChecks::check_strain(const tm_nearest &c)
   if (comm->me == 0) error->warning(FLERR, text);
 }
 
+static bool differs(double now, double before) { return fabs(now - before) > 1e-6 * before; }
+
+void StartChecks::check_materials_kept(const std::vector<bigint> &particles)
+{
+  for (int t = 1; t <= atom->ntypes; t++) {
+    if (particles[t] == 0) continue;
+    const tm_material &m = model().materials()[t];
+    if (differs(m.rho0, last_run.density[t]))
+      error->all(FLERR,
+                 "Fix sph/tm {}: the density of type {} ({}) changed from {:.6g} to {:.6g} after a run; the particles "
+                 "keep theirs. Materials are given before the first run",
+                 state.id(), t, model().material_name(t), last_run.density[t] / model().units().density,
+                 m.rho0 / model().units().density);
+    if (comm->me == 0 && (differs(m.bulk, last_run.bulk[t]) || differs(m.shear, last_run.shear[t])))
+      error->warning(FLERR,
+                     "Fix sph/tm {}: the elastic moduli of type {} ({}) changed after a run, bulk modulus {:.6g} to "
+                     "{:.6g}, shear modulus {:.6g} to {:.6g}: strains stay, so under load the pressure and the stored "
+                     "energy jump, and the energy sum with them",
+                     state.id(), t, model().material_name(t), last_run.bulk[t] / model().units().stress,
+                     m.bulk / model().units().stress, last_run.shear[t] / model().units().stress,
+                     m.shear / model().units().stress);
+  }
+}
+
 // before new particles get their state: which are new, and whether others have changed what they are made of
 void StartChecks::look_at_changes()
 {
@@ -202,13 +234,7 @@ void StartChecks::look_at_changes()
                  "Fix sph/tm {}: {} particles became type {} ({}) after a run; their state belongs to another "
                  "material. Set types before the first run, or delete and create the particles",
                  state.id(), now[t] - last_run.types[t], t, model().material_name(t));
-  for (int t = 1; t <= atom->ntypes; t++)
-    if (now[t] && fabs(model().materials()[t].rho0 - last_run.density[t]) > 1e-6 * last_run.density[t])
-      error->all(FLERR,
-                 "Fix sph/tm {}: the density of type {} ({}) changed from {:.6g} to {:.6g} after a run; the particles "
-                 "keep theirs. Materials are given before the first run",
-                 state.id(), t, model().material_name(t), last_run.density[t] / model().units().density,
-                 model().materials()[t].rho0 / model().units().density);
+  check_materials_kept(now);
   const double mass = total_mass();
   const bigint mine_now = atom->nlocal;
   bigint particles;
@@ -357,8 +383,21 @@ void StartChecks::judge_filling(const Filling &mine, double of_lattice, bool siz
   if (stop) MPI_Barrier(world);
 }
 
+// degrees Celsius, most likely
+void StartChecks::check_temperature() const
+{
+  constexpr double COLD = 100.0;
+  const double T = state.start_temperatures().of_all();
+  if (T >= COLD || comm->me) return;
+  for (int t = 1; t <= atom->ntypes; t++)
+    if (tm_strength_flow(model().materials()[t].strength) == TM_FLOW_THERMAL || state.has(TM_FX_HEAT))
+      return error->warning(FLERR, "Fix sph/tm {}: particles begin at {:.6g} K; temperatures are in kelvin", state.id(),
+                            T);
+}
+
 void StartChecks::check_start()
 {
+  check_temperature();
   const tm_nearest c = scene.results().nearest();
   check_overlap(c, CLOSE);
   check_values();

@@ -48,7 +48,7 @@ class StartChecks : protected LAMMPS_NS::Pointers {
   };
   struct {
     std::vector<LAMMPS_NS::bigint> types;                      // how many particles of each; empty: there was no run
-    std::vector<double> density;                               // reference density of each
+    std::vector<double> density, bulk, shear;                  // of each: reference density, elastic moduli
     double nearest = 0.0;                                      // the smallest distance of two
     double mean_nearest = 0.0, neighbors = 0.0, mass = 0.0;    // means and sum over all
     uint64_t places = 0;
@@ -58,11 +58,13 @@ class StartChecks : protected LAMMPS_NS::Pointers {
 
   const Model &model() const;
   void check_integrators();
+  void check_materials_kept(const std::vector<LAMMPS_NS::bigint> &particles_of_types);
   std::vector<LAMMPS_NS::bigint> particles_of_types(bool old_only);
   uint64_t places_hash();
   double total_mass();
   void check_strain(const tm_nearest &);
   void check_values();
+  void check_temperature() const;
   void check_overlap(const tm_nearest &, double least);
   void check_filling(bool of_fresh);
   std::string spacing_in_words(double) const;
