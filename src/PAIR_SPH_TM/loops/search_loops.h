@@ -11,8 +11,8 @@ namespace SPHTM_NS {
 struct PointsLoop {
   const double *x;
 };
-struct
-    PlaceRowsLoop {    // rows of a list of particles, one behind the other, in slices of `stride` that are interleaved
+// rows of a list of particles, one behind the other, in slices of `stride` that are interleaved
+struct PlaceRowsLoop {
   const int *which;
   ptrdiff_t capacity, stride;
   ptrdiff_t *first;
