@@ -40,6 +40,21 @@ wrong("mesh inside out", tool("file @inside_out.stl scale 1e-3 move 10e-3 0 0"),
       "flip no")
 fine("mesh inside out, flipped", tool("file @inside_out.stl scale 1e-3 move 10e-3 0 0 flip yes"))
 
+# the words of fix surface/global
+INPUT = AWAY.replace("file", "input stl 2 3")
+for mols in "3", "*", "1*4", "1,3", "3*":
+    fine("input stl, move " + mols, tool(INPUT, "fix_modify tool move %s linear -1 0 0 ramp 1e-6" % mols))
+fine("file, move 1", tool(AWAY, "fix_modify tool move 1 linear -1 0 0"))
+wrong("input stl, move of another surface", tool(INPUT, "fix_modify tool move 1,4* linear -1 0 0"), "contact/tri move 1,4*", "number 3")
+wrong("input stl, move of no surface", tool(INPUT, "fix_modify tool move 5*4 linear -1 0 0"), "index 5 is out of bounds")
+wrong("input stl, move without style", tool(INPUT, "fix_modify tool move 3"), "move")
+wrong("input mol", tool("input mol lines"), "contact/tri input", "input stl type mol file", "got mol")
+wrong("input alone", tool("input"), "contact/tri input", "got nothing")
+wrong("input stl without a file", tool("input stl 1 1"), "contact/tri keyword input", "3 values")
+wrong("input stl of type 0", tool(INPUT.replace("2 3", "0 3")), "contact/tri input", "type", "got 0")
+wrong("two inputs", tool(INPUT + "input stl 1 1 @ascii.stl"), "contact/tri input", "fix contact/tri of its own")
+wrong("a granular model", tool(INPUT + "model 1 1 hooke 1 1 1 1 0 1"), "contact/tri model", "penalty, damping, friction")
+
 # --- fix contact/tri: keywords ------------------------------------------------------------------------------
 
 K = "contact/tri"

@@ -16,13 +16,27 @@ using namespace LAMMPS_NS;
 namespace SPHTM_NS {
 
 static const char *const KEYWORDS =
-    "file, scale, move, rotate, friction, friction/table, friction/shear, penalty, damping, "
+    "file, input, scale, move, rotate, friction, friction/table, friction/shear, penalty, damping, "
     "approach, method, sides, heat, temperature, lumped, share, effusivity, material, particles, reference, "
     "vtk, stl, local, flip, merge, smooth, maxsize, overlap";
+
+// as of LAMMPS's fix surface/global: stl TYPE MOL FILE; its types and molecule IDs tell surfaces apart, and here is one
+void ContactSettings::read_input(Keywords &k)
+{
+  if (!k.take("stl"))
+    lmp->error->all(FLERR, "{} must read: input stl type mol file, got {}", k.what(), k.rest() ? k.value() : "nothing");
+  if (!shape.file.empty())
+    lmp->error->all(FLERR, "{}: a tool has one mesh; give each file a fix contact/tri of its own", k.what());
+  k.need(3);
+  k.integer(1, MAXSMALLINT, "type");
+  surface = k.integer(1, MAXSMALLINT, "mol");
+  shape.file = k.value();
+}
 
 bool ContactSettings::read_mesh(Keywords &k)
 {
   if (k.is("file")) shape.file = k.value();
+  else if (k.is("input")) read_input(k);
   else if (k.is("flip")) shape.flip = k.yes();
   else if (k.is("merge")) shape.options.tolerance = k.between(0.0, 0.01);
   else if (k.is("maxsize")) shape.max_bytes = 1000000 * (size_t) k.integer(1, 1000000, "(MB)");
@@ -141,6 +155,9 @@ ContactSettings::ContactSettings(LAMMPS *l, int narg, char **arg) : lmp(l)
   Keywords k(lmp, "Fix contact/tri", narg, arg);
   while (k.next()) {
     const bool known = read_mesh(k) || read_placement(k) || read_law(k) || read_heat(k) || read_output(k);
+    if (!known && k.is("model"))    // of fix surface/global
+      lmp->error->all(FLERR, "{}: the contact of a tool with metal is given by penalty, damping, friction and heat",
+                      k.what());
     if (!known) k.unknown(KEYWORDS);
   }
   check();

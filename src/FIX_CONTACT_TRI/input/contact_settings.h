@@ -21,6 +21,7 @@ struct ContactSettings {
   ContactSettings(LAMMPS_NS::LAMMPS *, int narg, char **arg);
 
   TriTool::Shape shape;
+  int surface = 1;    // its number, where a script gives one
   // contact law
   tm_table friction = {};    // mu(T)
   double shear = 0.0, penalty = 1.0, damping = 0.1;
@@ -55,6 +56,7 @@ struct ContactSettings {
  private:
   LAMMPS_NS::LAMMPS *lmp;
   // each returns whether the keyword is its own
+  void read_input(Keywords &);
   bool read_mesh(Keywords &);
   bool read_placement(Keywords &);
   bool read_law(Keywords &);

@@ -5,6 +5,7 @@
 #include "domain.h"
 #include "error.h"
 #include "lammps.h"
+#include "tokenizer.h"
 #include "utils.h"
 
 #include <algorithm>
@@ -61,10 +62,24 @@ static void check(LAMMPS *lmp, const char *name, const tm_motion &m, bool along_
     error->all(FLERR, "Fix contact/tri move {}: no motion along z in 2d, use 0 or NULL", name);
 }
 
-MotionCommand read_motion(LAMMPS *lmp, int narg, char **arg)
+// 0, or 1 for a list of ranges such as 1,3*5 or *, which must hold the number of the tool's surface
+static int words_of_surfaces(LAMMPS *lmp, int surface, const char *text)
+{
+  if (strspn(text, "0123456789*,") != strlen(text)) return 0;
+  constexpr int MOST = 1000000000;
+  for (const auto &range : Tokenizer(text, ",").as_vector()) {
+    int lo, hi;
+    utils::bounds(FLERR, range, 1, MOST, lo, hi, lmp->error);
+    if (lo <= surface && surface <= hi) return 1;
+  }
+  lmp->error->all(FLERR, "Fix contact/tri move {}: the surface of this tool has the number {}", text, surface);
+}
+
+MotionCommand read_motion(LAMMPS *lmp, int surface, int narg, char **arg)
 {
   Error *error = lmp->error;
-  Keywords k(lmp, "Fix contact/tri move", narg, arg);
+  const int skipped = narg ? words_of_surfaces(lmp, surface, arg[0]) : 0;
+  Keywords k(lmp, "Fix contact/tri move", narg - skipped, arg + skipped);
   if (!k.next()) utils::missing_cmd_args(FLERR, "fix_modify move of fix contact/tri", error);
   const Style *s = std::find_if(std::begin(styles), std::end(styles), [&](const Style &t) { return k.is(t.name); });
   if (s == std::end(styles))

@@ -19,7 +19,8 @@ struct MotionCommand {
   int words;                             // that were read
 };
 
-MotionCommand read_motion(LAMMPS_NS::LAMMPS *, int narg, char **arg);    // those after `move`
+// those after `move`; a list of surfaces, as fix surface/global has it there, must have the number of this one
+MotionCommand read_motion(LAMMPS_NS::LAMMPS *, int surface, int narg, char **arg);
 
 }    // namespace SPHTM_NS
 

@@ -53,7 +53,7 @@ int FixContactTri::setmask()
 int FixContactTri::modify_param(int narg, char **arg)
 {
   if (strcmp(arg[0], "move") == 0) {
-    const MotionCommand command = read_motion(lmp, narg - 1, arg + 1);
+    const MotionCommand command = read_motion(lmp, set.surface, narg - 1, arg + 1);
     motion.set(command);
     modify->fmask[modify->find_fix(id)] = setmask();
     return 1 + command.words;
