@@ -259,7 +259,7 @@ int main()
   compare_cloud("3d_sizes", 3, TM_KERNEL_HYPERBOLIC, 1.2, basic | more | TM_FX_CORRECTION | TM_FX_SMOOTHING);
   compare_cloud("2d_sizes", 2, TM_KERNEL_WENDLAND_C2, 1.2, basic | TM_FX_SMOOTHING);
   compare_cloud("2d_cubic", 2, TM_KERNEL_CUBIC, 1.3, basic | TM_FX_CORRECTION);
-  compare_cloud("2d_wendland_c2", 2, TM_KERNEL_WENDLAND_C2, 1.3, TM_FX_HEAT | TM_FX_CONDUCTION);
+  compare_cloud("2d_wendland_c2", 2, TM_KERNEL_WENDLAND_C2, 1.3, TM_FX_HEAT | TM_FX_CONDUCTION | TM_FX_HOURGLASS);
   failed += points_not_built();
   printf("%s\n", failed ? "FAILED" : "all ok");
   return failed != 0;
