@@ -60,6 +60,9 @@ ROWS = [
     ("nine measured cuts of Ti6Al4V, spacing 2.5 um, nothing fitted: mean absolute error of cutting force, feed force, chip ratio",
      "validate.ti6al4v", "{dx_2.5/cutting_force/absolute:.0f}, {dx_2.5/feed_force/absolute:.0f}, {dx_2.5/chip_ratio/absolute:.0f} %",
      "0; a commercial model, 36 such cuts: 4, 39, 17 %", "measured and published, Ducobu et al. 2024", "missed, met, missed"),
+    ("perfectly plastic flow in plane strain: cut without friction with 20 spacings over the chip, flat punch and block with 40: force",
+     "validate.slip_line", "{values/cut/force_over_the_closed_form:.3f}, {values/punch/force_over_the_closed_form:.3f}, "
+     "{values/block/force_over_the_closed_form:.3f}", "1, 1, 1", "derived, slip-line theory", "missed, met, met"),
     ("bullet through a plate of 12 mm: residual velocity, 15 404 and 118 908 particles", "bullet_plate.default",
      "{residual:.1f}, {bullet_plate.large|residual:.1f} m/s: depends on the size, near the ballistic limit", "141.0 m/s",
      "published, Fraser 2014, its thickness not given", "missed"),
