@@ -100,7 +100,7 @@ def impact(checks):
                         ((t[column][-1] - t[column][0]) / ref, (every[column][-1] - every[column][0]) / ref))
         if corrected:    # no torque, wherever the border between kept and searched lies
             checks.below(name + "angular momentum", np.ptp(t["v_lz"]) / abs(t["v_lz"][0]), 1e-5)
-        warned = [w for w in one.warnings() if "1.3 times the time" in w]
+        warned = [w for w in one.warnings() if "1.7 times the time" in w]
         checks.true(name + "warned of passes of their own, where there are", len(warned) == corrected, warned)
         checks.near(name + "kinetic energy left", t["f_body[1]"][-1], every["f_body[1]"][-1], relative=0.03)
         lines = last(one)

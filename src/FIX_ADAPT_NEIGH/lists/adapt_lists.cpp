@@ -68,7 +68,7 @@ void AdaptLists::setup()
     parts.host()->error->warning(
         FLERR,
         "Fix adapt/neigh threshold {}: with gradient correction and hourglass control, the "
-        "default of pair_style sph/tm, a threshold between 0 and inf takes about 1.3 times the "
+        "default of pair_style sph/tm, a threshold between 0 and inf takes 1.5 to 1.7 times the "
         "time of 'threshold 0 margin 0.15', which is the fastest",
         threshold);
 }
