@@ -63,6 +63,7 @@ def run(log):
     shutil.copytree(os.path.join(ROOT, "examples"), os.path.join(top, "examples"))
     given = " ".join("-var %s %s" % (k, v if str(v).startswith("$(") else shlex.quote(str(v))) for k, v in variables.items())
     started = time.time()
+    after = re.sub(r"(^|; )\./", r"\1/usr/bin/python3 ", after)    # not all may be executed
     for what in (before, '"$SPHTM_LMP" -nocite -in %s %s -log %s' % (script, given, log), "cp %s log.lammps" % log, after):
         done = subprocess.run(what, shell=True, cwd=os.path.join(top, "examples", folder), stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
