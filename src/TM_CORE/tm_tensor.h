@@ -190,6 +190,25 @@ TM_FN void tm_mat_to_record(tm_real *record, int first, tm_mat3 m)
   tm_mat_store(c, m);
   for (int k = 0; k < 9; k++) record[tm_part(first + k)] = c[k];
 }
+TM_FN void tm_vec_to_record(tm_real *record, int first, tm_vec3 v)
+{
+  record[tm_part(first)] = v.x;
+  record[tm_part(first + 1)] = v.y;
+  record[tm_part(first + 2)] = v.z;
+}
+TM_FN void tm_mat_to_row(tm_real *row, tm_mat3 m)
+{
+  tm_real c[9];
+  tm_mat_store(c, m);
+  for (int k = 0; k < 9; k++) row[tm_column(k)] = c[k];
+}
+TM_FN tm_vec3 tm_vec_from_row(const tm_real *row) { return tm_vec(row[0], row[tm_column(1)], row[tm_column(2)]); }
+TM_FN void tm_vec_to_row(tm_real *row, tm_vec3 v)
+{
+  row[0] = v.x;
+  row[tm_column(1)] = v.y;
+  row[tm_column(2)] = v.z;
+}
 TM_FN tm_mat3 tm_mat_transposed(tm_mat3 a)
 {
   tm_real t = a.xy; a.xy = a.yx; a.yx = t;
@@ -197,9 +216,8 @@ TM_FN tm_mat3 tm_mat_transposed(tm_mat3 a)
   t = a.yz; a.yz = a.zy; a.zy = t;
   return a;
 }
-/* R s R^T with the rotation R by the vector `angle` (radian), in the form of Cayley: orthogonal, and off by
-   |angle|^3/12. */
-TM_FN tm_sym3 tm_sym_turned(tm_sym3 s, tm_vec3 angle)
+/* The rotation R by the vector `angle` (radian), in the form of Cayley: orthogonal, and off by |angle|^3/12. */
+TM_FN tm_mat3 tm_mat_rotation(tm_vec3 angle)
 {
   const tm_vec3 a = tm_vec_scale(0.5, angle);
   const tm_real f = 2.0 / (1.0 + tm_vec_dot(a, a)), n = 1.0 - f * tm_vec_dot(a, a);
@@ -213,7 +231,24 @@ TM_FN tm_sym3 tm_sym_turned(tm_sym3 s, tm_vec3 angle)
   R.zx = f * (a.x * a.z - a.y);
   R.yz = f * (a.y * a.z - a.x);
   R.zy = f * (a.y * a.z + a.x);
+  return R;
+}
+/* R s R^T */
+TM_FN tm_sym3 tm_sym_turned(tm_mat3 R, tm_sym3 s)
+{
   return tm_mat_symmetric(tm_mat_mul(R, tm_mat_mul(tm_mat_from_sym(s), tm_mat_transposed(R))));
+}
+TM_FN tm_mat3 tm_mat_outer(tm_vec3 a, tm_vec3 b)
+{
+  /* clang-format off */
+  const tm_mat3 m = {a.x * b.x, a.x * b.y, a.x * b.z, a.y * b.x, a.y * b.y, a.y * b.z, a.z * b.x, a.z * b.y, a.z * b.z};
+  /* clang-format on */
+  return m;
+}
+TM_FN tm_vec3 tm_mat_mul_vec(tm_mat3 a, tm_vec3 b)
+{
+  return tm_vec(a.xx * b.x + a.xy * b.y + a.xz * b.z, a.yx * b.x + a.yy * b.y + a.yz * b.z,
+                a.zx * b.x + a.zy * b.y + a.zz * b.z);
 }
 TM_FN void tm_sym_to_record(tm_real *record, int first, tm_sym3 s)
 {

@@ -50,7 +50,7 @@ typedef struct {
   __attribute__((aligned(16))) double rec_stab[TM_REC_STAB * CLOUD];
   double rec_correction[TM_REC_CORRECTION * CLOUD], rec_size[TM_REC_SIZE * CLOUD];
   double reference[TM_R_COLUMNS * CLOUD], unstrained[CLOUD], turned[TM_K_COLUMNS * CLOUD], moment[TM_MOMENT_COLUMNS * CLOUD];
-  double gradient[9 * CLOUD], heat[CLOUD], correction[6 * CLOUD], xsph_v[3 * CLOUD], surface[3 * CLOUD];
+  double gradient[9 * CLOUD], heat[CLOUD], correction[9 * CLOUD], xsph_v[3 * CLOUD], surface[3 * CLOUD];
   double artificial[CLOUD], near[CLOUD], body_sides[TM_BODY_SIDE * CLOUD], body_ahead[TM_AHEAD * CLOUD], tally[TM_TALLY * CLOUD], tool_heat[CLOUD];
   double result[POINTS_MOST * CLOUD];                 /* what the function returned */
 } cloud;
@@ -59,11 +59,11 @@ typedef struct {
 #define CLOUD_ARRAYS(ARRAY)                                                                                         \
   ARRAY(x, 3) ARRAY(v, 3) ARRAY(force, 3) ARRAY(source, 1) ARRAY(rho, 1) ARRAY(stress, 6) ARRAY(history, 20)         \
   ARRAY(pstrain, 3) ARRAY(temperature, 3) ARRAY(energy, 3) ARRAY(damage, 2) ARRAY(balsara, 1) ARRAY(xsph, 3)         \
-  ARRAY(thickness, 1) ARRAY(rec_main, TM_REC) ARRAY(rec_stress, 6) ARRAY(rec_heat, 2) ARRAY(rec_correction, 9)       \
+  ARRAY(thickness, 1) ARRAY(rec_main, TM_REC) ARRAY(rec_stress, 6) ARRAY(rec_heat, 2) ARRAY(rec_correction, TM_REC_CORRECTION)       \
   ARRAY(size, TM_S_COLUMNS) ARRAY(rec_size, TM_REC_SIZE) ARRAY(hourglass, TM_G_COLUMNS)                              \
   ARRAY(rec_hourglass, TM_REC_HOURGLASS) ARRAY(hourglass_rate, 3) ARRAY(rec_stab, TM_REC_STAB)                       \
   ARRAY(reference, TM_R_COLUMNS) ARRAY(unstrained, 1) ARRAY(turned, TM_K_COLUMNS) ARRAY(moment, TM_MOMENT_COLUMNS)                   \
-  ARRAY(gradient, 9) ARRAY(heat, 1) ARRAY(correction, 6) ARRAY(xsph_v, 3) ARRAY(surface, 3) ARRAY(artificial, 1)     \
+  ARRAY(gradient, 9) ARRAY(heat, 1) ARRAY(correction, 9) ARRAY(xsph_v, 3) ARRAY(surface, 3) ARRAY(artificial, 1)     \
   ARRAY(near, 1) ARRAY(tally, TM_TALLY) ARRAY(tool_heat, 1) ARRAY(body_sides, TM_BODY_SIDE) ARRAY(body_ahead, TM_AHEAD) \
   ARRAY(result, POINTS_MOST)
 
@@ -132,7 +132,7 @@ TM_FN tm_rates_args cloud_rates(cloud *w)
   a.ntypes = TYPES;
   a.force = w->force; a.force_begins = 0;
   a.gradient = w->gradient; a.heat = w->heat; a.correction = w->correction;
-  a.hourglass_rate = w->hourglass_rate; a.moment = w->moment; a.which = NULL;
+  a.hourglass_rate = w->hourglass_rate; a.moment = w->moment; a.which = NULL; a.faces = 1;
   a.xsph_v = w->xsph_v; a.surface = w->surface; a.artificial = w->artificial;
   return a;
 }

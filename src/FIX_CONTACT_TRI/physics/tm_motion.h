@@ -31,11 +31,6 @@ typedef struct {
   tm_real ramp;        /* duration of the soft start (time), 0: none */
 } tm_motion;
 
-TM_FN tm_vec3 tm_mat_mul_vec(tm_mat3 m, tm_vec3 a)
-{
-  return tm_vec(m.xx * a.x + m.xy * a.y + m.xz * a.z, m.yx * a.x + m.yy * a.y + m.yz * a.z,
-                m.zx * a.x + m.zy * a.y + m.zz * a.z);
-}
 /* transposed m times a: the inverse of a rotation */
 TM_FN tm_vec3 tm_mat_tmul_vec(tm_mat3 m, tm_vec3 a)
 {

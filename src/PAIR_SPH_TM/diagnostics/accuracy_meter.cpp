@@ -112,7 +112,7 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::of_centers(AuditPatch &p, unsi
   a.rec = rec;
   a.which = nullptr;
   a.effects = effects;
-  std::vector<double> K(6 * (size_t) n + 1), PK((size_t) TM_REC_CORRECTION * n + 1);
+  std::vector<double> K(9 * (size_t) n + 1), PK((size_t) TM_REC_CORRECTION * n + 1);
   if ((effects & TM_FX_CORRECTION) && !(effects & TM_FX_ONE_PASS)) {
     a.correction = K.data();
     a.rec.correction = PK.data();
@@ -156,7 +156,7 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::of_centers(AuditPatch &p, unsi
   std::vector<Around> out(n);
   for (int k = 0; k < n; k++) {
     out[k].tag = atom->tag[p.member[k]];
-    std::copy_n(K.data() + 6 * (size_t) k, 6, out[k].K);
+    std::copy_n(K.data() + 9 * (size_t) k, 9, out[k].K);
     std::copy_n(PK.data() + (size_t) TM_REC_CORRECTION * k, (int) TM_REC_CORRECTION, out[k].PK);
     tm_size_record(own.data() + (size_t) k * TM_S_COLUMNS, mass[k] / p.main[(size_t) k * TM_REC + TM_REC_RHO],
                    gradient_factors.data(), tm_fx_kernel(effects), dim3, out[k].size);
@@ -292,9 +292,9 @@ void AccuracyMeter::audit(const InUse &in_use)
   p.correction.clear();
   for (int k = 0; k < members; k++) {
     const Around &a = around[k];
-    if (k < n && !(used & TM_FX_ONE_PASS)) K.insert(K.end(), a.K, a.K + 6);
+    if (k < n && !(used & TM_FX_ONE_PASS)) K.insert(K.end(), a.K, a.K + 9);
     else if (k < n)
-      K.insert(K.end(), in_use.correction + 6 * (size_t) p.member[k], in_use.correction + 6 * (size_t) p.member[k] + 6);
+      K.insert(K.end(), in_use.correction + 9 * (size_t) p.member[k], in_use.correction + 9 * (size_t) p.member[k] + 9);
     p.correction.insert(p.correction.end(), a.PK, a.PK + TM_REC_CORRECTION);
     sizes.insert(sizes.end(), a.size, a.size + TM_REC_SIZE);
   }

@@ -41,7 +41,7 @@ EffectProbe::EffectProbe(ParticleState &s, StepResults &r, int particles) :
   plain(surface, fx & TM_FX_SURFACE, 3);
   room(stab, fx & TM_FX_ONE_PASS, TM_REC_STAB, 2);
   plain(moment, fx & TM_FX_ONE_PASS, TM_MOMENT_COLUMNS);
-  plain(correction, fx & TM_FX_CORRECTION, 6);
+  plain(correction, fx & TM_FX_CORRECTION, 9);
   plain(artificial, results.rate_args().artificial != nullptr, 1);
 }
 

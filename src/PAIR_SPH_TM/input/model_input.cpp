@@ -85,7 +85,8 @@ Settings read_settings(LAMMPS *lmp, int narg, char **arg)
     } else if (k.is("form")) set.form_f14 = k.second("f15", "f14");
     else if (k.is("correction")) {
       correction = true;
-      set.correction = k.yes();
+      set.faces = !k.take("linear");
+      set.correction = !set.faces || k.yes();
     } else if (k.is("plane")) set.plane_stress = k.second("strain", "stress");
     else if (k.is("precision")) set.mixed = k.second("double", "mixed");
     else

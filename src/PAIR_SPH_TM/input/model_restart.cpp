@@ -166,7 +166,7 @@ std::vector<std::string> changes(const Settings &then, const Settings &now)
       {"viscosity beta", &S::visc_beta}, {"artstress", &S::art_eps}, {"xsph", &S::xsph}, {"hourglass", &S::hourglass}};
   static const struct { const char *name; bool S::*value; } flags[] = {
       {"artstress component", &S::art_component}, {"artstress balanced", &S::art_balanced}, {"form f14", &S::form_f14},
-      {"correction", &S::correction}, {"balsara", &S::balsara}, {"plane stress", &S::plane_stress},
+      {"correction", &S::correction}, {"second order at faces", &S::faces}, {"balsara", &S::balsara}, {"plane stress", &S::plane_stress},
       {"precision mixed", &S::mixed}};
   // clang-format on
   std::vector<std::string> found;

@@ -10,7 +10,8 @@
    surface             n_i = sum_j m_j/rho_j gradW; area of the surface = 2 V_i |n_i|
 
    With gradient correction (F15 form only) gradW is gradW K_i in L and in the term of P_i, and
-   gradW K_j in that of P_j; K comes from tm_moment.h.
+   gradW K_j in that of P_j; K comes from tm_moment.h. At a free face x_i - x_j is replaced in gradW by what
+   tm_face.h makes of it with the normal of i, and of j.
 
    Each velocity gradient is the work conjugate of its momentum form: the power of the pair forces
    equals minus sum V sigma:L minus the artificial heating, to round-off.
@@ -26,6 +27,7 @@
 
 #include "tm_pair.h"
 #include "tm_rates_coefficients.h"
+#include "tm_face.h"
 #include "tm_residual.h"
 #include "tm_tensor.h"
 
@@ -35,7 +37,8 @@ typedef struct {
   tm_sum artificial, heat;
   tm_sum_sym moment; /* with one pass: sums of -d (x) g, g, g d and g v, g = m_j W'/r */
   tm_sum weights;
-  tm_sum_vec gd, gv;
+  tm_sum_vec gd, gv, tilt; /* tilt: what normals of faces add to the moment, tilt (x) b */
+  tm_sum less;             /* and what they take from the trace of the sums of -d (x) g */
 } tm_rates_sums;
 
 TM_FN tm_rates_sums tm_rates_sums_zero(void)
@@ -43,9 +46,9 @@ TM_FN tm_rates_sums tm_rates_sums_zero(void)
   tm_rates_sums s;
   s.gradient = tm_sum_mat_zero();
   s.acceleration = s.xsph = s.surface = tm_sum_vec_zero();
-  s.artificial = s.heat = s.weights = tm_lanes_zero();
+  s.artificial = s.heat = s.weights = s.less = tm_lanes_zero();
   s.moment = tm_sum_sym_zero();
-  s.gd = s.gv = tm_sum_vec_zero();
+  s.gd = s.gv = s.tilt = tm_sum_vec_zero();
   return s;
 }
 
@@ -91,11 +94,77 @@ TM_FN void tm_rates_sums_of_group(tm_rates_sums *s, const tm_rates_terms *t, tm_
   s->weights = tm_group_sum(s->weights, group);
   s->gd = tm_group_sum_vec(s->gd, dim3, group);
   s->gv = tm_group_sum_vec(s->gv, dim3, group);
+  s->tilt = tm_group_sum_vec(s->tilt, dim3, group);
+  s->less = tm_group_sum(s->less, group);
 }
 
-/* The pairs with TM_LANES neighbors of a chunk, from neighbor l on, into the sums of motion. */
+/* Records of the correction: P K^T, and behind it the normal of a free face. */
+TM_FN const tm_pair *tm_rates_corrected(const tm_rates_terms *t, const tm_rates_own *own)
+{
+  return t->one_pass ? own->stab : own->correction;
+}
+TM_FN tm_values *tm_rates_corrected_columns(const tm_rates_terms *t, tm_values *col)
+{
+  return col + (t->one_pass ? (int) TM_COL_STAB + TM_STAB_PK : (int) TM_COL_CORRECTION);
+}
+TM_FN int tm_rates_face(const tm_rates_terms *t) { return t->one_pass ? (int) TM_STAB_FACE : (int) TM_CORRECTION_FACE; }
+
+/* Whether the particle or one of its neighbors in a chunk is at a free face. */
+TM_FN int tm_rates_at_face(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own, tm_values *col)
+{
+  const tm_pair *b = tm_rates_corrected(t, own) + tm_rates_face(t);
+  tm_values *bj = tm_rates_corrected_columns(t, col) + tm_rates_face(t);
+  tm_pair sum = b[0] * b[0] + b[1] * b[1] + (t->dim3 ? b[2] * b[2] : 0);
+  if (sum > 0) return 1;
+  for (int l = 0; l < c->lanes; l++) {
+    const tm_pair x = bj[0][tm_at(l)], y = bj[1][tm_at(l)], z = t->dim3 ? bj[2][tm_at(l)] : 0;
+    sum += x * x + y * y + z * z;
+  }
+  return sum > 0;
+}
+
+/* D of tm_face.h times gradW/|x_i - x_j|, from e toward the particle's neighbor: kept e + added b. Both particles of a pair
+   come here with the same bits. */
+typedef struct {
+  tm_lanes kept, added, less; /* less: slope - kept */
+} tm_rates_tilted;
+TM_FN tm_rates_tilted tm_rates_tilt(tm_lanes slope, tm_lanes kappa, tm_lanes_vec b, tm_lanes s, int dim3)
+{
+  tm_rates_tilted t;
+  t.less = slope * kappa * s;
+  t.kept = slope - t.less;
+  t.added = t.less * s / (tm_lanes_dot(b, b, dim3) + TM_PAIR(1e-30));
+  return t;
+}
+
+/* The sums at free faces, of TM_LANES pairs from neighbor l on: gradW as i and as j have it. The moment of i takes the part
+   along d, kept, and tilt (x) b. */
+TM_FN void tm_rates_add_face(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own, tm_values *col, int l,
+                             tm_lanes_vec d, tm_lanes_vec *gi, tm_lanes_vec *gj, tm_lanes_vec *kept, tm_rates_sums *s)
+{
+  const tm_lanes zero = {0}, slope = tm_values_load(col[TM_COL_SLOPE], l);
+  const int dim3 = t->dim3;
+  const tm_pair *b = tm_rates_corrected(t, own) + tm_rates_face(t);
+  tm_values *bj = tm_rates_corrected_columns(t, col) + tm_rates_face(t);
+  const tm_lanes_vec mine = {zero + b[0], zero + b[1], dim3 ? zero + b[2] : zero};
+  const tm_lanes_vec other = {tm_values_load(bj[0], l), tm_values_load(bj[1], l),
+                              dim3 ? tm_values_load(bj[2], l) : zero};
+  const tm_lanes ki = zero + TM_PAIR(TM_FACE_TILT) * c->own.inv_h;
+  const tm_lanes kj =
+      t->sizes ? zero + TM_PAIR(TM_FACE_TILT) * tm_values_load(col[(int) TM_COL_SIZE + TM_SIZE_INV_H], l) : ki;
+  const tm_rates_tilted i = tm_rates_tilt(slope, ki, mine, zero - tm_lanes_dot(mine, d, dim3), dim3);
+  const tm_rates_tilted j = tm_rates_tilt(slope, kj, other, tm_lanes_dot(other, d, dim3), dim3);
+  *kept = tm_lanes_scale(i.kept, d);
+  *gi = tm_lanes_add(*kept, tm_lanes_scale(zero - i.added, mine));
+  *gj = tm_lanes_add(tm_lanes_scale(j.kept, d), tm_lanes_scale(j.added, other));
+  tm_sum_vec_add(&s->tilt, tm_lanes_scale(i.added, d));
+  s->less -= i.less * tm_lanes_dot(d, d, dim3);
+}
+
+/* The pairs with TM_LANES neighbors of a chunk, from neighbor l on, into the sums of motion. faces, a literal: some may be at
+   a free face. */
 TM_FN void tm_rates_add(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own, tm_values *col, int l,
-                        tm_rates_sums *s)
+                        int faces, tm_rates_sums *s)
 {
   const tm_lanes zero = {0};
   const int dim3 = t->dim3;
@@ -104,18 +173,22 @@ TM_FN void tm_rates_add(const tm_chunk *c, const tm_rates_terms *t, const tm_rat
   const tm_lanes_vec v = tm_pair_difference(own->r + TM_REC_V, col + TM_REC_V, l, dim3);
   const tm_lanes_vec m_gradw = tm_lanes_scale(tm_values_load(col[TM_COL_SLOPE], l), d);
   const tm_lanes per_rho = t->form_f14 ? tm_values_load(col[TM_COL_PER_RHO], l) : zero;
+  tm_lanes_vec gi = m_gradw, gj = m_gradw, kept = m_gradw;
+  if (faces) tm_rates_add_face(c, t, own, col, l, d, &gi, &gj, &kept, s);
 
   /* velocity gradient, conjugate of F15 (4), and of F14 (6) with the volume m_j/rho_j; its trace: F15 (2), F14 (4) */
-  const tm_lanes_vec g = t->form_f14 ? tm_lanes_scale(per_rho, m_gradw) : m_gradw;
+  const tm_lanes_vec g = t->form_f14 ? tm_lanes_scale(per_rho, m_gradw) : gi;
   tm_pair_gradient(&s->gradient, v, g, dim3);
 
   /* momentum F15 (4), F14 (6) and (15); corrected: P K for P */
   tm_sum_vec *a = &s->acceleration;
   const tm_lanes_vec g_momentum = t->form_f14 ? tm_lanes_scale(own->inv_rho + zero, g) : m_gradw;
-  if (t->one_pass)
-    tm_pair_momentum(a, tm_pair_tensor_sum(own->stab + TM_STAB_PK, col + TM_COL_STAB + TM_STAB_PK, l), m_gradw, dim3);
-  else if (t->correction)
-    tm_pair_momentum(a, tm_pair_tensor_sum(own->correction, col + TM_COL_CORRECTION, l), g_momentum, dim3);
+  if (faces)
+    tm_sum_vec_add(a, tm_pair_momentum_of_both(tm_rates_corrected(t, own), gi, tm_rates_corrected_columns(t, col), l, gj,
+                                               dim3));
+  else if (t->one_pass || t->correction)
+    tm_pair_momentum(
+        a, tm_pair_tensor_sum(tm_rates_corrected(t, own), tm_rates_corrected_columns(t, col), l), g_momentum, dim3);
   else tm_pair_momentum(a, tm_pair_symmetric_sum(own->r + TM_REC_P, col + TM_REC_P, l), g_momentum, dim3);
 
   /* artificial terms F14 (15): their heating apart, for the energy balance */
@@ -131,7 +204,7 @@ TM_FN void tm_rates_add(const tm_chunk *c, const tm_rates_terms *t, const tm_rat
     artificial.x += along * d.x;
     artificial.y += along * d.y;
     if (dim3) artificial.z += along * d.z;
-    tm_pair_moment(&s->moment, d, m_gradw, dim3);
+    tm_pair_moment(&s->moment, d, kept, dim3);
     s->weights += slope;
     tm_sum_vec_add(&s->gd, m_gradw);
     tm_sum_vec_add(&s->gv, tm_lanes_scale(slope, v));
@@ -142,7 +215,10 @@ TM_FN void tm_rates_add(const tm_chunk *c, const tm_rates_terms *t, const tm_rat
 TM_FN void tm_rates_add_loop(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own, tm_values *col,
                              tm_rates_sums *s)
 {
-  for (int l = 0; l < c->lanes; l += TM_LANES) tm_rates_add(c, t, own, col, l, s);
+  if ((t->one_pass || t->correction) && tm_rates_at_face(c, t, own, col))
+    for (int l = 0; l < c->lanes; l += TM_LANES) tm_rates_add(c, t, own, col, l, 1, s);
+  else
+    for (int l = 0; l < c->lanes; l += TM_LANES) tm_rates_add(c, t, own, col, l, 0, s);
 }
 
 /* With the form of the momentum equation as a literal. */
@@ -206,21 +282,22 @@ TM_FN void tm_rates_add_all(const tm_chunk *c, const tm_rates_terms *t, const tm
 TM_FN void tm_rates_store_stabilized(int i, const tm_rates_args *a, const tm_rates_terms *t, const tm_pair_records *rec,
                                      const tm_rates_own *own, const tm_rates_sums *s, tm_mat3 L)
 {
-  const tm_sum none = tm_lanes_zero();
   const tm_sum all[16] = {s->moment.xx, s->moment.yy, s->moment.zz, s->moment.xy, s->moment.xz, s->moment.yz,
                           s->weights,   s->gd.x,      s->gd.y,      s->gd.z,      s->gv.x,      s->gv.y,
-                          s->gv.z,      none,         none,         none};
+                          s->gv.z,      s->tilt.x,    s->tilt.y,    s->tilt.z};
   tm_real sum[16];
   tm_lanes_sums(all, 16, sum);
   const tm_real length = TM_SINGLE ? rec->length : 1.0;
   const tm_real per_rho = (TM_SINGLE ? 1.0 / own->r[TM_REC_M] : 1.0) / own->r[TM_REC_RHO];
-  const tm_sym3 M = tm_sym_scale(per_rho, tm_sym_load(sum));
-  const tm_sym3 K = tm_sym_inverse_bounded(M, t->dim3, TM_MOMENT_LOW);
+  const tm_pair *face = own->stab + TM_STAB_FACE;
+  const tm_vec3 b = tm_vec(face[0], face[1], t->dim3 ? face[2] : 0.0);
+  const tm_mat3 tilt = tm_mat_outer(tm_vec_scale(per_rho, tm_vec(sum[13], sum[14], sum[15])), b);
+  const tm_mat3 M = tm_mat_add(tm_mat_from_sym(tm_sym_scale(per_rho, tm_sym_load(sum))), tilt);
+  const tm_real trace = sum[0] + sum[1] + (t->dim3 ? sum[2] : 0.0) + tm_lanes_sum(s->less);
+  const tm_real lacks = (t->dim3 ? 3.0 : 2.0) - per_rho * trace;
   const tm_vec3 gd = tm_vec(length * sum[7], length * sum[8], length * sum[9]);
-  tm_real *moment = a->moment + (ptrdiff_t) i * TM_MOMENT_COLUMNS;
-  tm_real face = per_rho / (length * length) * tm_vec_norm(tm_sym_mul_vec(K, gd));
-  tm_sym_store(moment, tm_correction_of_loose(K, tm_rates_h(i, a), &face));
-  moment[TM_MOMENT_FACE] = face;
+  tm_moment_store(a->moment + (ptrdiff_t) i * TM_MOMENT_COLUMNS, tm_face_inverse(M, b, t->dim3), tm_rates_h(i, a),
+                  tm_vec_scale(per_rho / (length * length), gd), lacks, a->faces);
   const tm_vec3 rate = tm_residual_velocity(sum[6], gd, tm_vec(sum[10], sum[11], sum[12]), L);
   tm_real *out = a->hourglass_rate + 3 * (ptrdiff_t) i;
   out[0] = rate.x;
@@ -247,9 +324,9 @@ TM_FN void tm_rates_store(int i, const tm_rates_args *a, const tm_rates_terms *t
   tm_lanes_sums(all, 16, L);
   for (int k = 0; k < 9; k++) L[k] *= lscale;
   if (t->correction || t->one_pass) {
-    const tm_sym3 K = tm_sym_load(a->correction + (ptrdiff_t) i * 6);
+    const tm_mat3 K = tm_mat_transposed(tm_mat_load(a->correction + (ptrdiff_t) i * 9));
     for (int r = 0; r < 9; r += 3) {
-      const tm_vec3 l = tm_sym_mul_vec(K, tm_vec(L[r], L[r + 1], L[r + 2]));
+      const tm_vec3 l = tm_mat_mul_vec(K, tm_vec(L[r], L[r + 1], L[r + 2]));
       L[r] = l.x;
       L[r + 1] = l.y;
       L[r + 2] = l.z;

@@ -21,6 +21,7 @@ enum {
   TM_COL_CONDUCTED,                         /* power per volume into i */
   TM_COL_PER_RHO,                           /* 1/rho_j */
   TM_COL_SMOOTH,                            /* m_j/rho_mean W */
+  TM_COL_SOUND,                             /* sound speed, with one pass */
   TM_COL_Q,                                 /* r/h, and W'/r: of loops that test effects at run time */
   TM_COL_G,
   TM_COLUMNS
@@ -59,11 +60,17 @@ typedef struct {
   tm_pair correction[TM_REC_CORRECTION];
   tm_pair stab[TM_REC_STAB];
   tm_pair T, k; /* temperature, conductivity */
-  tm_pair inv_rho;
+  tm_pair inv_rho, sound;
   tm_pair mass, volume; /* in single, where weights are symmetric; else 1 */
   tm_pair visc_alpha, visc_beta, norm_of_one;
   int art_n;
 } tm_rates_own;
+
+/* Sound speed from rho c^2, where the linear part of the viscosity needs it. */
+TM_FN tm_pair tm_rates_sound(const tm_rates_own *own, tm_pair rho_c2, tm_pair rho)
+{
+  return own->visc_alpha > 0 ? tm_pair_sqrt(rho_c2 / rho) : 0;
+}
 
 TM_FN void tm_rates_load(int i, const tm_rates_args *a, const tm_rates_terms *t, const tm_pair_records *rec,
                          tm_rates_own *own)
@@ -84,9 +91,10 @@ TM_FN void tm_rates_load(int i, const tm_rates_args *a, const tm_rates_terms *t,
   if (t->correction)
     for (int c = 0; c < TM_REC_CORRECTION; c++)
       own->correction[c] = rec->correction[(ptrdiff_t) i * TM_REC_CORRECTION + c];
-  if (t->one_pass) tm_fetch(rec->stab + tm_pair_record(i, TM_REC_STAB), TM_STAB_FETCHED, own->stab);
+  if (t->one_pass) tm_fetch(rec->stab + tm_pair_record(i, TM_REC_STAB), TM_REC_STAB, own->stab);
   own->visc_alpha = t->viscosity ? (tm_pair) a->visc_alpha : 0;
   own->visc_beta = t->viscosity ? (tm_pair) a->visc_beta : 0;
+  own->sound = t->one_pass ? tm_rates_sound(own, own->stab[TM_STAB_K], own->r[TM_REC_RHO]) : own->r[TM_REC_C];
   own->norm_of_one = (tm_pair) a->norm_of_one;
   own->art_n = a->art_n;
 }
@@ -103,7 +111,7 @@ TM_FN void tm_rates_fetch(const tm_chunk *c, const int *jj, const tm_rates_terms
   } else if (TM_COLUMN > 1 || TM_SINGLE || t->viscosity || t->extended)
     tm_chunk_fetch_main(c, jj, TM_REC, t->dim3, col);
   else tm_chunk_fetch_main(c, jj, TM_REC_C, t->dim3, col);
-  if (t->one_pass) tm_fetch_records(rec->stab, TM_REC_STAB, 0, TM_STAB_FETCHED, jj, c->lanes, col[TM_COL_STAB]);
+  if (t->one_pass) tm_fetch_records(rec->stab, TM_REC_STAB, 0, TM_REC_STAB, jj, c->lanes, col[TM_COL_STAB]);
   if (t->artstress) /* in single with heat behind it, whose columns begin within a group of four */
     tm_fetch_records(rec->stress, TM_STRESS_COLUMNS, 0, TM_STRESS_COLUMNS, jj, c->lanes, col[TM_COL_STRESS]);
   else if (TM_SINGLE && t->conduction)
@@ -131,13 +139,13 @@ TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, con
   const tm_pair_size p = tm_chunk_pair_size(c, t->sizes, col + TM_COL_SIZE, l, &own->norm_of_one, t->dim3);
   const tm_pair r2 = dx * dx + dy * dy + dz * dz, r = tm_pair_sqrt(r2), q = r * p.inv_h;
   const tm_pair mj = col[TM_REC_M][tm_at(l)], rhoj = col[TM_REC_RHO][tm_at(l)];
-  const tm_pair *c_of = t->one_pass ? col[(int) TM_COL_STAB + TM_STAB_C] : col[TM_REC_C];
+  const tm_pair *c_of = t->one_pass ? col[TM_COL_SOUND] : col[TM_REC_C];
   tm_pair inv_r, inv_rho_sum;
   if (t->viscosity) {
     const tm_pair vx = own->r[4] - col[4][tm_at(l)], vy = own->r[5] - col[5][tm_at(l)];
     const tm_pair vz = t->dim3 ? own->r[6] - col[6][tm_at(l)] : 0;
     const tm_pair pi = tm_viscosity_pair(own->visc_alpha, own->visc_beta, p.h, vx * dx + vy * dy + vz * dz, r2, r,
-                                         TM_PAIR(0.5) * (own->r[TM_REC_C] + c_of[tm_at(l)]), own->r[TM_REC_RHO] + rhoj,
+                                         TM_PAIR(0.5) * (own->sound + c_of[tm_at(l)]), own->r[TM_REC_RHO] + rhoj,
                                          &inv_r, &inv_rho_sum);
     col[TM_COL_VISCOUS][tm_at(l)] = pi;
   } else {
@@ -157,6 +165,19 @@ TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, con
   }
   if (t->artstress) col[TM_COL_TENSILE][tm_at(l)] = tm_power_int(tm_kernel_shape(t->kernel, q) * p.inv_w, own->art_n);
   if (t->conduction) col[TM_COL_CONDUCTED][tm_at(l)] = tm_rates_conducted(own, col, l, g);
+}
+TM_FN void tm_rates_sound_loop(const tm_chunk *c, const tm_rates_own *own, tm_values *col)
+{
+  const int lanes = c->lanes;
+  if (own->visc_alpha > 0) {
+    TM_SIMD
+    for (int l = 0; l < lanes; l++)
+      col[TM_COL_SOUND][tm_at(l)] =
+          tm_rates_sound(own, col[(int) TM_COL_STAB + TM_STAB_K][tm_at(l)], col[TM_REC_RHO][tm_at(l)]);
+  } else {
+    TM_SIMD
+    for (int l = 0; l < lanes; l++) col[TM_COL_SOUND][tm_at(l)] = 0;
+  }
 }
 TM_FN void tm_rates_coefficient_loop(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own,
                                      tm_values *col)
@@ -226,6 +247,7 @@ TM_FN void tm_rates_all_coefficients(const tm_chunk *c, const tm_rates_terms *t,
                                      tm_values *col)
 {
   tm_rates_terms u = *t;
+  if (t->one_pass && (t->viscosity || t->extended)) tm_rates_sound_loop(c, own, col);
   if (!t->extended) tm_rates_coefficient_loop(c, t, own, col);
   else {
     u.viscosity = 1; /* with factors of 0 where it is off */

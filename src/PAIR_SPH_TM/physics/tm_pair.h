@@ -97,6 +97,11 @@ TM_FN tm_lanes_vec tm_lanes_scale(tm_lanes s, tm_lanes_vec a)
   const tm_lanes_vec v = {s * a.x, s * a.y, s * a.z};
   return v;
 }
+TM_FN tm_lanes_vec tm_lanes_add(tm_lanes_vec a, tm_lanes_vec b)
+{
+  const tm_lanes_vec v = {a.x + b.x, a.y + b.y, a.z + b.z};
+  return v;
+}
 TM_FN tm_lanes tm_lanes_dot(tm_lanes_vec a, tm_lanes_vec b, int dim3)
 {
   const tm_lanes plane = a.x * b.x + a.y * b.y;
@@ -154,6 +159,26 @@ TM_FN void tm_pair_momentum(tm_sum_vec *a, tm_lanes_mat P, tm_lanes_vec g, int d
     a->y += rest.y;
     a->z += rest.z;
   }
+}
+
+/* P_i g_i + P_j g_j of one pair, P_i and P_j row major in `own` and in columns: what j makes of it is exactly the opposite. */
+TM_FN tm_lanes_vec tm_pair_momentum_of_both(const tm_pair *own, tm_lanes_vec gi, tm_values *col, int l, tm_lanes_vec gj,
+                                            int dim3)
+{
+  const tm_lanes zero = {0};
+  tm_lanes_mat P, Q;
+  P.xx = zero + own[0], P.xy = zero + own[1], P.xz = zero + own[2];
+  P.yx = zero + own[3], P.yy = zero + own[4], P.yz = zero + own[5];
+  P.zx = zero + own[6], P.zy = zero + own[7], P.zz = zero + own[8];
+  Q.xx = tm_values_load(col[0], l), Q.xy = tm_values_load(col[1], l), Q.xz = tm_values_load(col[2], l);
+  Q.yx = tm_values_load(col[3], l), Q.yy = tm_values_load(col[4], l), Q.yz = tm_values_load(col[5], l);
+  Q.zx = tm_values_load(col[6], l), Q.zy = tm_values_load(col[7], l), Q.zz = tm_values_load(col[8], l);
+  tm_lanes_vec of_i = tm_lanes_product_2d(P, gi), of_j = tm_lanes_product_2d(Q, gj);
+  if (dim3) {
+    of_i = tm_lanes_add(of_i, tm_lanes_product_rest(P, gi));
+    of_j = tm_lanes_add(of_j, tm_lanes_product_rest(Q, gj));
+  }
+  return tm_lanes_add(of_i, of_j);
 }
 
 /* The artificial acceleration f^n R g of one pair. */

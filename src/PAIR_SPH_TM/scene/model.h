@@ -26,6 +26,7 @@ struct Settings {
   double art_eps = 0.0;
   int art_n = 4;
   bool art_component = false, art_balanced = false;
+  bool faces = true;    // with correction: of second order at free faces
   double xsph = 0.0;
   double hourglass = -1.0;    // stiffness over that of longitudinal waves; below 0: from the stress
   bool form_f14 = false, correction = true, balsara = false, plane_stress = false;

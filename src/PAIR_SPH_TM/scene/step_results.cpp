@@ -52,7 +52,7 @@ void StepResults::resize(const ParticleState &state)
   rec_hourglass.make_room(passes && state.has(TM_FX_HOURGLASS), all * TM_REC_HOURGLASS);
   gradient.make_room(true, own * 9);
   heat.make_room(state.has(TM_FX_CONDUCTION), own);
-  correction.make_room(state.has(TM_FX_CORRECTION), own * 6);
+  correction.make_room(state.has(TM_FX_CORRECTION), own * 9);
   xsph_v.make_room(state.has(TM_FX_XSPH), own * 3);
   hourglass_rate.make_room(state.has(TM_FX_HOURGLASS), own * 3);
   surface.make_room(state.has(TM_FX_SURFACE), own * 3);
@@ -139,6 +139,7 @@ tm_rates_args &StepResults::fill_args(ParticleState &state, const tm_state &s)
   args.art_n = set.art_n;
   args.art_inv_w = 1.0 / tm_kernel_shape(set.kernel, set.spacing / set.h);
   args.xsph = set.xsph;
+  args.faces = set.faces;
   args.force_unit = 1.0 / model.units().force;
   args.conductance = model.loop_tables().conductance.loop_read();
   args.type = s.type;
