@@ -240,9 +240,7 @@ TM_FN tm_sym3 tm_sym_turned(tm_mat3 R, tm_sym3 s)
 }
 TM_FN tm_mat3 tm_mat_outer(tm_vec3 a, tm_vec3 b)
 {
-  /* clang-format off */
   const tm_mat3 m = {a.x * b.x, a.x * b.y, a.x * b.z, a.y * b.x, a.y * b.y, a.y * b.z, a.z * b.x, a.z * b.y, a.z * b.z};
-  /* clang-format on */
   return m;
 }
 TM_FN tm_vec3 tm_mat_mul_vec(tm_mat3 a, tm_vec3 b)

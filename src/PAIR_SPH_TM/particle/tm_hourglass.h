@@ -127,8 +127,8 @@ TM_FN tm_correction_last tm_correction_last_of(const tm_real *field)
 /* K and the normal of this force point, for the next: `since` before the state, in a particle with velocity gradient L. What
    the K that was predicted for it, dt after the last, has missed adds to the rate, but for its antisymmetric part, which is
    small; last, predicted: NULL at a set-up. */
-TM_FN void tm_correction_step(tm_real *field, const tm_correction_last *last, tm_correction now, const tm_sym3 *predicted,
-                              tm_mat3 L, tm_real dt, tm_real since)
+TM_FN void tm_correction_step(tm_real *field, const tm_correction_last *last, tm_correction now,
+                              const tm_sym3 *predicted, tm_mat3 L, tm_real dt, tm_real since)
 {
   tm_sym3 rate = tm_sym(0, 0, 0, 0, 0, 0);
   if (last && predicted && last->known != 0.0)

@@ -76,8 +76,8 @@ TM_FN tm_update_result tm_initial_limits(int i, const tm_update_args *a, unsigne
   if ((effects & TM_FX_ONE_PASS) && m->body == TM_BODY_SOLID) {
     tm_real *row = tm_field_row(s, TM_F_CORRECTION, i);
     if (row[0] == 0.0)
-      tm_correction_step(row, NULL, tm_correction_of(a->moment, i), NULL,
-                         tm_mat_from_row(a->gradient + tm_row(i, 9)), 0.0, 0.0);
+      tm_correction_step(row, NULL, tm_correction_of(a->moment, i), NULL, tm_mat_from_row(a->gradient + tm_row(i, 9)),
+                         0.0, 0.0);
   }
   if (m->body == TM_BODY_SOLID) {
     const tm_real c = tm_main_record(&a->rec, i)[tm_part(TM_REC_C)];

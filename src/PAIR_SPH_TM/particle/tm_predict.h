@@ -132,8 +132,7 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
   if (effects & TM_FX_ONE_PASS) {
     const tm_correction c_i = tm_turned_correction(tm_field_row(s, TM_F_CORRECTION, i), a->dt_ahead);
     tm_mat_store(a->correction + (ptrdiff_t) i * 9, c_i.K);
-    tm_mat_to_record(tm_stab_record(&a->rec, i), TM_STAB_PK,
-                     tm_mat_mul(tm_mat_from_sym(P), tm_mat_transposed(c_i.K)));
+    tm_mat_to_record(tm_stab_record(&a->rec, i), TM_STAB_PK, tm_mat_mul(tm_mat_from_sym(P), tm_mat_transposed(c_i.K)));
     tm_vec_to_record(tm_stab_record(&a->rec, i), TM_STAB_FACE, c_i.face);
   }
   if (effects & TM_FX_HEAT) {

@@ -114,13 +114,15 @@ TM_FN int tm_rates_at_face(const tm_chunk *c, const tm_rates_terms *t, const tm_
 {
   const tm_pair *b = tm_rates_corrected(t, own) + tm_rates_face(t);
   tm_values *bj = tm_rates_corrected_columns(t, col) + tm_rates_face(t);
-  tm_pair sum = b[0] * b[0] + b[1] * b[1] + (t->dim3 ? b[2] * b[2] : 0);
-  if (sum > 0) return 1;
-  for (int l = 0; l < c->lanes; l++) {
-    const tm_pair x = bj[0][tm_at(l)], y = bj[1][tm_at(l)], z = t->dim3 ? bj[2][tm_at(l)] : 0;
-    sum += x * x + y * y + z * z;
+  if (b[0] * b[0] + b[1] * b[1] + (t->dim3 ? b[2] * b[2] : 0) > 0) return 1;
+  const tm_lanes zero = {0};
+  tm_sum sum = tm_lanes_zero();
+  for (int l = 0; l < c->lanes; l += TM_LANES) {
+    const tm_lanes_vec other = {tm_values_load(bj[0], l), tm_values_load(bj[1], l),
+                                t->dim3 ? tm_values_load(bj[2], l) : zero};
+    sum += tm_lanes_dot(other, other, t->dim3);
   }
-  return sum > 0;
+  return tm_lanes_sum(sum) > 0;
 }
 
 /* D of tm_face.h times gradW/|x_i - x_j|, from e toward the particle's neighbor: kept e + added b. Both particles of a pair
@@ -184,11 +186,11 @@ TM_FN void tm_rates_add(const tm_chunk *c, const tm_rates_terms *t, const tm_rat
   tm_sum_vec *a = &s->acceleration;
   const tm_lanes_vec g_momentum = t->form_f14 ? tm_lanes_scale(own->inv_rho + zero, g) : m_gradw;
   if (faces)
-    tm_sum_vec_add(a, tm_pair_momentum_of_both(tm_rates_corrected(t, own), gi, tm_rates_corrected_columns(t, col), l, gj,
-                                               dim3));
+    tm_sum_vec_add(a, tm_pair_momentum_of_both(tm_rates_corrected(t, own), gi, tm_rates_corrected_columns(t, col), l,
+                                               gj, dim3));
   else if (t->one_pass || t->correction)
-    tm_pair_momentum(
-        a, tm_pair_tensor_sum(tm_rates_corrected(t, own), tm_rates_corrected_columns(t, col), l), g_momentum, dim3);
+    tm_pair_momentum(a, tm_pair_tensor_sum(tm_rates_corrected(t, own), tm_rates_corrected_columns(t, col), l),
+                     g_momentum, dim3);
   else tm_pair_momentum(a, tm_pair_symmetric_sum(own->r + TM_REC_P, col + TM_REC_P, l), g_momentum, dim3);
 
   /* artificial terms F14 (15): their heating apart, for the energy balance */
@@ -291,9 +293,10 @@ TM_FN void tm_rates_store_stabilized(int i, const tm_rates_args *a, const tm_rat
   const tm_real per_rho = (TM_SINGLE ? 1.0 / own->r[TM_REC_M] : 1.0) / own->r[TM_REC_RHO];
   const tm_pair *face = own->stab + TM_STAB_FACE;
   const tm_vec3 b = tm_vec(face[0], face[1], t->dim3 ? face[2] : 0.0);
-  const tm_mat3 tilt = tm_mat_outer(tm_vec_scale(per_rho, tm_vec(sum[13], sum[14], sum[15])), b);
-  const tm_mat3 M = tm_mat_add(tm_mat_from_sym(tm_sym_scale(per_rho, tm_sym_load(sum))), tilt);
-  const tm_real trace = sum[0] + sum[1] + (t->dim3 ? sum[2] : 0.0) + tm_lanes_sum(s->less);
+  tm_mat3 M = tm_mat_from_sym(tm_sym_scale(per_rho, tm_sym_load(sum)));
+  if (!tm_face_none(b)) M = tm_mat_add(M, tm_mat_outer(tm_vec_scale(per_rho, tm_vec(sum[13], sum[14], sum[15])), b));
+  const tm_real less = tm_face_none(b) ? 0.0 : tm_lanes_sum(s->less);
+  const tm_real trace = sum[0] + sum[1] + (t->dim3 ? sum[2] : 0.0) + less;
   const tm_real lacks = (t->dim3 ? 3.0 : 2.0) - per_rho * trace;
   const tm_vec3 gd = tm_vec(length * sum[7], length * sum[8], length * sum[9]);
   tm_moment_store(a->moment + (ptrdiff_t) i * TM_MOMENT_COLUMNS, tm_face_inverse(M, b, t->dim3), tm_rates_h(i, a),

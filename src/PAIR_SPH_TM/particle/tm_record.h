@@ -22,8 +22,8 @@ enum {
   TM_REC_BALSARA = 15, /* shear switch 0..1 */
   TM_REC = 16
 };
-enum { TM_REC_STRESS = 6 };                           /* artificial stress, xx yy zz xy xz yz */
-enum { TM_REC_T = 0, TM_REC_K = 1, TM_REC_HEAT = 2 }; /* temperature, conductivity */
+enum { TM_REC_STRESS = 6 };                              /* artificial stress, xx yy zz xy xz yz */
+enum { TM_REC_T = 0, TM_REC_K = 1, TM_REC_HEAT = 2 };    /* temperature, conductivity */
 enum { TM_CORRECTION_FACE = 9, TM_REC_CORRECTION = 12 }; /* P K^T row major, b of tm_face.h */
 /* 1/h, correction of sums over gradW (tm_lattice.h), 1/W of the reference spacing of the artificial
    stress over W(0)'s norm, edge of the particle; see tm_size.h */

@@ -39,8 +39,9 @@
 /* b of a particle from h, g = sum_j V_j gradW (1/length), and what the trace of its moment lacks to the dimension. */
 TM_FN tm_vec3 tm_face_normal(tm_vec3 g, tm_real h, tm_real lacks)
 {
-  const tm_real size = tm_vec_norm(g), tilt = 2.055 * h * size;
-  if (!(tilt > TM_FACE_BEGINS && lacks < TM_FACE_LOOSE)) return tm_vec(0, 0, 0);
+  const tm_real least = TM_FACE_BEGINS / 2.055, square = tm_vec_dot(g, g);
+  if (!(h * h * square > least * least && lacks < TM_FACE_LOOSE)) return tm_vec(0, 0, 0);
+  const tm_real size = sqrt(square), tilt = 2.055 * h * size;
   const tm_real u = tm_min((tilt - TM_FACE_BEGINS) / (TM_FACE_WHOLE - TM_FACE_BEGINS), 1.0);
   const tm_real ends = tm_min((TM_FACE_LOOSE - lacks) / (TM_FACE_LOOSE - TM_FACE_EDGE), 1.0);
   const tm_real length = tm_min(tilt, TM_FACE_MOST) / TM_FACE_TILT * u * ends;

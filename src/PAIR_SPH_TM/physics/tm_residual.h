@@ -26,8 +26,9 @@ enum { TM_MOMENT_FACE = 9, TM_MOMENT_COLUMNS = 12 };
    K, so energy and momenta stay exact, a rotation still makes no strain and the stress no torque; the particle is softer. */
 TM_FN tm_mat3 tm_correction_of_loose(tm_mat3 K, tm_real h, tm_vec3 sum)
 {
-  const tm_real face = h * tm_vec_norm(tm_mat_mul_vec(tm_mat_transposed(K), sum));
-  return face > TM_FACE_OF_TURN ? tm_mat_scale(TM_FACE_OF_TURN / face, K) : K;
+  const tm_vec3 s = tm_mat_mul_vec(tm_mat_transposed(K), sum);
+  const tm_real square = h * h * tm_vec_dot(s, s);
+  return square > TM_FACE_OF_TURN * TM_FACE_OF_TURN ? tm_mat_scale(TM_FACE_OF_TURN / sqrt(square), K) : K;
 }
 
 /* K and b for the next step, from K of this one, sum_j V_j gradW (1/length) and what the trace of the moment lacks; h:
