@@ -38,14 +38,16 @@ enum tm_effect {
   TM_FX_ONE_PASS = 1 << 23,         /* correction and hourglass control within the rate pass, see tm_hourglass.h */
   TM_FX_FRACTURE = 1 << 24,         /* count of particles that lose neighbors without damage */
   TM_FX_ACTIVE = 1 << 25,           /* particles at rest away from the active region sleep: tm_active.h */
+  TM_FX_FACES = 1 << 26,            /* gradients of second order at free faces, with TM_FX_ONE_PASS: tm_face.h */
   TM_FX_EXPANSION = 1 << 28,        /* thermal expansion; the temperature without thermal strain is a state */
   TM_FX_COMPRESSION_HEAT = 1 << 29, /* compression changes the temperature */
   TM_FX_ARTIFICIAL_HEAT = 1 << 30   /* what artificial terms take out of the motion heats */
 };
 
 #define TM_FX_RATE_MASK ((unsigned) (TM_FX_3D | TM_FX_VISCOSITY | TM_FX_ARTSTRESS | TM_FX_CONDUCTION | TM_FX_ONE_PASS))
-#define TM_FX_EXTENDED_MASK \
-  ((unsigned) (TM_FX_FORM_F14 | TM_FX_CORRECTION | TM_FX_BALSARA | TM_FX_XSPH | TM_FX_SURFACE | TM_FX_SMOOTHING))
+#define TM_FX_EXTENDED_MASK                                                                                       \
+  ((unsigned) (TM_FX_FORM_F14 | TM_FX_CORRECTION | TM_FX_BALSARA | TM_FX_XSPH | TM_FX_SURFACE | TM_FX_SMOOTHING | \
+               TM_FX_FACES))
 #define TM_FX_KERNEL_MASK (7u << TM_FX_KERNEL_SHIFT)
 
 /* Effects a build has: all, or of those that a scene may call for only TM_FX_MINIMAL, and the others

@@ -18,7 +18,10 @@ enum { TM_R_X = 0, TM_R_B = 3, TM_R_STATE = 6, TM_R_COLUMNS = 7 };
 /* columns of the hourglass */
 enum { TM_G_U = 0, TM_G_RATE = 3, TM_G_COLUMNS = 6 };
 /* columns of the correction */
-enum { TM_K_MATRIX = 0, TM_K_FACE = 9, TM_K_SPIN = 12, TM_K_SINCE = 15, TM_K_RATE = 16, TM_K_COLUMNS = 22 };
+enum { TM_K_MATRIX = 0, TM_K_SPIN = 6, TM_K_SINCE = 9, TM_K_RATE = 10, TM_K_COLUMNS = 16 };
+
+/* columns of the face */
+enum { TM_FACE_NORMAL = 0, TM_FACE_TURN = 3, TM_FACE_COLUMNS = 6 };
 
 /*  stress       deviatoric Cauchy stress xx yy zz xy xz yz
     history      rates of the last two steps: v(3) rho(1) s(6), newer first
@@ -34,9 +37,9 @@ enum { TM_K_MATRIX = 0, TM_K_FACE = 9, TM_K_SPIN = 12, TM_K_SINCE = 15, TM_K_RAT
     reference    place and sum of the bonds to its neighbors where they were taken as whole, and what has become of
                  it, see tm_fracture.h
     hourglass    displacement against the neighborhood, see tm_hourglass.h, and its rate in the last step
-    correction   of the gradients at the last force point, row major, xx = 0: not known yet; the normal of a free face, see
-             tm_face.h; twice the spin there, L.zy - L.yz, L.xz - L.zx, L.yx - L.xy; the time since then; and the rate of
-             the symmetric part of the correction but for the spin, xx yy zz xy xz yz
+    correction   of the gradients at the last force point, xx yy zz xy xz yz, xx = 0: not known yet; twice the spin there,
+             L.zy - L.yz, L.xz - L.zx, L.yx - L.xy; the time since then; and its rate but for the spin
+    face         normal of a free face, and the antisymmetric part of the correction there, see tm_face.h
     unstrained   temperature at which there is no thermal strain
     active       enum tm_activity: moves, stands at the edge of the active region, or sleeps */
 #define TM_FIELD_TABLE(FIELD)                                        \
@@ -54,6 +57,7 @@ enum { TM_K_MATRIX = 0, TM_K_FACE = 9, TM_K_SPIN = 12, TM_K_SINCE = 15, TM_K_RAT
   FIELD(TM_F_HOURGLASS, "hourglass", TM_G_COLUMNS, TM_FX_HOURGLASS)  \
   FIELD(TM_F_FRACTURE, "reference", TM_R_COLUMNS, TM_FX_FRACTURE)    \
   FIELD(TM_F_CORRECTION, "correction", TM_K_COLUMNS, TM_FX_ONE_PASS) \
+  FIELD(TM_F_FACE, "face", TM_FACE_COLUMNS, TM_FX_FACES)             \
   FIELD(TM_F_UNSTRAINED, "unstrained", 1, TM_FX_EXPANSION)           \
   FIELD(TM_F_ACTIVE, "active", 1, TM_FX_ACTIVE)
 

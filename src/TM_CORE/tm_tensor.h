@@ -22,6 +22,12 @@ TM_FN tm_vec3 tm_vec(tm_real x, tm_real y, tm_real z)
   return v;
 }
 TM_FN tm_vec3 tm_load3(const double *p) { return tm_vec(p[0], p[1], p[2]); }
+TM_FN void tm_store3(double *p, tm_vec3 v)
+{
+  p[0] = v.x;
+  p[1] = v.y;
+  p[2] = v.z;
+}
 TM_FN tm_vec3 tm_vec_add(tm_vec3 a, tm_vec3 b) { return tm_vec(a.x + b.x, a.y + b.y, a.z + b.z); }
 TM_FN tm_vec3 tm_vec_sub(tm_vec3 a, tm_vec3 b) { return tm_vec(a.x - b.x, a.y - b.y, a.z - b.z); }
 TM_FN tm_vec3 tm_vec_scale(tm_real s, tm_vec3 a) { return tm_vec(s * a.x, s * a.y, s * a.z); }
@@ -196,12 +202,6 @@ TM_FN void tm_vec_to_record(tm_real *record, int first, tm_vec3 v)
   record[tm_part(first + 1)] = v.y;
   record[tm_part(first + 2)] = v.z;
 }
-TM_FN void tm_mat_to_row(tm_real *row, tm_mat3 m)
-{
-  tm_real c[9];
-  tm_mat_store(c, m);
-  for (int k = 0; k < 9; k++) row[tm_column(k)] = c[k];
-}
 TM_FN tm_vec3 tm_vec_from_row(const tm_real *row) { return tm_vec(row[0], row[tm_column(1)], row[tm_column(2)]); }
 TM_FN void tm_vec_to_row(tm_real *row, tm_vec3 v)
 {
@@ -233,9 +233,10 @@ TM_FN tm_mat3 tm_mat_rotation(tm_vec3 angle)
   R.zy = f * (a.y * a.z + a.x);
   return R;
 }
-/* R s R^T */
-TM_FN tm_sym3 tm_sym_turned(tm_mat3 R, tm_sym3 s)
+/* R s R^T of the same rotation */
+TM_FN tm_sym3 tm_sym_turned(tm_sym3 s, tm_vec3 angle)
 {
+  const tm_mat3 R = tm_mat_rotation(angle);
   return tm_mat_symmetric(tm_mat_mul(R, tm_mat_mul(tm_mat_from_sym(s), tm_mat_transposed(R))));
 }
 TM_FN tm_mat3 tm_mat_outer(tm_vec3 a, tm_vec3 b)

@@ -62,7 +62,7 @@ static void sizes(int i, int kernel, double h, unsigned fx)
     for (int d = 0; d < 3; d++) v += apart(a + 4, b + 4, d);
     for (int d = 0; d < 6; d++) P += apart(a + TM_REC_P, b + TM_REC_P, d);
     if (fx & TM_FX_CORRECTION)
-      for (int d = 0; d < 9; d++) P = (d ? P : 0) + apart(c.correction + TM_REC_CORRECTION * i, c.correction + TM_REC_CORRECTION * j, d);
+      for (int d = 0; d < 9; d++) P = (d ? P : 0) + apart(c.correction + 9 * i, c.correction + 9 * j, d);
     if (fx & TM_FX_FORM_F14) P /= rhoi * rhoj;
     for (int d = 0; d < 6; d++) R += apart(c.stress + 6 * i, c.stress + 6 * j, d);
     const double mu = h * v * r / (r * r + 0.01 * h * h);
@@ -79,7 +79,7 @@ static void sizes(int i, int kernel, double h, unsigned fx)
   }
   double K = 1;      /* rows of K mix the columns of L */
   if (fx & TM_FX_CORRECTION)
-    for (int d = 0; d < 9; d++) K += fabs(got.correction[9 * i + d]);
+    for (int d = 0; d < 6; d++) K += fabs(got.correction[6 * i + d]);
   for (int d = 0; d < 9; d++) size.gradient[9 * i + d] = K * L;
   for (int d = 0; d < 3; d++) {
     size.force[3 * i + d] = force;

@@ -17,7 +17,7 @@ static ptrdiff_t first[MOST];
 static double x[MOST][3], edge[MOST], h[MOST];
 static tm_real rec[MOST * TM_REC], stress[MOST * TM_REC_STRESS], size[MOST * TM_REC_SIZE];
 static tm_real turned[MOST * TM_REC_CORRECTION];
-static double force[MOST * 3], gradient[MOST * 9], correction[MOST * 9], artificial[MOST];
+static double force[MOST * 3], gradient[MOST * 9], correction[MOST * 6], artificial[MOST];
 /* hidden from the compiler: of a switch over kernels with a known ratio GCC 12 makes a table, and reads before its
    start */
 static volatile double RATIO = 1.2;

@@ -50,7 +50,8 @@ typedef struct {
   __attribute__((aligned(16))) double rec_stab[TM_REC_STAB * CLOUD];
   double rec_correction[TM_REC_CORRECTION * CLOUD], rec_size[TM_REC_SIZE * CLOUD];
   double reference[TM_R_COLUMNS * CLOUD], unstrained[CLOUD], turned[TM_K_COLUMNS * CLOUD], moment[TM_MOMENT_COLUMNS * CLOUD];
-  double gradient[9 * CLOUD], heat[CLOUD], correction[9 * CLOUD], xsph_v[3 * CLOUD], surface[3 * CLOUD];
+  double face[TM_FACE_COLUMNS * CLOUD], turn[3 * CLOUD], face_next[TM_FACE_COLUMNS * CLOUD];
+  double gradient[9 * CLOUD], heat[CLOUD], correction[6 * CLOUD], xsph_v[3 * CLOUD], surface[3 * CLOUD];
   double artificial[CLOUD], near[CLOUD], body_sides[TM_BODY_SIDE * CLOUD], body_ahead[TM_AHEAD * CLOUD], tally[TM_TALLY * CLOUD], tool_heat[CLOUD];
   double result[POINTS_MOST * CLOUD];                 /* what the function returned */
 } cloud;
@@ -59,11 +60,12 @@ typedef struct {
 #define CLOUD_ARRAYS(ARRAY)                                                                                         \
   ARRAY(x, 3) ARRAY(v, 3) ARRAY(force, 3) ARRAY(source, 1) ARRAY(rho, 1) ARRAY(stress, 6) ARRAY(history, 20)         \
   ARRAY(pstrain, 3) ARRAY(temperature, 3) ARRAY(energy, 3) ARRAY(damage, 2) ARRAY(balsara, 1) ARRAY(xsph, 3)         \
-  ARRAY(thickness, 1) ARRAY(rec_main, TM_REC) ARRAY(rec_stress, 6) ARRAY(rec_heat, 2) ARRAY(rec_correction, TM_REC_CORRECTION)       \
+  ARRAY(thickness, 1) ARRAY(rec_main, TM_REC) ARRAY(rec_stress, 6) ARRAY(rec_heat, 2) ARRAY(rec_correction, 9)       \
   ARRAY(size, TM_S_COLUMNS) ARRAY(rec_size, TM_REC_SIZE) ARRAY(hourglass, TM_G_COLUMNS)                              \
   ARRAY(rec_hourglass, TM_REC_HOURGLASS) ARRAY(hourglass_rate, 3) ARRAY(rec_stab, TM_REC_STAB)                       \
   ARRAY(reference, TM_R_COLUMNS) ARRAY(unstrained, 1) ARRAY(turned, TM_K_COLUMNS) ARRAY(moment, TM_MOMENT_COLUMNS)                   \
-  ARRAY(gradient, 9) ARRAY(heat, 1) ARRAY(correction, 9) ARRAY(xsph_v, 3) ARRAY(surface, 3) ARRAY(artificial, 1)     \
+  ARRAY(face, TM_FACE_COLUMNS) ARRAY(turn, 3) ARRAY(face_next, TM_FACE_COLUMNS)                                       \
+  ARRAY(gradient, 9) ARRAY(heat, 1) ARRAY(correction, 6) ARRAY(xsph_v, 3) ARRAY(surface, 3) ARRAY(artificial, 1)     \
   ARRAY(near, 1) ARRAY(tally, TM_TALLY) ARRAY(tool_heat, 1) ARRAY(body_sides, TM_BODY_SIDE) ARRAY(body_ahead, TM_AHEAD) \
   ARRAY(result, POINTS_MOST)
 
@@ -75,7 +77,7 @@ TM_FN tm_state cloud_state(cloud *w)
   s.field[TM_F_DAMAGE] = w->damage; s.field[TM_F_BALSARA] = w->balsara; s.field[TM_F_XSPH] = w->xsph;
   s.field[TM_F_THICKNESS] = w->thickness; s.field[TM_F_SIZE] = w->size; s.field[TM_F_HOURGLASS] = w->hourglass;
   s.field[TM_F_FRACTURE] = w->reference; s.field[TM_F_UNSTRAINED] = w->unstrained;
-  s.field[TM_F_CORRECTION] = w->turned;
+  s.field[TM_F_CORRECTION] = w->turned; s.field[TM_F_FACE] = w->face;
   s.x = w->x; s.v = w->v; s.force = w->force;
   s.type = w->type; s.mask = w->mask;
   s.material = w->material;
@@ -90,6 +92,7 @@ TM_FN tm_records cloud_records(cloud *w)
   r.size = (w->effects & TM_FX_SMOOTHING) ? w->rec_size : NULL;
   r.hourglass = w->rec_hourglass;
   r.stab = (w->effects & TM_FX_ONE_PASS) ? w->rec_stab : NULL;
+  r.faces = (w->effects & TM_FX_FACES) != 0;
   return r;
 }
 TM_FN tm_row_args cloud_row_args(cloud *w)
@@ -132,7 +135,8 @@ TM_FN tm_rates_args cloud_rates(cloud *w)
   a.ntypes = TYPES;
   a.force = w->force; a.force_begins = 0;
   a.gradient = w->gradient; a.heat = w->heat; a.correction = w->correction;
-  a.hourglass_rate = w->hourglass_rate; a.moment = w->moment; a.which = NULL; a.faces = 1;
+  a.hourglass_rate = w->hourglass_rate; a.moment = w->moment; a.which = NULL;
+  a.turn = w->turn; a.face_next = w->face_next;
   a.xsph_v = w->xsph_v; a.surface = w->surface; a.artificial = w->artificial;
   return a;
 }
@@ -143,7 +147,7 @@ TM_FN tm_update_args cloud_update(cloud *w)
   a.rec = cloud_records(w);
   a.gradient = w->gradient; a.heat = w->heat; a.xsph_v = w->xsph_v; a.artificial = w->artificial;
   a.hourglass_rate = w->hourglass_rate; a.hourglass = (w->effects & TM_FX_ONE_PASS) ? -1.0 : 0.1;
-  a.moment = w->moment; a.correction = w->correction;
+  a.moment = w->moment; a.correction = w->correction; a.face_next = w->face_next;
   a.force_internal = w->force_internal;
   a.source = w->source;
   a.group = 1;
@@ -186,7 +190,7 @@ STAGE(predict)
   a.rec = cloud_records(w);
   a.dt_ahead = 0.5 * w->dt;
   a.art_eps = 0.3; a.hourglass = (w->effects & TM_FX_ONE_PASS) ? -1.0 : 0.1;
-  a.h = w->h; a.correction = w->correction;
+  a.h = w->h; a.correction = w->correction; a.turn = w->turn;
   a.art_component = w->dim == 2;
   a.gradient = w->factor;
   a.share = NULL; a.ratio = w->h / w->spacing;

@@ -254,6 +254,8 @@ int main()
       TM_FX_CORRECTION | TM_FX_ONE_PASS | TM_FX_EXPANSION | TM_FX_COMPRESSION_HEAT | TM_FX_ARTIFICIAL_HEAT;
   compare_cloud("3d_default", 3, TM_KERNEL_HYPERBOLIC, 1.2, stable);
   compare_cloud("2d_default", 2, TM_KERNEL_WENDLAND_C4, 1.6, stable | TM_FX_BALSARA | TM_FX_LEDGER);
+  compare_cloud("2d_faces", 2, TM_KERNEL_HYPERBOLIC, 1.2, stable | TM_FX_FACES);
+  compare_cloud("3d_faces", 3, TM_KERNEL_HYPERBOLIC, 1.2, stable | TM_FX_FACES | TM_FX_SMOOTHING);
   compare_cloud("3d_every_effect", 3, TM_KERNEL_WENDLAND_C4, 1.2, basic | more | TM_FX_CORRECTION);
   compare_cloud("2d_plane_stress_f14", 2, TM_KERNEL_QUINTIC, 1.1, basic | more | TM_FX_FORM_F14 | TM_FX_PLANE_STRESS);
   compare_cloud("3d_sizes", 3, TM_KERNEL_HYPERBOLIC, 1.2, basic | more | TM_FX_CORRECTION | TM_FX_SMOOTHING);

@@ -77,13 +77,14 @@ static void make_particle(cloud *w, int i, const int *at, int side)
   w->source[i] = ut_random(0, 1e2);
   w->unstrained[i] = ut_random(250, 350);
   double *K = w->turned + TM_K_COLUMNS * i;
-  random_fill(K, 9, -0.1, 0.1);
-  if (i % 3 == 0) random_fill(K + TM_K_FACE, w->dim, -0.5, 0.5);
+  random_fill(K, 6, -0.1, 0.1);
   random_fill(K + TM_K_RATE, 6, -1e5, 1e5);
-  for (int d = 0; d < 3; d++) K[4 * d] += 1.0;
+  for (int d = 0; d < 3; d++) K[d] += 1.0;
   random_fill(K + TM_K_SPIN, 3, -1e4, 1e4);
   K[TM_K_SINCE] = 0.5 * w->dt;
   if (i % 13 == 0) K[0] = 0.0;    /* not known yet */
+  if (i % 3 == 0) random_fill(w->face + TM_FACE_COLUMNS * i + TM_FACE_NORMAL, w->dim, -0.5, 0.5);
+  if (i % 3 == 0) random_fill(w->face + TM_FACE_COLUMNS * i + TM_FACE_TURN, 3, -0.05, 0.05);
 }
 
 static void make_list(cloud *w)

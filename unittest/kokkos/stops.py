@@ -31,7 +31,7 @@ CASES = {
     "runaway": dict(lines="fix push one addforce 1e10 0 0"),
     "velocity set too high": dict(lines="velocity one set 1e6 0 0 units box"),
     "density": dict(fix="density/max 1e9", more="set atom 31 type 2",
-                    lines="group heavy id 31\nvelocity heavy set 600 0 0 units box"),
+                    lines="group heavy id 31\nvelocity heavy set 300 0 0 units box"),
     "leaves the box": dict(box=SMALL, more="create_atoms 1 single 11.5e-3 3.5e-3 0 units box",
                            lines="group last id 65\nvelocity last set 3000 300 0 units box"),
     "heat taken out": dict(lines="fix sink one sph/tm/heat source -1e20"),

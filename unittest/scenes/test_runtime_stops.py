@@ -54,7 +54,7 @@ CASES = [
      ["particle 30", "velocity", "ten times the speed of sound", "Likely cause"]),
     ("a velocity set too high", LARGE, "", "velocity one set 1e6 0 0 units box",
      ["particle 30", "velocity", "ten times the speed of sound"]),
-    ("a density below zero", HEAVY, "density/max 1e9", "group heavy id 31\nvelocity heavy set 600 0 0 units box", ["particle", "density", "not positive", "Likely cause"]),
+    ("a density below zero", HEAVY, "density/max 1e9", "group heavy id 31\nvelocity heavy set 300 0 0 units box", ["particle", "density", "not positive", "Likely cause"]),
     ("a density beyond a factor of 3", LARGE, "courant 0.8", PRESSED,
      ["particle", "density is ", "times that of the material", "density/max", "neighbors within reach",
       "compressed or stretched"]),

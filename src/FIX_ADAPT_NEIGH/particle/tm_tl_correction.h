@@ -31,7 +31,7 @@ TM_FN void tm_tl_correction(int i, const tm_tl_correction_args *a, unsigned effe
   const tm_real *history = a->history + (ptrdiff_t) i * TM_TL_HISTORY;
   tm_mat3 M = tm_mat_scale(0.0, tm_mat_identity());
   tm_vec3 face; /* stored pairs hold the particle */
-  if (r->rows.mechanical[i] > 0) M = tm_moment_sum(i, r, effects, tm_vec(0, 0, 0), &face);
+  if (r->rows.mechanical[i] > 0) M = tm_moment_sum(i, r, effects, 0, tm_vec(0, 0, 0), &face);
   if (stored)
     M = tm_mat_add(M, tm_mat_mul(tm_mat_load(history + TM_TL_G), tm_mat_transposed(tm_mat_load(history + TM_TL_B))));
   int good = 0;
@@ -40,11 +40,10 @@ TM_FN void tm_tl_correction(int i, const tm_tl_correction_args *a, unsigned effe
   if (!good) K = tm_mat_from_sym(tm_sym_inverse_bounded(tm_mat_symmetric(M), dim3, TM_MOMENT_LOW));
   tm_mat_store(a->correction + (ptrdiff_t) i * 9, K);
   /* with total-Lagrangian pairs, tm_tl_rates() applies K to the sum of both kinds of pairs */
-  tm_mat_store(r->correction + (ptrdiff_t) i * 9, stored ? tm_mat_identity() : K);
+  tm_sym_store(r->correction + (ptrdiff_t) i * 6, stored ? tm_sym(1, 1, 1, 0, 0, 0) : tm_mat_symmetric(K));
   const tm_sym3 P = tm_sym_from_record(tm_main_record(&r->rec, i), TM_REC_P);
-  tm_real *rec = r->rec.correction + (ptrdiff_t) i * TM_REC_CORRECTION;
-  tm_mat_store(rec, tm_mat_mul(tm_mat_from_sym(P), tm_mat_transposed(K)));
-  for (int d = 0; d < 3; d++) rec[TM_CORRECTION_FACE + d] = 0.0; /* its gradient is that of the stored pairs */
+  tm_mat_store(r->rec.correction + (ptrdiff_t) i * TM_REC_CORRECTION,
+               tm_mat_mul(tm_mat_from_sym(P), tm_mat_transposed(K)));
 }
 
 #endif

@@ -112,7 +112,7 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::of_centers(AuditPatch &p, unsi
   a.rec = rec;
   a.which = nullptr;
   a.effects = effects;
-  std::vector<double> K(9 * (size_t) n + 1), PK((size_t) TM_REC_CORRECTION * n + 1);
+  std::vector<double> K(6 * (size_t) n + 1), PK((size_t) TM_REC_CORRECTION * n + 1);
   if ((effects & TM_FX_CORRECTION) && !(effects & TM_FX_ONE_PASS)) {
     a.correction = K.data();
     a.rec.correction = PK.data();
@@ -156,7 +156,7 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::of_centers(AuditPatch &p, unsi
   std::vector<Around> out(n);
   for (int k = 0; k < n; k++) {
     out[k].tag = atom->tag[p.member[k]];
-    std::copy_n(K.data() + 9 * (size_t) k, 9, out[k].K);
+    std::copy_n(K.data() + 6 * (size_t) k, 6, out[k].K);
     std::copy_n(PK.data() + (size_t) TM_REC_CORRECTION * k, (int) TM_REC_CORRECTION, out[k].PK);
     tm_size_record(own.data() + (size_t) k * TM_S_COLUMNS, mass[k] / p.main[(size_t) k * TM_REC + TM_REC_RHO],
                    gradient_factors.data(), tm_fx_kernel(effects), dim3, out[k].size);
@@ -205,7 +205,8 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::surroundings(AuditSearch &sear
 
 /* ---------------------------------------------------------------------- rates */
 
-AccuracyMeter::Rates AccuracyMeter::rates(AuditPatch &p, const tm_records &rec, unsigned effects, const double *K) const
+AccuracyMeter::Rates AccuracyMeter::rates(AuditPatch &p, const tm_records &rec, unsigned effects, const double *K,
+                                          const double *turn) const
 {
   const int n = p.centers;
   const size_t room = n + 1, all = p.member.size() + 1;
@@ -246,12 +247,14 @@ AccuracyMeter::Rates AccuracyMeter::rates(AuditPatch &p, const tm_records &rec, 
   a.gradient = r.gradient.data();
   a.heat = r.heat.data();
   a.correction = const_cast<double *>(K);
+  a.turn = const_cast<double *>(turn);
   a.xsph_v = r.xsph.data();
   a.surface = surface.data();
   a.artificial = nullptr;
   const bool one_pass = (effects & TM_FX_ONE_PASS) != 0, hourglass = !one_pass && (effects & TM_FX_HOURGLASS);
-  std::vector<double> hourglass_rate(3 * room), moment(TM_MOMENT_COLUMNS * room);
+  std::vector<double> hourglass_rate(3 * room), moment(TM_MOMENT_COLUMNS * room), face_next(TM_FACE_COLUMNS * room);
   a.moment = moment.data();
+  a.face_next = face_next.data();
   a.hourglass_rate = hourglass_rate.data();
   r.seconds = 1e300;
   for (int turn = 0; turn < 2; turn++) {    // the second finds its data in the cache
@@ -288,13 +291,15 @@ void AccuracyMeter::audit(const InUse &in_use)
 
   // records of what is not in use, and of sizes as they should be
   tm_records rec = p.records(), sized;
-  std::vector<double> K, stress, sizes;
+  std::vector<double> K, turn, stress, sizes;
   p.correction.clear();
   for (int k = 0; k < members; k++) {
     const Around &a = around[k];
-    if (k < n && !(used & TM_FX_ONE_PASS)) K.insert(K.end(), a.K, a.K + 9);
+    if (k < n && !(used & TM_FX_ONE_PASS)) K.insert(K.end(), a.K, a.K + 6);
     else if (k < n)
-      K.insert(K.end(), in_use.correction + 9 * (size_t) p.member[k], in_use.correction + 9 * (size_t) p.member[k] + 9);
+      K.insert(K.end(), in_use.correction + 6 * (size_t) p.member[k], in_use.correction + 6 * (size_t) p.member[k] + 6);
+    if (k < n && (used & TM_FX_FACES))
+      turn.insert(turn.end(), in_use.turn + 3 * (size_t) p.member[k], in_use.turn + 3 * (size_t) p.member[k] + 3);
     p.correction.insert(p.correction.end(), a.PK, a.PK + TM_REC_CORRECTION);
     sizes.insert(sizes.end(), a.size, a.size + TM_REC_SIZE);
   }
@@ -318,7 +323,7 @@ void AccuracyMeter::audit(const InUse &in_use)
   bool shown[CAUSES] = {};
   const unsigned exact = used & ~unsigned(TM_FX_MIXED);
   auto take = [&](int cause, const tm_records &records, unsigned effects) {
-    of[cause] = rates(p, records, effects, K.data());
+    of[cause] = rates(p, records, effects, K.data(), turn.data());
     from[cause] = &of[cause];
     shown[cause] = true;
     if (n) times.cause[cause] += of[cause].seconds / n;

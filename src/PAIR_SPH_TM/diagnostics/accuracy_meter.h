@@ -69,7 +69,7 @@ class AccuracyMeter : public StepAudit, protected LAMMPS_NS::Pointers {
   std::vector<double> gradient_factors;    // tm_gradient_table
 
   struct Around {    // of a particle: its correction, and its smoothing length as it should be
-    double tag, K[9], PK[TM_REC_CORRECTION], size[TM_REC_SIZE];
+    double tag, K[6], PK[TM_REC_CORRECTION], size[TM_REC_SIZE];
   };
   struct Rates {
     std::vector<double> force, gradient, heat, xsph;
@@ -80,7 +80,7 @@ class AccuracyMeter : public StepAudit, protected LAMMPS_NS::Pointers {
   std::vector<int> choose() const;
   std::vector<Around> surroundings(AuditSearch &, const AuditPatch &, unsigned effects);
   std::vector<Around> of_centers(AuditPatch &, unsigned effects, const SmoothingRule &);
-  Rates rates(AuditPatch &, const tm_records &, unsigned effects, const double *K) const;
+  Rates rates(AuditPatch &, const tm_records &, unsigned effects, const double *K, const double *turn) const;
   void add_differences(const AuditPatch &, const InUse &, const Rates *const of[], const bool shown[]);
 };
 

@@ -25,6 +25,7 @@ tm_records AuditPatch::records()
   r.correction = part(correction);
   r.hourglass = part(hourglass);
   r.stab = part(stab);
+  r.faces = faces;
   return r;
 }
 
@@ -142,6 +143,7 @@ void AuditSearch::gather(AuditPatch &p) const
   take(p.size, rec.size, TM_REC_SIZE);
   take(p.hourglass, rec.hourglass, TM_REC_HOURGLASS);
   take(p.stab, rec.stab, TM_REC_STAB);
+  p.faces = rec.faces;
 }
 
 }    // namespace SPHTM_NS

@@ -19,6 +19,7 @@ struct AuditPatch {
   std::vector<int> index, mechanical, none;
   std::vector<ptrdiff_t> first;
   std::vector<double> main, stress, heat, size, correction, hourglass, stab;    // records of the members
+  int faces = 0;                                                                // stab has normals of faces
 
   tm_rows rows() const
   {

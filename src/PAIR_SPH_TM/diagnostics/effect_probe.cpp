@@ -41,7 +41,9 @@ EffectProbe::EffectProbe(ParticleState &s, StepResults &r, int particles) :
   plain(surface, fx & TM_FX_SURFACE, 3);
   room(stab, fx & TM_FX_ONE_PASS, TM_REC_STAB, 2);
   plain(moment, fx & TM_FX_ONE_PASS, TM_MOMENT_COLUMNS);
-  plain(correction, fx & TM_FX_CORRECTION, 9);
+  plain(correction, fx & TM_FX_CORRECTION, 6);
+  plain(turn, fx & TM_FX_FACES, 3);
+  plain(face_next, fx & TM_FX_FACES, TM_FACE_COLUMNS);
   plain(artificial, results.rate_args().artificial != nullptr, 1);
 }
 
@@ -57,12 +59,15 @@ double EffectProbe::step(unsigned fx)
   r.surface = surface.loop_write();
   r.artificial = artificial.loop_write();
   r.moment = moment.loop_write();
+  r.turn = turn.loop_write();
+  r.face_next = face_next.loop_write();
 
   const tm_state now = particles_state.arrays();
   tm_predict_args p = results.predict_args(particles_state, now);
   p.rec = {main.loop_write(), stress.loop_write(),    heat_record.loop_write(), nullptr,
-           size.loop_write(), hourglass.loop_write(), stab.loop_write()};
+           size.loop_write(), hourglass.loop_write(), stab.loop_write(),        (fx & TM_FX_FACES) != 0};
   p.correction = correction.loop_write();
+  p.turn = turn.loop_write();
 
   tm_update_args u = update_args(particles_state, results);
   for (int id = 0; id < TM_F_COUNT; id++) {
@@ -71,6 +76,7 @@ double EffectProbe::step(unsigned fx)
     loops.copy(u.state.field[id], now.field[id], state[id].bytes());
   }
   u.moment = moment.loop_write();
+  u.face_next = face_next.loop_write();
   u.state.x = x.loop_write();
   u.state.v = v.loop_write();
   loops.copy(u.state.x, now.x, x.bytes());

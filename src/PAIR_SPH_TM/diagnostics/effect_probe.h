@@ -26,7 +26,7 @@ class EffectProbe {
   Backend &loops;
   int n;
   LoopArray<double> state[TM_F_COUNT], x, v;    // copies the update changes
-  LoopArray<double> main, stress, heat_record, size, hourglass, stab, correction,
+  LoopArray<double> main, stress, heat_record, size, hourglass, stab, correction, turn, face_next,
       moment;                                                              // written by the prediction
   LoopArray<double> force, gradient, heat, xsph_v, surface, artificial;    // and by the rate pass
 

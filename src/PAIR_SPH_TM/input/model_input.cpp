@@ -84,9 +84,10 @@ Settings read_settings(LAMMPS *lmp, int narg, char **arg)
       }
     } else if (k.is("form")) set.form_f14 = k.second("f15", "f14");
     else if (k.is("correction")) {
-      correction = true;
-      set.faces = !k.take("linear");
-      set.correction = !set.faces || k.yes();
+      correction = set.correction = true;
+      if (k.take("linear")) set.faces = FACES_NEVER;
+      else if (k.take("second")) set.faces = FACES_ALWAYS;
+      else set.correction = k.yes();
     } else if (k.is("plane")) set.plane_stress = k.second("strain", "stress");
     else if (k.is("precision")) set.mixed = k.second("double", "mixed");
     else

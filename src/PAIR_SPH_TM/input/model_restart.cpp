@@ -166,7 +166,7 @@ std::vector<std::string> changes(const Settings &then, const Settings &now)
       {"viscosity beta", &S::visc_beta}, {"artstress", &S::art_eps}, {"xsph", &S::xsph}, {"hourglass", &S::hourglass}};
   static const struct { const char *name; bool S::*value; } flags[] = {
       {"artstress component", &S::art_component}, {"artstress balanced", &S::art_balanced}, {"form f14", &S::form_f14},
-      {"correction", &S::correction}, {"second order at faces", &S::faces}, {"balsara", &S::balsara}, {"plane stress", &S::plane_stress},
+      {"correction", &S::correction}, {"balsara", &S::balsara}, {"plane stress", &S::plane_stress},
       {"precision mixed", &S::mixed}};
   // clang-format on
   std::vector<std::string> found;
@@ -174,6 +174,7 @@ std::vector<std::string> changes(const Settings &then, const Settings &now)
     found.push_back(fmt::format("kernel was {}, is {}", kernel_name(then.kernel), kernel_name(now.kernel)));
   for (const auto &n : numbers)
     if (then.*n.value != now.*n.value) found.push_back(change(n.name, then.*n.value, now.*n.value));
+  if (then.faces != now.faces) found.push_back(change("correction at faces", then.faces, now.faces));
   if (then.art_n != now.art_n) found.push_back(change("artstress exponent", then.art_n, now.art_n));
   for (const auto &f : flags)
     if (then.*f.value != now.*f.value)

@@ -94,7 +94,7 @@ static constexpr int kernel_set_index(unsigned effects) { return 2 * kernel_of(e
 
 // of the update; the prediction tells the forms of the momentum equation apart too
 constexpr unsigned RARE_IN_UPDATE =
-    TM_FX_DAMAGE | TM_FX_ENERGY | TM_FX_BALSARA | TM_FX_XSPH | TM_FX_PLANE_STRESS | TM_FX_SMOOTHING;
+    TM_FX_DAMAGE | TM_FX_ENERGY | TM_FX_BALSARA | TM_FX_XSPH | TM_FX_PLANE_STRESS | TM_FX_SMOOTHING | TM_FX_FACES;
 constexpr unsigned RARE_IN_PREDICTION = RARE_IN_UPDATE | TM_FX_FORM_F14;
 
 }    // namespace SPHTM_NS

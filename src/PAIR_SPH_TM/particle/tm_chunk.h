@@ -52,7 +52,6 @@ typedef struct {
   int art_n;                  /* exponent of the artificial stress */
   tm_real art_inv_w;          /* 1 / shape(dp/h) */
   tm_real xsph;               /* XSPH epsilon, 0..1 */
-  int faces;                  /* second order at free faces, tm_face.h */
   tm_real force_unit;         /* mass times acceleration -> force of the unit style */
   const tm_real *conductance; /* interface conductance per type pair (0: bonded), or NULL */
   const int *which;           /* the particles, or NULL: all */
@@ -64,7 +63,9 @@ typedef struct {
   int force_begins;
   tm_real *gradient;       /* 9, L row major, in rows of tm_layout.h */
   tm_real *heat;           /* conduction, power per volume, or NULL */
-  tm_real *correction;     /* 9, K of tm_moment.h, with correction; read by the rate pass */
+  tm_real *correction;     /* 6, K of tm_moment.h, with correction; read by the rate pass */
+  tm_real *turn;           /* 3, the antisymmetric part of K, with TM_FX_FACES */
+  tm_real *face_next;      /* TM_FACE_COLUMNS of this force point, with TM_FX_FACES */
   tm_real *moment;         /* TM_MOMENT_COLUMNS of this force point, where the rate pass makes them */
   tm_real *xsph_v;         /* 3, with XSPH */
   tm_real *hourglass_rate; /* 3, with the hourglass control: tm_hourglass.h */

@@ -16,7 +16,7 @@ TM_FN int tm_ghost_width(const tm_ghost_args *a)
 {
   if (a->values) return a->columns;
   return TM_REC - TM_REC_M + (a->rec.stress ? (int) TM_REC_STRESS : 0) + (a->rec.heat ? (int) TM_REC_HEAT : 0) +
-         (a->rec.size ? (int) TM_REC_SIZE : 0) + (a->rec.stab ? (int) TM_REC_STAB : 0);
+         (a->rec.size ? (int) TM_REC_SIZE : 0) + (a->rec.stab ? tm_stab_used(&a->rec) : 0);
 }
 
 /* Columns first to columns - 1 of a record into buf and back; what follows in buf. */
@@ -41,7 +41,7 @@ TM_FN void tm_ghost_pack(int j, const tm_ghost_args *a, tm_real *buf)
   if (a->rec.stress) buf = tm_ghost_take(buf, tm_stress_record(&a->rec, j), 0, TM_REC_STRESS);
   if (a->rec.heat) buf = tm_ghost_take(buf, tm_heat_record(&a->rec, j), 0, TM_REC_HEAT);
   for (int c = 0; a->rec.size && c < TM_REC_SIZE; c++) *buf++ = a->rec.size[(ptrdiff_t) j * TM_REC_SIZE + c];
-  if (a->rec.stab) tm_ghost_take(buf, tm_stab_record(&a->rec, j), 0, TM_REC_STAB);
+  if (a->rec.stab) tm_ghost_take(buf, tm_stab_record(&a->rec, j), 0, tm_stab_used(&a->rec));
 }
 
 TM_FN void tm_ghost_unpack(int j, const tm_ghost_args *a, const tm_real *buf)
@@ -54,7 +54,7 @@ TM_FN void tm_ghost_unpack(int j, const tm_ghost_args *a, const tm_real *buf)
   if (a->rec.stress) buf = tm_ghost_give(buf, tm_stress_record(&a->rec, j), 0, TM_REC_STRESS);
   if (a->rec.heat) buf = tm_ghost_give(buf, tm_heat_record(&a->rec, j), 0, TM_REC_HEAT);
   for (int c = 0; a->rec.size && c < TM_REC_SIZE; c++) a->rec.size[(ptrdiff_t) j * TM_REC_SIZE + c] = *buf++;
-  if (a->rec.stab) tm_ghost_give(buf, tm_stab_record(&a->rec, j), 0, TM_REC_STAB);
+  if (a->rec.stab) tm_ghost_give(buf, tm_stab_record(&a->rec, j), 0, tm_stab_used(&a->rec));
 }
 
 #endif

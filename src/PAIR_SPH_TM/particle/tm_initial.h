@@ -73,15 +73,18 @@ TM_FN tm_update_result tm_initial_limits(int i, const tm_update_args *a, unsigne
   tm_update_result out = tm_update_nothing();
   out.speed2 = tm_initial_speed2(s, i);
   if (seed) tm_initial_history(i, a, effects);
-  if ((effects & TM_FX_ONE_PASS) && m->body == TM_BODY_SOLID) {
+  const tm_real *moment = (effects & TM_FX_ONE_PASS) ? a->moment + (ptrdiff_t) i * TM_MOMENT_COLUMNS : NULL;
+  if (moment && m->body == TM_BODY_SOLID) {
     tm_real *row = tm_field_row(s, TM_F_CORRECTION, i);
+    if (row[0] == 0.0 && (effects & TM_FX_FACES))
+      tm_face_step(tm_field_row(s, TM_F_FACE, i), a->face_next + (ptrdiff_t) i * TM_FACE_COLUMNS, 1.0);
     if (row[0] == 0.0)
-      tm_correction_step(row, NULL, tm_correction_of(a->moment, i), NULL, tm_mat_from_row(a->gradient + tm_row(i, 9)),
-                         0.0, 0.0);
+      tm_correction_step(row, NULL, tm_sym_load(moment), NULL, tm_mat_from_row(a->gradient + tm_row(i, 9)), 0.0, 0.0);
   }
   if (m->body == TM_BODY_SOLID) {
     const tm_real c = tm_main_record(&a->rec, i)[tm_part(TM_REC_C)];
-    out.dt[TM_DT_SOUND] = tm_sound_time_step(h, c, a->visc_alpha, a->hourglass, effects);
+    const tm_real face = moment ? moment[TM_MOMENT_FACE] : 0.0;
+    out.dt[TM_DT_SOUND] = tm_sound_time_step(h, c, a->visc_alpha, a->hourglass, face, effects);
     const double *f = s->force + 3 * (ptrdiff_t) i;
     const tm_real acc = a->accel_unit / tm_particle_mass(s, i) * sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
     if (s->mask[i] & a->group) out.dt[TM_DT_FORCE] = tm_force_time_step(h, acc);

@@ -11,27 +11,27 @@
 
    M is half of its value across a free face, a quarter at corners (h = 1.2 spacings), and singular
    for particles in one plane: eigenvalues below TM_MOMENT_LOW count as TM_MOMENT_LOW, so K is
-   bounded and changes without jumps when a particle comes loose. At a free face M has the weights of tm_face.h. */
+   bounded and changes without jumps when a particle comes loose. */
 #ifndef TM_MOMENT_H
 #define TM_MOMENT_H
 
 #include "tm_chunk.h"
 #include "tm_eigen.h"
 #include "tm_pair.h"
-#include "tm_residual.h"
+#include "tm_face.h"
 
 #if TM_SINGLE
 #error "double only: the correction of the gradients has the precision of the state"
 #endif
 
-/* M of row i of the arguments with the normal b of a free face, and sum_j V_j gradW. */
-TM_FN tm_mat3 tm_moment_sum(int i, const tm_rates_args *a, unsigned effects, tm_vec3 b, tm_vec3 *face)
+/* M of row i of the arguments, and sum_j V_j gradW; with tilted, a literal, the moment with the normal b of a free face. */
+TM_FN tm_mat3 tm_moment_sum(int i, const tm_rates_args *a, unsigned effects, int tilted, tm_vec3 b, tm_vec3 *face)
 {
   const int kernel = tm_fx_kernel(effects), dim3 = (effects & TM_FX_3D) != 0;
   const int sizes = (a->effects & TM_FX_SMOOTHING) != 0;
   const tm_lanes zero = {0};
-  const tm_real kappa = TM_FACE_TILT / tm_rates_h(i, a);
-  const tm_real scale = tm_face_scale(b);
+  const tm_real kappa = tilted ? TM_FACE_TILT / tm_rates_h(i, a) : 0.0;
+  const tm_real scale = tilted ? kappa / (tm_vec_dot(b, b) + 1e-30) : 0.0;
   const tm_lanes_vec normal = {zero + b.x, zero + b.y, zero + b.z};
   enum { Z = 4, SLOPE = Z + TM_REC_SIZE, COLUMNS }; /* x y z m, size, m_j W'/r */
   tm_real ri[TM_REC];
@@ -63,10 +63,13 @@ TM_FN tm_mat3 tm_moment_sum(int i, const tm_rates_args *a, unsigned effects, tm_
       const tm_lanes_vec d = {tm_chunk_lanes_apart(c.x, col[0], l), tm_chunk_lanes_apart(c.y, col[1], l),
                               dim3 ? tm_chunk_lanes_apart(c.z, col[2], l) : zero};
       const tm_lanes_vec m_gradw = tm_lanes_scale(tm_values_load(col[SLOPE], l), d);
-      const tm_lanes s = zero - tm_lanes_dot(normal, d, dim3), slope = tm_values_load(col[SLOPE], l);
-      const tm_lanes_vec tilted = tm_lanes_add(tm_lanes_scale(1 - kappa * s, m_gradw),
-                                               tm_lanes_scale(zero - slope * (kappa * scale) * s * s, normal));
-      tm_pair_gradient(&M, d, tilted, dim3);
+      if (tilted) {
+        const tm_lanes s = zero - tm_lanes_dot(normal, d, dim3), slope = tm_values_load(col[SLOPE], l);
+        tm_pair_gradient(&M, d,
+                         tm_lanes_add(tm_lanes_scale(1 - kappa * s, m_gradw),
+                                      tm_lanes_scale(zero - slope * scale * s * s, normal)),
+                         dim3);
+      } else tm_pair_gradient(&M, d, m_gradw, dim3);
       tm_sum_vec_add(&F, m_gradw);
     }
   }
@@ -78,31 +81,29 @@ TM_FN tm_mat3 tm_moment_sum(int i, const tm_rates_args *a, unsigned effects, tm_
   return tm_mat_scale(s, tm_mat_load(all));
 }
 
-/* What the trace of a moment without b lacks: 0 inside a body. */
-TM_FN tm_real tm_moment_lacks(tm_mat3 M, int dim3) { return dim3 ? 3.0 - tm_mat_trace(M) : 2.0 - M.xx - M.yy; }
-
-/* K of particle i into a->correction, P K^T and b into its record. */
+/* K of particle i into a->correction, P K into its record. */
 TM_FN void tm_moment(int i, const tm_rates_args *a, unsigned effects)
 {
+  const int dim3 = (effects & TM_FX_3D) != 0, faces = a->rec.stab && a->rec.faces;
   const tm_real h = tm_rates_h(i, a);
-  tm_vec3 g, b = tm_vec(0, 0, 0);
-  tm_mat3 M = tm_moment_sum(i, a, effects, b, &g);
-  if (a->faces) b = tm_face_normal(g, h, tm_moment_lacks(M, (effects & TM_FX_3D) != 0));
-  if (!tm_face_none(b)) M = tm_moment_sum(i, a, effects, b, &g);
-  const tm_mat3 K = tm_correction_of_loose(tm_face_inverse(M, b, (effects & TM_FX_3D) != 0), h, g);
+  tm_vec3 g, b = tm_vec(0, 0, 0), turn = b;
+  tm_mat3 M = tm_moment_sum(i, a, effects, 0, b, &g);
+  if (faces) b = tm_face_normal(g, h, dim3 ? 3.0 - tm_mat_trace(M) : 2.0 - M.xx - M.yy);
+  if (!tm_face_none(b)) M = tm_moment_sum(i, a, effects, 1, b, &g);
+  const tm_mat3 inverse = tm_face_inverse(M, b, dim3);
+  const tm_real sum = tm_vec_norm(tm_mat_mul_vec(tm_mat_transposed(inverse), g));
+  tm_real face = sum;
+  const tm_sym3 K = tm_correction_of_loose(tm_mat_symmetric(inverse), h, &face);
+  if (faces) turn = tm_vec_scale(sum > 0.0 ? face / sum : 1.0, tm_face_turn(inverse));
   const tm_sym3 P = tm_sym_from_record(tm_main_record(&a->rec, i), TM_REC_P);
-  const tm_mat3 PK = tm_mat_mul(tm_mat_from_sym(P), tm_mat_transposed(K));
-  tm_mat_store(a->correction + (ptrdiff_t) i * 9, K);
-  if (a->rec.stab) {
-    tm_mat_to_record(tm_stab_record(&a->rec, i), TM_STAB_PK, PK);
+  tm_sym_store(a->correction + (ptrdiff_t) i * 6, K);
+  const tm_mat3 PK = tm_mat_mul(tm_mat_from_sym(P), tm_mat_transposed(tm_face_matrix(K, turn)));
+  if (faces) {
+    tm_store3(a->turn + 3 * (ptrdiff_t) i, turn);
     tm_vec_to_record(tm_stab_record(&a->rec, i), TM_STAB_FACE, b);
-  } else {
-    tm_real *rec = a->rec.correction + (ptrdiff_t) i * TM_REC_CORRECTION;
-    tm_mat_store(rec, PK);
-    rec[TM_CORRECTION_FACE] = b.x;
-    rec[TM_CORRECTION_FACE + 1] = b.y;
-    rec[TM_CORRECTION_FACE + 2] = b.z;
   }
+  if (a->rec.stab) tm_mat_to_record(tm_stab_record(&a->rec, i), TM_STAB_PK, PK);
+  else tm_mat_store(a->rec.correction + (ptrdiff_t) i * TM_REC_CORRECTION, PK);
 }
 
 #endif

@@ -29,7 +29,8 @@ typedef struct {
   const tm_real *share;     /* tm_tensile_table where the artificial stress is balanced, else NULL */
   tm_real hourglass;        /* xi of hourglass control, below 0: from the stress */
   tm_real h;                /* smallest smoothing length: the time of damping by hourglass control is that over c */
-  tm_real *correction;      /* 9, K at the force point, with one pass */
+  tm_real *correction;      /* 6, K at the force point, with one pass */
+  tm_real *turn;            /* 3, its antisymmetric part, with TM_FX_FACES */
   tm_real ratio;            /* h over spacing, of particles without a size of their own */
   tm_records_single single; /* the record is rounded into these too, where there is a main one */
 } tm_predict_args;
@@ -69,6 +70,7 @@ TM_FN void tm_predict_hourglass(int i, const tm_predict_args *a, tm_sym3 dev, tm
     out[tm_part(TM_STAB_W + 1)] = W.y;
     out[tm_part(TM_STAB_W + 2)] = W.z;
     out[tm_part(TM_STAB_K)] = k;
+    if (!(effects & TM_FX_FACES)) out[tm_part(TM_STAB_C)] = c;
   } else {
     tm_real *out = a->rec.hourglass + (ptrdiff_t) i * TM_REC_HOURGLASS;
     out[0] = W.x;
@@ -130,10 +132,15 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
                    (effects & TM_FX_3D) != 0, a->rec.size + (ptrdiff_t) i * TM_REC_SIZE);
   if (effects & TM_FX_HOURGLASS) tm_predict_hourglass(i, a, dev, p, effects);
   if (effects & TM_FX_ONE_PASS) {
-    const tm_correction c_i = tm_turned_correction(tm_field_row(s, TM_F_CORRECTION, i), a->dt_ahead);
-    tm_mat_store(a->correction + (ptrdiff_t) i * 9, c_i.K);
-    tm_mat_to_record(tm_stab_record(&a->rec, i), TM_STAB_PK, tm_mat_mul(tm_mat_from_sym(P), tm_mat_transposed(c_i.K)));
-    tm_vec_to_record(tm_stab_record(&a->rec, i), TM_STAB_FACE, c_i.face);
+    const tm_sym3 K = tm_turned_correction(tm_field_row(s, TM_F_CORRECTION, i), a->dt_ahead);
+    tm_sym_store(a->correction + (ptrdiff_t) i * 6, K);
+    if (effects & TM_FX_FACES) {
+      const tm_face f = tm_turned_face(tm_field_row(s, TM_F_FACE, i), tm_field_row(s, TM_F_CORRECTION, i), a->dt_ahead);
+      tm_store3(a->turn + 3 * (ptrdiff_t) i, f.turn);
+      tm_vec_to_record(tm_stab_record(&a->rec, i), TM_STAB_FACE, f.normal);
+      tm_mat_to_record(tm_stab_record(&a->rec, i), TM_STAB_PK,
+                       tm_mat_mul(tm_mat_from_sym(P), tm_mat_transposed(tm_face_matrix(K, f.turn))));
+    } else tm_mat_to_record(tm_stab_record(&a->rec, i), TM_STAB_PK, tm_sym_mul(P, K));
   }
   if (effects & TM_FX_HEAT) {
     tm_real *rt = tm_heat_record(&a->rec, i);

@@ -10,8 +10,8 @@
    surface             n_i = sum_j m_j/rho_j gradW; area of the surface = 2 V_i |n_i|
 
    With gradient correction (F15 form only) gradW is gradW K_i in L and in the term of P_i, and
-   gradW K_j in that of P_j; K comes from tm_moment.h. At a free face x_i - x_j is replaced in gradW by what
-   tm_face.h makes of it with the normal of i, and of j.
+   gradW K_j in that of P_j; K comes from tm_moment.h. With TM_FX_FACES x_i - x_j is replaced in gradW by what tm_face.h
+   makes of it with the normal of i, and of j.
 
    Each velocity gradient is the work conjugate of its momentum form: the power of the pair forces
    equals minus sum V sigma:L minus the artificial heating, to round-off.
@@ -28,7 +28,6 @@
 #include "tm_pair.h"
 #include "tm_rates_coefficients.h"
 #include "tm_face.h"
-#include "tm_residual.h"
 #include "tm_tensor.h"
 
 typedef struct {
@@ -37,8 +36,9 @@ typedef struct {
   tm_sum artificial, heat;
   tm_sum_sym moment; /* with one pass: sums of -d (x) g, g, g d and g v, g = m_j W'/r */
   tm_sum weights;
-  tm_sum_vec gd, gv, tilt; /* tilt: what normals of faces add to the moment, tilt (x) b */
-  tm_sum less;             /* and what they take from the trace of the sums of -d (x) g */
+  tm_sum_vec gd, gv;
+  tm_sum_vec tilt; /* what normals of faces add to the moment, tilt (x) b */
+  tm_sum less;     /* and what they take from the trace of the sums of -d (x) g */
 } tm_rates_sums;
 
 TM_FN tm_rates_sums tm_rates_sums_zero(void)
@@ -94,26 +94,16 @@ TM_FN void tm_rates_sums_of_group(tm_rates_sums *s, const tm_rates_terms *t, tm_
   s->weights = tm_group_sum(s->weights, group);
   s->gd = tm_group_sum_vec(s->gd, dim3, group);
   s->gv = tm_group_sum_vec(s->gv, dim3, group);
+  if (!t->faces) return;
   s->tilt = tm_group_sum_vec(s->tilt, dim3, group);
   s->less = tm_group_sum(s->less, group);
 }
 
-/* Records of the correction: P K^T, and behind it the normal of a free face. */
-TM_FN const tm_pair *tm_rates_corrected(const tm_rates_terms *t, const tm_rates_own *own)
-{
-  return t->one_pass ? own->stab : own->correction;
-}
-TM_FN tm_values *tm_rates_corrected_columns(const tm_rates_terms *t, tm_values *col)
-{
-  return col + (t->one_pass ? (int) TM_COL_STAB + TM_STAB_PK : (int) TM_COL_CORRECTION);
-}
-TM_FN int tm_rates_face(const tm_rates_terms *t) { return t->one_pass ? (int) TM_STAB_FACE : (int) TM_CORRECTION_FACE; }
-
 /* Whether the particle or one of its neighbors in a chunk is at a free face. */
 TM_FN int tm_rates_at_face(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own, tm_values *col)
 {
-  const tm_pair *b = tm_rates_corrected(t, own) + tm_rates_face(t);
-  tm_values *bj = tm_rates_corrected_columns(t, col) + tm_rates_face(t);
+  const tm_pair *b = own->stab + TM_STAB_FACE;
+  tm_values *bj = col + TM_COL_STAB + TM_STAB_FACE;
   if (b[0] * b[0] + b[1] * b[1] + (t->dim3 ? b[2] * b[2] : 0) > 0) return 1;
   const tm_lanes zero = {0};
   tm_sum sum = tm_lanes_zero();
@@ -125,8 +115,8 @@ TM_FN int tm_rates_at_face(const tm_chunk *c, const tm_rates_terms *t, const tm_
   return tm_lanes_sum(sum) > 0;
 }
 
-/* D of tm_face.h times gradW/|x_i - x_j|, from e toward the particle's neighbor: kept e + added b. Both particles of a pair
-   come here with the same bits. */
+/* D of tm_face.h times the slope of the kernel, from e toward the particle's neighbor: kept e + added b. Both particles of a
+   pair come here with the same bits. */
 typedef struct {
   tm_lanes kept, added, less; /* less: slope - kept */
 } tm_rates_tilted;
@@ -146,8 +136,8 @@ TM_FN void tm_rates_add_face(const tm_chunk *c, const tm_rates_terms *t, const t
 {
   const tm_lanes zero = {0}, slope = tm_values_load(col[TM_COL_SLOPE], l);
   const int dim3 = t->dim3;
-  const tm_pair *b = tm_rates_corrected(t, own) + tm_rates_face(t);
-  tm_values *bj = tm_rates_corrected_columns(t, col) + tm_rates_face(t);
+  const tm_pair *b = own->stab + TM_STAB_FACE;
+  tm_values *bj = col + TM_COL_STAB + TM_STAB_FACE;
   const tm_lanes_vec mine = {zero + b[0], zero + b[1], dim3 ? zero + b[2] : zero};
   const tm_lanes_vec other = {tm_values_load(bj[0], l), tm_values_load(bj[1], l),
                               dim3 ? tm_values_load(bj[2], l) : zero};
@@ -186,11 +176,12 @@ TM_FN void tm_rates_add(const tm_chunk *c, const tm_rates_terms *t, const tm_rat
   tm_sum_vec *a = &s->acceleration;
   const tm_lanes_vec g_momentum = t->form_f14 ? tm_lanes_scale(own->inv_rho + zero, g) : m_gradw;
   if (faces)
-    tm_sum_vec_add(a, tm_pair_momentum_of_both(tm_rates_corrected(t, own), gi, tm_rates_corrected_columns(t, col), l,
-                                               gj, dim3));
-  else if (t->one_pass || t->correction)
-    tm_pair_momentum(a, tm_pair_tensor_sum(tm_rates_corrected(t, own), tm_rates_corrected_columns(t, col), l),
-                     g_momentum, dim3);
+    tm_sum_vec_add(a,
+                   tm_pair_momentum_of_both(own->stab + TM_STAB_PK, gi, col + TM_COL_STAB + TM_STAB_PK, l, gj, dim3));
+  else if (t->one_pass)
+    tm_pair_momentum(a, tm_pair_tensor_sum(own->stab + TM_STAB_PK, col + TM_COL_STAB + TM_STAB_PK, l), m_gradw, dim3);
+  else if (t->correction)
+    tm_pair_momentum(a, tm_pair_tensor_sum(own->correction, col + TM_COL_CORRECTION, l), g_momentum, dim3);
   else tm_pair_momentum(a, tm_pair_symmetric_sum(own->r + TM_REC_P, col + TM_REC_P, l), g_momentum, dim3);
 
   /* artificial terms F14 (15): their heating apart, for the energy balance */
@@ -217,7 +208,7 @@ TM_FN void tm_rates_add(const tm_chunk *c, const tm_rates_terms *t, const tm_rat
 TM_FN void tm_rates_add_loop(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own, tm_values *col,
                              tm_rates_sums *s)
 {
-  if ((t->one_pass || t->correction) && tm_rates_at_face(c, t, own, col))
+  if (t->faces && tm_rates_at_face(c, t, own, col))
     for (int l = 0; l < c->lanes; l += TM_LANES) tm_rates_add(c, t, own, col, l, 1, s);
   else
     for (int l = 0; l < c->lanes; l += TM_LANES) tm_rates_add(c, t, own, col, l, 0, s);
@@ -280,27 +271,53 @@ TM_FN void tm_rates_add_all(const tm_chunk *c, const tm_rates_terms *t, const tm
   tm_rates_add_rare(c, t, own, col, s);
 }
 
+/* The correction at this force point with the moment's sums of tm_rates_store_stabilized() at a free face, g = sum V_j gradW:
+   its symmetric part, the rest into *turn, and the normal for the next step into *normal. */
+TM_FN tm_sym3 tm_rates_face(const tm_rates_terms *t, const tm_rates_own *own, const tm_rates_sums *s, tm_sym3 M,
+                            tm_real per_rho, tm_vec3 g, tm_real h, tm_real *face, tm_vec3 *turn, tm_vec3 *normal)
+{
+  const tm_pair *of = own->stab + TM_STAB_FACE;
+  const tm_vec3 b = tm_vec(of[0], of[1], t->dim3 ? of[2] : 0.0);
+  const tm_real trace = M.xx + M.yy + (t->dim3 ? M.zz : 0.0) + per_rho * tm_lanes_sum(s->less);
+  *normal = tm_face_normal(g, h, (t->dim3 ? 3.0 : 2.0) - trace);
+  const tm_real across[3] = {tm_lanes_sum(s->tilt.x), tm_lanes_sum(s->tilt.y), tm_lanes_sum(s->tilt.z)};
+  const tm_mat3 tilt = tm_mat_outer(tm_vec_scale(per_rho, tm_load3(across)), b);
+  const tm_mat3 K = tm_face_inverse(tm_mat_add(tm_mat_from_sym(M), tilt), b, t->dim3);
+  const tm_real sum = tm_vec_norm(tm_mat_mul_vec(tm_mat_transposed(K), g));
+  *face = sum;
+  const tm_sym3 used = tm_correction_of_loose(tm_mat_symmetric(K), h, face);
+  *turn = tm_vec_scale(sum > 0.0 ? *face / sum : 1.0, tm_face_turn(K));
+  return used;
+}
+
 /* With one pass: the correction at this force point, and the rate of the displacement of hourglass control. */
 TM_FN void tm_rates_store_stabilized(int i, const tm_rates_args *a, const tm_rates_terms *t, const tm_pair_records *rec,
                                      const tm_rates_own *own, const tm_rates_sums *s, tm_mat3 L)
 {
+  const tm_sum none = tm_lanes_zero();
   const tm_sum all[16] = {s->moment.xx, s->moment.yy, s->moment.zz, s->moment.xy, s->moment.xz, s->moment.yz,
                           s->weights,   s->gd.x,      s->gd.y,      s->gd.z,      s->gv.x,      s->gv.y,
-                          s->gv.z,      s->tilt.x,    s->tilt.y,    s->tilt.z};
+                          s->gv.z,      none,         none,         none};
   tm_real sum[16];
   tm_lanes_sums(all, 16, sum);
   const tm_real length = TM_SINGLE ? rec->length : 1.0;
   const tm_real per_rho = (TM_SINGLE ? 1.0 / own->r[TM_REC_M] : 1.0) / own->r[TM_REC_RHO];
-  const tm_pair *face = own->stab + TM_STAB_FACE;
-  const tm_vec3 b = tm_vec(face[0], face[1], t->dim3 ? face[2] : 0.0);
-  tm_mat3 M = tm_mat_from_sym(tm_sym_scale(per_rho, tm_sym_load(sum)));
-  if (!tm_face_none(b)) M = tm_mat_add(M, tm_mat_outer(tm_vec_scale(per_rho, tm_vec(sum[13], sum[14], sum[15])), b));
-  const tm_real less = tm_face_none(b) ? 0.0 : tm_lanes_sum(s->less);
-  const tm_real trace = sum[0] + sum[1] + (t->dim3 ? sum[2] : 0.0) + less;
-  const tm_real lacks = (t->dim3 ? 3.0 : 2.0) - per_rho * trace;
+  const tm_sym3 M = tm_sym_scale(per_rho, tm_sym_load(sum));
   const tm_vec3 gd = tm_vec(length * sum[7], length * sum[8], length * sum[9]);
-  tm_moment_store(a->moment + (ptrdiff_t) i * TM_MOMENT_COLUMNS, tm_face_inverse(M, b, t->dim3), tm_rates_h(i, a),
-                  tm_vec_scale(per_rho / (length * length), gd), lacks, a->faces);
+  tm_real *moment = a->moment + (ptrdiff_t) i * TM_MOMENT_COLUMNS;
+  tm_real face;
+  if (t->faces) {
+    tm_vec3 turn, normal;
+    const tm_vec3 g = tm_vec_scale(per_rho / (length * length), gd);
+    tm_sym_store(moment, tm_rates_face(t, own, s, M, per_rho, g, tm_rates_h(i, a), &face, &turn, &normal));
+    tm_store3(a->face_next + (ptrdiff_t) i * TM_FACE_COLUMNS + TM_FACE_NORMAL, normal);
+    tm_store3(a->face_next + (ptrdiff_t) i * TM_FACE_COLUMNS + TM_FACE_TURN, turn);
+  } else {
+    const tm_sym3 K = tm_sym_inverse_bounded(M, t->dim3, TM_MOMENT_LOW);
+    face = per_rho / (length * length) * tm_vec_norm(tm_sym_mul_vec(K, gd));
+    tm_sym_store(moment, tm_correction_of_loose(K, tm_rates_h(i, a), &face));
+  }
+  moment[TM_MOMENT_FACE] = face;
   const tm_vec3 rate = tm_residual_velocity(sum[6], gd, tm_vec(sum[10], sum[11], sum[12]), L);
   tm_real *out = a->hourglass_rate + 3 * (ptrdiff_t) i;
   out[0] = rate.x;
@@ -327,9 +344,12 @@ TM_FN void tm_rates_store(int i, const tm_rates_args *a, const tm_rates_terms *t
   tm_lanes_sums(all, 16, L);
   for (int k = 0; k < 9; k++) L[k] *= lscale;
   if (t->correction || t->one_pass) {
-    const tm_mat3 K = tm_mat_transposed(tm_mat_load(a->correction + (ptrdiff_t) i * 9));
+    const tm_sym3 K = tm_sym_load(a->correction + (ptrdiff_t) i * 6);
+    const tm_vec3 turn = t->faces ? tm_load3(a->turn + 3 * (ptrdiff_t) i) : tm_vec(0, 0, 0);
     for (int r = 0; r < 9; r += 3) {
-      const tm_vec3 l = tm_mat_mul_vec(K, tm_vec(L[r], L[r + 1], L[r + 2]));
+      const tm_vec3 row = tm_vec(L[r], L[r + 1], L[r + 2]);
+      tm_vec3 l = tm_sym_mul_vec(K, row); /* the transpose of K = K_s + [turn] */
+      if (t->faces) l = tm_vec_sub(l, tm_vec_cross(turn, row));
       L[r] = l.x;
       L[r + 1] = l.y;
       L[r + 2] = l.z;

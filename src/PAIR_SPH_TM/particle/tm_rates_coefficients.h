@@ -21,7 +21,7 @@ enum {
   TM_COL_CONDUCTED,                         /* power per volume into i */
   TM_COL_PER_RHO,                           /* 1/rho_j */
   TM_COL_SMOOTH,                            /* m_j/rho_mean W */
-  TM_COL_SOUND,                             /* sound speed, with one pass */
+  TM_COL_SOUND,                             /* sound speed, with one pass in the extended instantiation */
   TM_COL_Q,                                 /* r/h, and W'/r: of loops that test effects at run time */
   TM_COL_G,
   TM_COLUMNS
@@ -29,7 +29,8 @@ enum {
 
 /* Terms of the rates: literals, but in the extended instantiation, where kernel, dim3 and one_pass are. */
 typedef struct {
-  int kernel, dim3, viscosity, artstress, conduction, form_f14, correction, balsara, xsph, surface, sizes, one_pass;
+  int kernel, dim3, viscosity, artstress, conduction, form_f14, correction, balsara, xsph, surface, sizes, one_pass,
+      faces;
   int extended;
 } tm_rates_terms;
 
@@ -45,6 +46,7 @@ TM_FN tm_rates_terms tm_rates_terms_of(unsigned effects, unsigned run_time)
   t.conduction = (all & TM_FX_CONDUCTION) != 0;
   t.form_f14 = (all & TM_FX_FORM_F14) != 0;
   t.one_pass = (effects & TM_FX_ONE_PASS) != 0;
+  t.faces = t.one_pass && t.extended && (all & TM_FX_FACES) != 0;
   t.correction = !t.one_pass && (all & TM_FX_CORRECTION) != 0;
   t.balsara = (all & TM_FX_BALSARA) != 0;
   t.xsph = (all & TM_FX_XSPH) != 0;
@@ -66,7 +68,7 @@ typedef struct {
   int art_n;
 } tm_rates_own;
 
-/* Sound speed from rho c^2, where the linear part of the viscosity needs it. */
+/* With faces, sound speed from rho c^2, where the linear part of the viscosity needs it. */
 TM_FN tm_pair tm_rates_sound(const tm_rates_own *own, tm_pair rho_c2, tm_pair rho)
 {
   return own->visc_alpha > 0 ? tm_pair_sqrt(rho_c2 / rho) : 0;
@@ -91,10 +93,12 @@ TM_FN void tm_rates_load(int i, const tm_rates_args *a, const tm_rates_terms *t,
   if (t->correction)
     for (int c = 0; c < TM_REC_CORRECTION; c++)
       own->correction[c] = rec->correction[(ptrdiff_t) i * TM_REC_CORRECTION + c];
-  if (t->one_pass) tm_fetch(rec->stab + tm_pair_record(i, TM_REC_STAB), TM_REC_STAB, own->stab);
+  if (t->one_pass)
+    tm_fetch(rec->stab + tm_pair_record(i, TM_REC_STAB), t->extended ? (int) TM_REC_STAB : (int) TM_STAB_FETCHED,
+             own->stab);
   own->visc_alpha = t->viscosity ? (tm_pair) a->visc_alpha : 0;
   own->visc_beta = t->viscosity ? (tm_pair) a->visc_beta : 0;
-  own->sound = t->one_pass ? tm_rates_sound(own, own->stab[TM_STAB_K], own->r[TM_REC_RHO]) : own->r[TM_REC_C];
+  own->sound = t->faces ? tm_rates_sound(own, own->stab[TM_STAB_K], own->r[TM_REC_RHO]) : own->r[TM_REC_C];
   own->norm_of_one = (tm_pair) a->norm_of_one;
   own->art_n = a->art_n;
 }
@@ -111,7 +115,9 @@ TM_FN void tm_rates_fetch(const tm_chunk *c, const int *jj, const tm_rates_terms
   } else if (TM_COLUMN > 1 || TM_SINGLE || t->viscosity || t->extended)
     tm_chunk_fetch_main(c, jj, TM_REC, t->dim3, col);
   else tm_chunk_fetch_main(c, jj, TM_REC_C, t->dim3, col);
-  if (t->one_pass) tm_fetch_records(rec->stab, TM_REC_STAB, 0, TM_REC_STAB, jj, c->lanes, col[TM_COL_STAB]);
+  if (t->one_pass)
+    tm_fetch_records(rec->stab, TM_REC_STAB, 0, t->extended ? (int) TM_REC_STAB : (int) TM_STAB_FETCHED, jj, c->lanes,
+                     col[TM_COL_STAB]);
   if (t->artstress) /* in single with heat behind it, whose columns begin within a group of four */
     tm_fetch_records(rec->stress, TM_STRESS_COLUMNS, 0, TM_STRESS_COLUMNS, jj, c->lanes, col[TM_COL_STRESS]);
   else if (TM_SINGLE && t->conduction)
@@ -139,7 +145,9 @@ TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, con
   const tm_pair_size p = tm_chunk_pair_size(c, t->sizes, col + TM_COL_SIZE, l, &own->norm_of_one, t->dim3);
   const tm_pair r2 = dx * dx + dy * dy + dz * dz, r = tm_pair_sqrt(r2), q = r * p.inv_h;
   const tm_pair mj = col[TM_REC_M][tm_at(l)], rhoj = col[TM_REC_RHO][tm_at(l)];
-  const tm_pair *c_of = t->one_pass ? col[TM_COL_SOUND] : col[TM_REC_C];
+  const tm_pair *c_of = !t->one_pass  ? col[TM_REC_C]
+                        : t->extended ? col[TM_COL_SOUND]
+                                      : col[(int) TM_COL_STAB + TM_STAB_C];
   tm_pair inv_r, inv_rho_sum;
   if (t->viscosity) {
     const tm_pair vx = own->r[4] - col[4][tm_at(l)], vy = own->r[5] - col[5][tm_at(l)];
@@ -166,17 +174,17 @@ TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, con
   if (t->artstress) col[TM_COL_TENSILE][tm_at(l)] = tm_power_int(tm_kernel_shape(t->kernel, q) * p.inv_w, own->art_n);
   if (t->conduction) col[TM_COL_CONDUCTED][tm_at(l)] = tm_rates_conducted(own, col, l, g);
 }
-TM_FN void tm_rates_sound_loop(const tm_chunk *c, const tm_rates_own *own, tm_values *col)
+TM_FN void tm_rates_sound_loop(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own, tm_values *col)
 {
   const int lanes = c->lanes;
-  if (own->visc_alpha > 0) {
+  if (t->faces) {
     TM_SIMD
     for (int l = 0; l < lanes; l++)
       col[TM_COL_SOUND][tm_at(l)] =
           tm_rates_sound(own, col[(int) TM_COL_STAB + TM_STAB_K][tm_at(l)], col[TM_REC_RHO][tm_at(l)]);
   } else {
     TM_SIMD
-    for (int l = 0; l < lanes; l++) col[TM_COL_SOUND][tm_at(l)] = 0;
+    for (int l = 0; l < lanes; l++) col[TM_COL_SOUND][tm_at(l)] = col[(int) TM_COL_STAB + TM_STAB_C][tm_at(l)];
   }
 }
 TM_FN void tm_rates_coefficient_loop(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own,
@@ -247,7 +255,7 @@ TM_FN void tm_rates_all_coefficients(const tm_chunk *c, const tm_rates_terms *t,
                                      tm_values *col)
 {
   tm_rates_terms u = *t;
-  if (t->one_pass && (t->viscosity || t->extended)) tm_rates_sound_loop(c, own, col);
+  if (t->one_pass && t->extended) tm_rates_sound_loop(c, t, own, col);
   if (!t->extended) tm_rates_coefficient_loop(c, t, own, col);
   else {
     u.viscosity = 1; /* with factors of 0 where it is off */

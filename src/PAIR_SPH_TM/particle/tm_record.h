@@ -4,7 +4,7 @@
    columns of a record lie; P K is a plain row everywhere.
 
    P is what the momentum sum needs of one particle: sigma / rho^2 in the form F15 (4), sigma in
-   the form F14 (6). With gradient correction the sums use the nine components of P K^T instead, K
+   the form F14 (6). With gradient correction the sums use the nine components of P K instead, K
    the correction of tm_moment.h, so that pair forces stay equal and opposite. */
 #ifndef TM_RECORD_H
 #define TM_RECORD_H
@@ -22,9 +22,9 @@ enum {
   TM_REC_BALSARA = 15, /* shear switch 0..1 */
   TM_REC = 16
 };
-enum { TM_REC_STRESS = 6 };                              /* artificial stress, xx yy zz xy xz yz */
-enum { TM_REC_T = 0, TM_REC_K = 1, TM_REC_HEAT = 2 };    /* temperature, conductivity */
-enum { TM_CORRECTION_FACE = 9, TM_REC_CORRECTION = 12 }; /* P K^T row major, b of tm_face.h */
+enum { TM_REC_STRESS = 6 };                           /* artificial stress, xx yy zz xy xz yz */
+enum { TM_REC_T = 0, TM_REC_K = 1, TM_REC_HEAT = 2 }; /* temperature, conductivity */
+enum { TM_REC_CORRECTION = 9 };                       /* P K, row major */
 /* 1/h, correction of sums over gradW (tm_lattice.h), 1/W of the reference spacing of the artificial
    stress over W(0)'s norm, edge of the particle; see tm_size.h */
 enum { TM_SIZE_INV_H = 0, TM_SIZE_FACTOR = 1, TM_SIZE_TENSILE = 2, TM_SIZE_DP = 3, TM_REC_SIZE = 4 };
@@ -32,9 +32,12 @@ enum { TM_SIZE_INV_H = 0, TM_SIZE_FACTOR = 1, TM_SIZE_TENSILE = 2, TM_SIZE_DP = 
 /* displacement against the neighborhood x y z, stiffness against it (pressure); see tm_hourglass.h */
 enum { TM_HOURGLASS_K = 3, TM_REC_HOURGLASS = 4 };
 
-/* With both in the rate pass (TM_FX_ONE_PASS): P K^T row major, the displacement of hourglass control with the share of its
-   rate that damps, rho c^2, b of tm_face.h. */
-enum { TM_STAB_PK = 0, TM_STAB_W = 9, TM_STAB_K = 12, TM_STAB_FACE = 13, TM_REC_STAB = 16 };
+/* With both in the rate pass (TM_FX_ONE_PASS): P K row major, the displacement of hourglass control with the share of its
+   rate that damps, rho c^2, longitudinal sound speed; the rest is not used. With TM_FX_FACES P K^T, and b of tm_face.h in
+   place of the sound speed. */
+enum { TM_STAB_PK = 0, TM_STAB_W = 9, TM_STAB_K = 12, TM_STAB_C = 13, TM_STAB_USED = 14, TM_REC_STAB = 16 };
+enum { TM_STAB_FACE = 13 };
+enum { TM_STAB_FETCHED = TM_SINGLE ? (int) TM_REC_STAB : (int) TM_STAB_USED }; /* columns that come together */
 
 typedef struct {
   tm_real *main;       /* TM_REC per particle, owned and ghost */
@@ -44,7 +47,11 @@ typedef struct {
   tm_real *size;       /* TM_REC_SIZE, or NULL: all particles have the size of the pair style */
   tm_real *hourglass;  /* TM_REC_HOURGLASS, or NULL */
   tm_real *stab;       /* TM_REC_STAB, or NULL */
+  int faces;           /* stab has normals of faces */
 } tm_records;
+
+/* Columns of stab that are in use. */
+TM_FN int tm_stab_used(const tm_records *rec) { return rec->faces ? (int) TM_REC_STAB : (int) TM_STAB_USED; }
 
 /* The same for pair arithmetic in single, see tm_single.h. */
 enum { TM_MORE = 8, TM_MORE_HEAT = 6 }; /* artificial stress, temperature, conductivity */

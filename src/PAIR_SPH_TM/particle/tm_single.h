@@ -75,7 +75,9 @@ TM_FN void tm_single(int i, const tm_single_args *a, unsigned effects)
     float *out_stab = s->stab + tm_packed(i, TM_REC_STAB, 4);
     for (int c = 0; c < TM_REC_STAB; c++)
       out_stab[tm_packed_part(c, 4)] =
-          (float) (c >= TM_STAB_W && c < TM_STAB_K ? q[tm_part(c)] / s->length : q[tm_part(c)]);
+          c < tm_stab_used(&a->rec)
+              ? (float) (c >= TM_STAB_W && c < TM_STAB_K ? q[tm_part(c)] / s->length : q[tm_part(c)])
+              : 0.0f;
   }
   if (effects & TM_FX_SMOOTHING) {
     const tm_real *z = a->rec.size + (ptrdiff_t) i * TM_REC_SIZE;

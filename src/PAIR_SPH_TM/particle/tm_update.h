@@ -266,8 +266,11 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     tm_update_history(history, in.rate, acc, dim3);
     out.dt[TM_DT_FORCE] = tm_force_time_step(h, sqrt(tm_vec_dot(acc, acc)));
     if (effects & TM_FX_ONE_PASS)
-      tm_correction_step(tm_field_row(s, TM_F_CORRECTION, i), &in.last, in.now, &in.predicted, L,
+      tm_correction_step(tm_field_row(s, TM_F_CORRECTION, i), &in.last, in.K, &in.predicted, L,
                          0.5 * a->dt + in.last.since, 0.5 * a->dt);
+    if (effects & TM_FX_FACES)
+      tm_face_step(tm_field_row(s, TM_F_FACE, i), a->face_next + (ptrdiff_t) i * TM_FACE_COLUMNS,
+                   tm_face_kept(in.eps_p));
     const tm_real eps_p = in.eps_p, energy = e ? tm_predict_value(e, w) : 0.0;
     const int failed = dmg && dmg[tm_column(1)] > 0.5;
     const tm_real T_half = (effects & TM_FX_EXPANSION) ? tm_predict_value(tm_field_row(s, TM_F_TEMP, i), w) : T;
@@ -335,7 +338,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       out.artificial = artificial;
     }
 
-    out.dt[TM_DT_SOUND] = tm_sound_time_step(h, sound, a->visc_alpha, xi, effects);
+    out.dt[TM_DT_SOUND] = tm_sound_time_step(h, sound, a->visc_alpha, xi, in.face, effects);
     const tm_real others = eps_p + q.d_eps + (e ? *e : 0.0) + (dmg ? dmg[0] + dmg[tm_column(1)] : 0.0);
     out.status = tm_update_status(a, m, &q, out.speed2, sound, others, failed);
     in.rho = q.rho;

@@ -25,6 +25,7 @@ typedef struct {
   tm_state state;
   tm_records rec;
   const tm_real *gradient, *heat, *xsph_v, *hourglass_rate, *artificial;
+  const tm_real *face_next;  /* TM_FACE_COLUMNS of the force point, with TM_FX_FACES */
   const tm_real *moment;     /* TM_MOMENT_COLUMNS of the force point, with one pass */
   const tm_real *correction; /* and the one that was predicted for it and used */
   const tm_real *share;      /* of the balanced artificial stress, see tm_predict.h */
@@ -106,9 +107,9 @@ typedef struct {
   tm_real rate[TM_H_STEP]; /* history, one step back */
   tm_real eps_p;
   tm_real artificial;      /* power */
-  tm_correction_last last; /* with one pass: of K; K, and what was predicted for its symmetric part */
-  tm_correction now;
-  tm_sym3 predicted;
+  tm_correction_last last; /* with one pass: of K; K and what was predicted for it; |K sum V gradW| */
+  tm_sym3 K, predicted;
+  tm_real face;
   tm_vec3 u, u_rate; /* of hourglass control */
 } tm_update_read;
 
@@ -130,10 +131,9 @@ TM_FN tm_update_read tm_update_read_of(int i, const tm_update_args *a, int solid
   r.heat = (effects & TM_FX_CONDUCTION) ? a->heat[i] : 0.0;
   r.source = a->source ? a->source[i] : 0.0;
   r.rho = *tm_field_row(s, TM_F_RHO, i);
-  r.sound = r.eps_p = r.artificial = 0.0;
-  r.L = r.now.K = tm_mat_scale(0.0, tm_mat_identity());
-  r.now.face = none;
-  r.s = r.older = r.predicted = tm_sym(0, 0, 0, 0, 0, 0);
+  r.sound = r.eps_p = r.artificial = r.face = 0.0;
+  r.L = tm_mat_scale(0.0, tm_mat_identity());
+  r.s = r.older = r.K = r.predicted = tm_sym(0, 0, 0, 0, 0, 0);
   for (int k = 0; k < TM_H_STEP; k++) r.rate[k] = 0.0;
   r.last.known = r.last.since = 0.0;
   r.last.rate = r.s;
@@ -149,9 +149,11 @@ TM_FN tm_update_read tm_update_read_of(int i, const tm_update_args *a, int solid
   if (effects & TM_FX_PLASTICITY) r.eps_p = tm_field_row(s, TM_F_PSTRAIN, i)[0];
   if (a->artificial) r.artificial = a->artificial[i];
   if (effects & TM_FX_ONE_PASS) {
+    const tm_real *moment = a->moment + (ptrdiff_t) i * TM_MOMENT_COLUMNS;
     r.last = tm_correction_last_of(tm_field_row(s, TM_F_CORRECTION, i));
-    r.now = tm_correction_of(a->moment, i);
-    r.predicted = tm_mat_symmetric(tm_mat_load(a->correction + (ptrdiff_t) i * 9));
+    r.K = tm_sym_load(moment);
+    r.face = moment[TM_MOMENT_FACE];
+    r.predicted = tm_sym_load(a->correction + (ptrdiff_t) i * 6);
   }
   if (effects & TM_FX_HOURGLASS) {
     const tm_real *u = tm_field_row(s, TM_F_HOURGLASS, i);

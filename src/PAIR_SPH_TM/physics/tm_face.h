@@ -24,9 +24,8 @@
 #define TM_FACE_H
 
 #include "tm_eigen.h"
+#include "tm_residual.h"
 
-/* Eigenvalues of the moment matrix below this count as this. */
-#define TM_MOMENT_LOW 0.1
 /* kappa h */
 #define TM_FACE_TILT 1.18
 /* kappa h |b| between which it begins, the most it can be, and what the trace lacks between which it ends. */
@@ -48,10 +47,26 @@ TM_FN tm_vec3 tm_face_normal(tm_vec3 g, tm_real h, tm_real lacks)
   return tm_vec_scale(length / size, g);
 }
 
-/* 1/|b|^2; anything where b is 0. */
-TM_FN tm_real tm_face_scale(tm_vec3 b) { return 1.0 / (tm_vec_dot(b, b) + 1e-30); }
-
 TM_FN int tm_face_none(tm_vec3 b) { return b.x == 0.0 && b.y == 0.0 && b.z == 0.0; }
+
+/* K from its symmetric part and the vector of its antisymmetric part, which is 0 where b is, and back. */
+TM_FN tm_mat3 tm_face_matrix(tm_sym3 K, tm_vec3 turn)
+{
+  tm_mat3 m = tm_mat_from_sym(K);
+  m.xy -= turn.z;
+  m.yx += turn.z;
+  m.xz += turn.y;
+  m.zx -= turn.y;
+  m.yz -= turn.x;
+  m.zy += turn.x;
+  return m;
+}
+TM_FN tm_vec3 tm_face_turn(tm_mat3 K) { return tm_vec(0.5 * (K.zy - K.yz), 0.5 * (K.xz - K.zx), 0.5 * (K.yx - K.xy)); }
+
+/* Share of b in material that has flowed: a lattice that is torn up has no face of which depths could be told, and in chips
+   and necks weights of both signs make noise. */
+#define TM_FACE_STRAIN 0.1
+TM_FN tm_real tm_face_kept(tm_real plastic_strain) { return tm_max(1.0 - plastic_strain / TM_FACE_STRAIN, 0.0); }
 
 /* Inverse of a moment matrix, which is symmetric without b. Its symmetric part is bounded as in tm_moment.h; where that
    bound is met the rest of it is left away. */

@@ -11,35 +11,29 @@
 #ifndef TM_RESIDUAL_H
 #define TM_RESIDUAL_H
 
-#include "tm_face.h"
+#include "tm_tensor.h"
 
-/* What the rate pass leaves of the moments, for the next step: K row major, and b of tm_face.h. */
-enum { TM_MOMENT_FACE = 9, TM_MOMENT_COLUMNS = 12 };
+/* Eigenvalues of the moment matrix below this count as this. */
+#define TM_MOMENT_LOW 0.1
 
-/* h |K sum_j V_j gradW| is 0 inside a lattice, 1.15 at a face and 1.31 at a corner (hyperbolic, h = 1.2 spacings). Where it
-   is larger, neighbors lie on one side and close: the particle swings against them faster than any wave of a lattice. At
-   this it turns by what the safety of courant 0.4 allows. */
+/* What the rate pass leaves of the moments: K, and |K sum_j V_j gradW|, 1/length: 0 inside a lattice, 1.15/h at a face and
+   1.31/h at a corner (hyperbolic, h = 1.2 spacings). Where it is larger, neighbors lie on one side and close: the particle
+   swings against them faster than any wave of a lattice (tm_sound_time_step()). */
+enum { TM_MOMENT_FACE = 6, TM_MOMENT_COLUMNS };
+
+/* face h of particles that turn by what the safety of courant 0.4 allows. */
 #define TM_FACE_OF_TURN 1.9
 
 /* A particle that hangs loose would set the time step of all (a cut made half as long by some in the chip). Its K is reduced
    to a face of TM_FACE_OF_TURN/h: L, with which its stress follows, and the force of its own stress are made with the same
    K, so energy and momenta stay exact, a rotation still makes no strain and the stress no torque; the particle is softer. */
-TM_FN tm_mat3 tm_correction_of_loose(tm_mat3 K, tm_real h, tm_vec3 sum)
+TM_FN tm_sym3 tm_correction_of_loose(tm_sym3 K, tm_real h, tm_real *face)
 {
-  const tm_vec3 s = tm_mat_mul_vec(tm_mat_transposed(K), sum);
-  const tm_real square = h * h * tm_vec_dot(s, s);
-  return square > TM_FACE_OF_TURN * TM_FACE_OF_TURN ? tm_mat_scale(TM_FACE_OF_TURN / sqrt(square), K) : K;
-}
-
-/* K and b for the next step, from K of this one, sum_j V_j gradW (1/length) and what the trace of the moment lacks; h:
-   smoothing length. */
-TM_FN void tm_moment_store(tm_real *moment, tm_mat3 K, tm_real h, tm_vec3 sum, tm_real lacks, int faces)
-{
-  const tm_vec3 b = faces ? tm_face_normal(sum, h, lacks) : tm_vec(0, 0, 0);
-  tm_mat_store(moment, tm_correction_of_loose(K, h, sum));
-  moment[TM_MOMENT_FACE] = b.x;
-  moment[TM_MOMENT_FACE + 1] = b.y;
-  moment[TM_MOMENT_FACE + 2] = b.z;
+  const tm_real most = TM_FACE_OF_TURN / h;
+  if (!(*face > most)) return K;
+  const tm_real share = most / *face;
+  *face = most;
+  return tm_sym_scale(share, K);
 }
 
 /* v_i minus the linear field, from the sums of g, g d and g v, g = m_j W'/r < 0; 0 without neighbors. */

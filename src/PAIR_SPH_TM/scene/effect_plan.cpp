@@ -18,6 +18,7 @@ const Name NAMES[] = {{"viscosity", TM_FX_VISCOSITY},
                       {"plasticity", TM_FX_PLASTICITY},
                       {"damage", TM_FX_DAMAGE},
                       {"correction", TM_FX_CORRECTION},
+                      {"faces", TM_FX_FACES},
                       {"balsara", TM_FX_BALSARA},
                       {"xsph", TM_FX_XSPH},
                       {"surface", TM_FX_SURFACE},
@@ -164,6 +165,9 @@ void Reasons::settings()
   if ((set.visc_alpha > 0.0 || set.visc_beta > 0.0) && mechanics) on(TM_FX_VISCOSITY, "pair_style viscosity is not 0");
   if (set.art_eps > 0.0 && solid) on(TM_FX_ARTSTRESS, "pair_style artstress is not 0");
   if (set.correction && mechanics) on(TM_FX_CORRECTION, "pair_style correction yes");
+  const bool second = set.faces == FACES_ALWAYS || (set.faces == FACES_OF_ELASTIC && !has(TM_FX_PLASTICITY));
+  if (set.correction && solid && set.hourglass != 0.0 && set.art_eps <= 0.0 && second)
+    on(TM_FX_FACES, set.faces == FACES_ALWAYS ? "pair_style correction second" : "no material flows");
   if (set.balsara) on(TM_FX_BALSARA, "pair_style balsara yes");
   if (set.hourglass != 0.0 && mechanics && !(every_pair_stored && set.hourglass < 0.0))
     on(TM_FX_HOURGLASS, "pair_style hourglass is not 0");
@@ -225,6 +229,14 @@ void EffectPlan::derive(const Model &model, int dimension)
   for (const auto &w : r.why) effects |= w.first;
   if ((effects & TM_FX_CORRECTION) && (effects & TM_FX_HOURGLASS) && !(effects & TM_FX_ARTSTRESS) && !separate_passes)
     effects |= TM_FX_ONE_PASS;
+  if ((effects & TM_FX_FACES) && !(effects & TM_FX_ONE_PASS)) {
+    if (forced_on & TM_FX_FACES)
+      contradiction =
+          "faces needs gradient correction and hourglass control in one pass: no artificial stress, and no lists "
+          "of fix adapt/neigh that keep pairs";
+    effects &= ~unsigned(TM_FX_FACES);
+    r.why.erase(TM_FX_FACES);
+  }
   write_report(r.why);
 }
 

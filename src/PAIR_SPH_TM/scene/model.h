@@ -16,6 +16,9 @@
 
 namespace SPHTM_NS {
 
+// where gradients are of second order at free faces, tm_face.h
+enum { FACES_NEVER, FACES_OF_ELASTIC, FACES_ALWAYS };
+
 // numerical settings of the pair_style line
 struct Settings {
   int kernel = TM_KERNEL_HYPERBOLIC;
@@ -26,7 +29,7 @@ struct Settings {
   double art_eps = 0.0;
   int art_n = 4;
   bool art_component = false, art_balanced = false;
-  bool faces = true;    // with correction: of second order at free faces
+  int faces = FACES_OF_ELASTIC;
   double xsph = 0.0;
   double hourglass = -1.0;    // stiffness over that of longitudinal waves; below 0: from the stress
   bool form_f14 = false, correction = true, balsara = false, plane_stress = false;

@@ -40,6 +40,7 @@ tm_update_args update_args(ParticleState &state, StepResults &results)
   a.hourglass_rate = rates.hourglass_rate;
   a.artificial = rates.artificial;
   a.moment = rates.moment;
+  a.face_next = rates.face_next;
   a.correction = rates.correction;
   a.share = model.loop_tables().share.loop_read();
   a.ratio = set.ratio;

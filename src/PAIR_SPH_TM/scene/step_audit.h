@@ -11,6 +11,7 @@ class StepAudit {
   // results of the loops, on the host; nullptr: not in use
   struct InUse {
     const double *force, *gradient, *heat, *xsph;
+    const double *turn;          // its antisymmetric part, with faces
     const double *correction;    // K of the force point, where the rate pass makes that of the next one
   };
   virtual LoopArray<double> &pair_force() = 0;    // room for the forces of the pairs alone

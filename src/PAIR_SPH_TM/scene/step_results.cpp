@@ -22,8 +22,9 @@ StepResults::StepResults(LAMMPS *lmp, Backend &where, Model &m) :
   rec_stress.live_in(where, TM_REC_STRESS, 2);
   rec_stab.live_in(where, TM_REC_STAB, 2);
   gradient.live_in(where, 9);
-  for (auto *a : {&rec_heat, &rec_correction, &rec_size, &rec_hourglass, &heat, &correction, &xsph_v, &hourglass_rate,
-                  &moment, &surface, &artificial, &near_count, &tally, &sides, &ahead, &force_internal})
+  for (auto *a :
+       {&rec_heat, &rec_correction, &rec_size, &rec_hourglass, &heat, &correction, &xsph_v, &hourglass_rate, &moment,
+        &turn, &face_next, &surface, &artificial, &near_count, &tally, &sides, &ahead, &force_internal})
     a->live_in(where);
   single_main.live_in(where, TM_REC, 4);
   single_more.live_in(where, TM_MORE, 4);
@@ -33,8 +34,8 @@ StepResults::StepResults(LAMMPS *lmp, Backend &where, Model &m) :
     a->call("records");
   for (auto *a : {&single_main, &single_more, &single_stab, &single_correction, &single_size})
     a->call("records in single");
-  for (auto *a :
-       {&gradient, &heat, &correction, &xsph_v, &hourglass_rate, &moment, &surface, &artificial, &force_internal})
+  for (auto *a : {&gradient, &heat, &correction, &xsph_v, &hourglass_rate, &moment, &turn, &face_next, &surface,
+                  &artificial, &force_internal})
     a->call("rates");
 }
 
@@ -47,12 +48,15 @@ void StepResults::resize(const ParticleState &state)
   const bool one_pass = state.has(TM_FX_ONE_PASS), passes = !one_pass;
   rec_stab.make_room(one_pass, all * TM_REC_STAB);
   moment.make_room(one_pass, own * TM_MOMENT_COLUMNS);
+  turn.make_room(state.has(TM_FX_FACES), own * 3);
+  face_next.make_room(state.has(TM_FX_FACES), own * TM_FACE_COLUMNS);
+  rec.faces = state.has(TM_FX_FACES);
   rec_correction.make_room(passes && state.has(TM_FX_CORRECTION), all * TM_REC_CORRECTION);
   rec_size.make_room(state.has(TM_FX_SMOOTHING), all * TM_REC_SIZE);
   rec_hourglass.make_room(passes && state.has(TM_FX_HOURGLASS), all * TM_REC_HOURGLASS);
   gradient.make_room(true, own * 9);
   heat.make_room(state.has(TM_FX_CONDUCTION), own);
-  correction.make_room(state.has(TM_FX_CORRECTION), own * 9);
+  correction.make_room(state.has(TM_FX_CORRECTION), own * 6);
   xsph_v.make_room(state.has(TM_FX_XSPH), own * 3);
   hourglass_rate.make_room(state.has(TM_FX_HOURGLASS), own * 3);
   surface.make_room(state.has(TM_FX_SURFACE), own * 3);
@@ -83,12 +87,13 @@ tm_records StepResults::host_records()
   r.size = const_cast<tm_real *>(rec_size.host_read());
   r.hourglass = const_cast<tm_real *>(rec_hourglass.host_read());
   r.stab = const_cast<tm_real *>(rec_stab.host_read());
+  r.faces = rec.faces;
   return r;
 }
 
 StepResults::Rates StepResults::host_rates()
 {
-  return {gradient.host_read(), heat.host_read(), xsph_v.host_read(), correction.host_read()};
+  return {gradient.host_read(), heat.host_read(), xsph_v.host_read(), correction.host_read(), turn.host_read()};
 }
 
 /* ---------------------------------------------------------------------- arguments of the loops */
@@ -116,6 +121,7 @@ tm_predict_args StepResults::predict_args(ParticleState &state, const tm_state &
   a.hourglass = set.hourglass;
   a.h = state.has(TM_FX_SMOOTHING) ? set.ratio * model.smallest_spacing() : set.h;
   a.correction = correction.loop_write();
+  a.turn = turn.loop_write();
   a.gradient = model.loop_tables().gradient.loop_read();
   a.single = {};
   if (rounds_in_prediction(state)) a.single = single_records(state);
@@ -139,7 +145,6 @@ tm_rates_args &StepResults::fill_args(ParticleState &state, const tm_state &s)
   args.art_n = set.art_n;
   args.art_inv_w = 1.0 / tm_kernel_shape(set.kernel, set.spacing / set.h);
   args.xsph = set.xsph;
-  args.faces = set.faces;
   args.force_unit = 1.0 / model.units().force;
   args.conductance = model.loop_tables().conductance.loop_read();
   args.type = s.type;
@@ -151,6 +156,8 @@ tm_rates_args &StepResults::fill_args(ParticleState &state, const tm_state &s)
   args.xsph_v = xsph_v.loop_write();
   args.hourglass_rate = hourglass_rate.loop_write();
   args.moment = moment.loop_write();
+  args.turn = turn.loop_write();
+  args.face_next = face_next.loop_write();
   args.surface = surface.loop_write();
   args.artificial = artificial.loop_write();
   return args;
@@ -283,6 +290,7 @@ std::map<unsigned, double> StepResults::bytes_by_effect(unsigned effects) const
   bytes[TM_FX_HEAT] = rec_heat.bytes();
   bytes[TM_FX_CONDUCTION] = heat.bytes();
   bytes[TM_FX_CORRECTION] = rec_correction.bytes() + correction.bytes() + moment.bytes() + rec_stab.bytes();
+  bytes[TM_FX_FACES] = turn.bytes() + face_next.bytes();
   bytes[TM_FX_SMOOTHING] = rec_size.bytes();
   bytes[TM_FX_XSPH] = xsph_v.bytes();
   bytes[TM_FX_HOURGLASS] = rec_hourglass.bytes() + hourglass_rate.bytes();

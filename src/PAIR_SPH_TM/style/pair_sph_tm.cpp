@@ -271,7 +271,7 @@ void PairSPHTM::audit(StepAudit &audited, LoopArray<double> &force)
 {
   const auto timed = state->clock().timed_rarely(&audited);
   const StepResults::Rates r = results.host_rates();
-  audited.audit({force.host_read(), r.gradient, r.heat, r.xsph, r.correction});
+  audited.audit({force.host_read(), r.gradient, r.heat, r.xsph, r.turn, r.correction});
 }
 
 void PairSPHTM::body_contact(const tm_rates_args &others)
