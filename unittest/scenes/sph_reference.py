@@ -40,6 +40,9 @@ class Body:
                              one_pass=correction and hourglass != 0.0 and artstress[0] == 0, expands=expands, dissipation=dissipation)
         n = self.n = len(x)
         self.mat = [materials[k] for k in kind]
+        strengths = {m.strength[0] for m in materials.values()}
+        self.faces = self.one_pass and strengths <= {"none", "elastic"} and strengths != {"none"}    # second order there
+        self.face = None
         self.m = np.array([m.rho0 for m in self.mat]) * spacing ** dim
         self.rho = np.array([m.rho0 for m in self.mat])
         self.s = np.zeros((n, 3, 3))
@@ -199,18 +202,52 @@ class Body:
         size = self.own_h * np.linalg.norm(np.einsum("iab,ib->ia", K, face), axis=1)
         return K * np.minimum(1, 1.9 / np.maximum(size, 1e-300))[:, None, None]
 
-    def turned_moments(self, M, face, ahead):
-        """The correction of the gradients: that of the last force point and its rate, turned by the spin since then; at the
-        set-up its own."""
-        if ahead == 0.0 or not self.one_pass:
-            return self.inverse_moments(M, face)
-        K, L, since, rate = self.known
+    def inverse_tilted(self, M, face):
+        """The same of moments that normals of free faces have made unsymmetric."""
+        M = M.copy()
+        if self.dim == 2:
+            M[:, 2, :] = M[:, :, 2] = 0.0
+            M[:, 2, 2] = 1.0
+        K = np.empty_like(M)
+        for i in range(self.n):
+            value, vector = np.linalg.eigh(0.5 * (M[i] + M[i].T))
+            bounded = value.min() < 0.1
+            K[i] = vector @ np.diag(1 / np.maximum(value, 0.1)) @ vector.T if bounded else np.linalg.inv(M[i])
+        size = self.own_h * np.linalg.norm(np.einsum("iba,ib->ia", K, face), axis=1)
+        return K * np.minimum(1, 1.9 / np.maximum(size, 1e-300))[:, None, None]
+
+    def normals(self, face, plain):
+        """Of free faces, from sum V gradW and the moments without them."""
+        size = np.linalg.norm(face, axis=1)
+        tilt = 2.055 * self.own_h * size
+        lacks = self.dim - np.trace(plain[:, :self.dim, :self.dim], axis1=1, axis2=2)
+        length = np.minimum(tilt, 1.4) / 1.18 * np.clip((tilt - 0.15) / 0.45, 0, 1) * np.clip((1.5 - lacks) / 0.85, 0, 1)
+        return face * (length / np.maximum(size, 1e-300))[:, None]
+
+    def tilted(self, d, gm, b):
+        """gradW of the particle of each row, with weights by the depth of its neighbor."""
+        kappa, g = 1.18 / self.own_h, np.einsum("ija,ija->ij", gm, d) / np.maximum(np.einsum("ija,ija->ij", d, d), 1e-300)
+        s = -np.einsum("ia,ija->ij", b, d)
+        across = (kappa / (np.sum(b ** 2, axis=1) + 1e-30))[:, None] * s ** 2
+        return g[..., None] * ((1 - kappa[:, None] * s)[..., None] * d - across[..., None] * b[:, None])
+
+    def turn_since(self, ahead):
+        """The rotation by the spin of the last force point since then."""
+        _, L, since, _ = self.known
         angle = 0.25 * (ahead + since) * np.stack([L[:, 2, 1] - L[:, 1, 2], L[:, 0, 2] - L[:, 2, 0],
                                                    L[:, 1, 0] - L[:, 0, 1]], 1)
         A = np.zeros((self.n, 3, 3))    # Cayley: R = (1 - A)^-1 (1 + A), A x = angle/2 x x
         A[:, 2, 1], A[:, 0, 2], A[:, 1, 0] = angle.T
         A -= A.transpose(0, 2, 1)
-        R = np.linalg.solve(np.eye(3) - A, np.eye(3) + A)
+        return np.linalg.solve(np.eye(3) - A, np.eye(3) + A)
+
+    def turned_moments(self, M, face, ahead):
+        """The correction of the gradients: that of the last force point and its rate, turned by the spin since then; at the
+        set-up its own."""
+        if ahead == 0.0 or not self.one_pass:
+            return self.inverse_tilted(M, face) if self.faces else self.inverse_moments(M, face)
+        K, L, since, rate = self.known
+        R = self.turn_since(ahead)
         size = (ahead + since) * np.sqrt(np.sum(rate ** 2, axis=(1, 2)))
         K = K + ((ahead + since) * np.minimum(1, 0.1 / np.maximum(size, 1e-300)))[:, None, None] * rate
         self.predicted = R @ K @ R.transpose(0, 2, 1)
@@ -296,14 +333,27 @@ class Body:
         if self.balanced:    # what R takes from the tension of a lattice is given back
             back = tensile_share(self.kernel, dim, self.h / self.spacing, self.artstress[1]) * R
             P = P - (back * rho[:, None, None] ** 2 if f14 else back)
-        if self.correction:
+        if self.faces:
+            out["normals"] = self.normals(out["face"], out["M"])
+            b = out["normals"]
+            if ahead:
+                b = np.einsum("iab,ib->ia", self.turn_since(ahead), self.face)
+            gi = self.tilted(d, gm, b)
+            out["L"] = -np.einsum("ij,ija,ijb->iab", volume, vij, gi)
+            out["M"] = -np.einsum("ij,ija,ijb->iab", volume, d, gi)
             K = self.turned_moments(out["M"], out["face"], ahead)
             out["L"] = np.einsum("iab,ibc->iac", out["L"], K)
-            P = np.einsum("iab,ibc->iac", P, K)
-        pair = P[:, None] + P[None]
-        if f14:
-            pair = pair / (rho[:, None] * rho[None])[..., None, None]
-        acc = np.einsum("j,ijab,ijb->ia", m, pair, gm)
+            P = np.einsum("iab,icb->iac", P, K)
+            acc = np.einsum("j,iab,ijb->ia", m, P, gi) - np.einsum("j,jab,jib->ia", m, P, gi)
+        else:
+            if self.correction:
+                K = self.turned_moments(out["M"], out["face"], ahead)
+                out["L"] = np.einsum("iab,ibc->iac", out["L"], K)
+                P = np.einsum("iab,ibc->iac", P, K)
+            pair = P[:, None] + P[None]
+            if f14:
+                pair = pair / (rho[:, None] * rho[None])[..., None, None]
+            acc = np.einsum("j,ijab,ijb->ia", m, pair, gm)
 
         # artificial stress of a pair F14 (15)-(17)
         art = np.zeros((n, n, 3))
@@ -356,7 +406,9 @@ class Body:
         r = {"v": o["acc"], "rho": -rho * np.trace(o["L"], axis1=1, axis2=2), "s": s, "T": np.zeros(self.n), "e": np.zeros(self.n)}
         self.old = (r, r)
         if self.one_pass:
-            self.known = self.inverse_moments(o["M"], o["face"]), o["L"], 0.0, np.zeros((self.n, 3, 3))
+            K = self.inverse_tilted(o["M"], o["face"]) if self.faces else self.inverse_moments(o["M"], o["face"])
+            self.known = K, o["L"], 0.0, np.zeros((self.n, 3, 3))
+            self.face = o.get("normals")
         if self.follow == "psi":
             self.target = np.array([self.nodes(i) for i in range(self.n)])
 
@@ -392,6 +444,7 @@ class Body:
             self.u = o["u"]
             x = x + 0.5 * dt * self.u
         L = o["L"].copy()
+        strained = self.eps + [np.sqrt(1.5 * np.sum(s ** 2)) / (3 * mt.G) if mt.G > 0 else 0.0 for s, mt in zip(self.s, self.mat)]
         rho_half = q.get("rho3", q["rho"])
         rate = {"v": o["acc"], "rho": np.zeros(n), "s": np.zeros((n, 3, 3)), "T": np.zeros(n),
                 "e": np.zeros(n)}
@@ -452,8 +505,11 @@ class Body:
             self.eps_rate[i] = d_eps / dt
             self.lz[i] += dt * self.lz[i] * lzz
         if self.one_pass:
-            K = self.inverse_moments(o["M"], o["face"])
-            self.known = K, L, 0.5 * dt, self.known[3] + (K - self.predicted) / (0.5 * dt + self.known[2])
+            K = self.inverse_tilted(o["M"], o["face"]) if self.faces else self.inverse_moments(o["M"], o["face"])
+            missed = 0.5 * (K - self.predicted + (K - self.predicted).transpose(0, 2, 1))
+            self.known = K, L, 0.5 * dt, self.known[3] + missed / (0.5 * dt + self.known[2])
+            if self.faces:    # less where the material is strained
+                self.face = np.clip(1 - strained / 0.1, 0, 1)[:, None] * o["normals"]
         self.x, self.v = x, v
         self.old = (rate, self.old[0])
         self.steps += 1

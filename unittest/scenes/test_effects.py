@@ -29,7 +29,7 @@ BIG = SCENE.replace("1e-3", "1e-4").replace("-0.001 0.001", "-0.0001 0.0001").re
 YIELDS = "strength plastic 400e6 100e6"
 STEEL = "strength johnson/cook 792e6 510e6 0.26 0.014 1.03 298 1793 1"
 HEAT = "heat 38 477 0.9"
-ALL = ("viscosity artstress heat conduction plasticity damage correction balsara xsph surface internal-energy bodies energy "
+ALL = ("viscosity artstress heat conduction plasticity damage correction faces balsara xsph surface internal-energy bodies energy "
        "smoothing hourglass fracture expansion compression-heat artificial-heat").split()
 NONE = "viscosity 0 0 hourglass 0 correction no"    # no artificial term
 STEP = "dt 5e-8 "    # the coefficient of the viscosity, on or off, is part of the automatic step
@@ -72,7 +72,7 @@ heated = {"heat", "conduction", "artificial-heat"}
 elastic = scene("strength elastic")
 plastic = scene(YIELDS)
 johnson_cook = scene(STEEL + " " + HEAT)
-expect("elastic", elastic, plain)
+expect("elastic", elastic, plain | {"faces"})
 lines = expect("plastic", plastic, plain | {"plasticity"})
 checks.true("plastic: the reason names the type", "type 1" in lines["plasticity"][1], lines["plasticity"][1])
 expect("plastic, heat constants", scene(YIELDS + " " + HEAT), plain | {"plasticity"} | heated)
@@ -86,7 +86,7 @@ expect("damage, shock", scene(STEEL + " eos shock 4570 1.49 1.9 damage strain 1.
 expect("thermal expansion", scene(YIELDS + " expansion 1.2e-5 " + HEAT),
        plain | {"plasticity", "expansion", "compression-heat"} | heated)
 expect("shock, heat constants", scene("strength elastic eos shock 4570 1.49 1.9 " + HEAT),
-       plain | {"internal-energy", "compression-heat"} | heated)
+       plain | {"faces", "internal-energy", "compression-heat"} | heated)
 expect("heat, artificial stress", scene(YIELDS + " " + HEAT, "stabilize artstress"),
        old | {"plasticity", "heat", "conduction"})
 expect("all settings",
@@ -116,6 +116,8 @@ for effect, scene_with, scene_without, warns in (
         ("correction", (YIELDS, ""), (YIELDS, "correction no"), False),
         ("correction", (YIELDS, "hourglass 0"), (YIELDS, "hourglass 0 correction no"), False),
         ("hourglass", (YIELDS, ""), (YIELDS, "hourglass 0"), False),
+        ("faces", ("strength elastic", ""), ("strength elastic", "correction linear"), False),
+        ("faces", (YIELDS, "correction second"), (YIELDS, ""), False),
         ("hourglass", (YIELDS, "hourglass 0.02 correction no"), (YIELDS, "hourglass 0 correction no"), False)):
     asked = scene(*scene_with, STEP)
     off = scene(*scene_with, STEP + "effects %s off" % effect)
@@ -168,6 +170,7 @@ for name, columns, arguments in (
         ("expansion", 1, (YIELDS + " heat 0 477 0.9 expansion 1e-5", NONE)),
         ("artificial-heat", 1, (YIELDS + " heat 0 477 0.9", "viscosity 1 1 hourglass 0 correction no")),
         ("surface", 3, ("strength elastic", NONE, "effects surface on")),
+        ("faces", 6 + 3 + 6, ("strength elastic", "")),
         ("internal-energy", 1, ("strength elastic eos shock 4570 1.49 1.9", NONE))):
     on = scene(*arguments, text=BIG)
     off = scene(*arguments[:2], "effects %s off" % name, text=BIG)
@@ -175,12 +178,14 @@ for name, columns, arguments in (
     bare = bare_elastic
     if name in ("heat", "damage"):
         bare = scene(YIELDS, NONE, text=BIG)
+    if name == "faces":
+        bare = scene("strength elastic", "correction linear", text=BIG)
     if name in ("expansion", "artificial-heat"):
         bare = scene(YIELDS + " heat 0 477 0.9", NONE, text=BIG)
     checks.near(name + " off: megabytes, those of a scene without", memory(off), memory(bare), absolute=0.0011)
     checks.above(name + " on: megabytes more", memory(on) - memory(off), 0.99 * columns * per_column)
 # the state of both in one pass, and the reference of what counts numerical fracture
-both = scene("strength elastic", "viscosity 0 0", text=BIG)
+both = scene("strength elastic", "viscosity 0 0 correction linear", text=BIG)
 checks.above("hourglass and correction on: megabytes more", memory(both) - memory(bare_elastic), 0.99 * (6 + 16) * per_column)
 uncounted = scene("strength elastic", NONE, "effects fracture off", text=BIG)
 checks.above("fracture on: megabytes more", memory(bare_elastic) - memory(uncounted), 0.99 * 7 * per_column)

@@ -270,7 +270,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
                          0.5 * a->dt + in.last.since, 0.5 * a->dt);
     if (effects & TM_FX_FACES)
       tm_face_step(tm_field_row(s, TM_F_FACE, i), a->face_next + (ptrdiff_t) i * TM_FACE_COLUMNS,
-                   tm_face_kept(in.eps_p));
+                   tm_face_kept(in.eps_p + (m->shear > 0.0 ? tm_sym_mises(s0) / (3.0 * m->shear) : 0.0)));
     const tm_real eps_p = in.eps_p, energy = e ? tm_predict_value(e, w) : 0.0;
     const int failed = dmg && dmg[tm_column(1)] > 0.5;
     const tm_real T_half = (effects & TM_FX_EXPANSION) ? tm_predict_value(tm_field_row(s, TM_F_TEMP, i), w) : T;

@@ -63,10 +63,11 @@ TM_FN tm_mat3 tm_face_matrix(tm_sym3 K, tm_vec3 turn)
 }
 TM_FN tm_vec3 tm_face_turn(tm_mat3 K) { return tm_vec(0.5 * (K.zy - K.yz), 0.5 * (K.xz - K.zx), 0.5 * (K.yx - K.xy)); }
 
-/* Share of b in material that has flowed: a lattice that is torn up has no face of which depths could be told, and in chips
-   and necks weights of both signs make noise. */
+/* Share of b in strained material; strain: equivalent, plastic and elastic (sigma_Mises/3G) together. A lattice that is
+   distorted or torn up has no face of which depths could be told, and in chips and necks weights of both signs make
+   noise. */
 #define TM_FACE_STRAIN 0.1
-TM_FN tm_real tm_face_kept(tm_real plastic_strain) { return tm_max(1.0 - plastic_strain / TM_FACE_STRAIN, 0.0); }
+TM_FN tm_real tm_face_kept(tm_real strain) { return tm_max(1.0 - strain / TM_FACE_STRAIN, 0.0); }
 
 /* Inverse of a moment matrix, which is symmetric without b. Its symmetric part is bounded as in tm_moment.h; where that
    bound is met the rest of it is left away. */

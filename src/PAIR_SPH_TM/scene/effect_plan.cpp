@@ -92,6 +92,7 @@ struct Reasons {
   std::string of_type(int t) const { return "type " + std::to_string(t) + " (" + model.material_name(t) + ")"; }
   void materials();
   void contacts();
+  void faces();
   void settings();
   void shocks();
   void conversions();
@@ -165,15 +166,20 @@ void Reasons::settings()
   if ((set.visc_alpha > 0.0 || set.visc_beta > 0.0) && mechanics) on(TM_FX_VISCOSITY, "pair_style viscosity is not 0");
   if (set.art_eps > 0.0 && solid) on(TM_FX_ARTSTRESS, "pair_style artstress is not 0");
   if (set.correction && mechanics) on(TM_FX_CORRECTION, "pair_style correction yes");
-  const bool second = set.faces == FACES_ALWAYS || (set.faces == FACES_OF_ELASTIC && !has(TM_FX_PLASTICITY));
-  if (set.correction && solid && set.hourglass != 0.0 && set.art_eps <= 0.0 && second)
-    on(TM_FX_FACES, set.faces == FACES_ALWAYS ? "pair_style correction second" : "no material flows");
   if (set.balsara) on(TM_FX_BALSARA, "pair_style balsara yes");
   if (set.hourglass != 0.0 && mechanics && !(every_pair_stored && set.hourglass < 0.0))
     on(TM_FX_HOURGLASS, "pair_style hourglass is not 0");
   if (solid) on(TM_FX_FRACTURE, "particles that lose neighbors without damage are counted");
   if (set.xsph > 0.0) on(TM_FX_XSPH, "pair_style xsph is not 0");
   if (model.pair_laws().has_contact()) on(TM_FX_BODIES, "pair_coeff contact");
+}
+// second order at free faces: behind what the script forces, since it depends on what flows
+void Reasons::faces()
+{
+  const Settings &set = model.settings_in_use();
+  if (!solid || !has(TM_FX_CORRECTION) || !has(TM_FX_HOURGLASS) || has(TM_FX_ARTSTRESS)) return;
+  if (set.faces == FACES_ALWAYS) on(TM_FX_FACES, "pair_style correction second");
+  if (set.faces == FACES_OF_ELASTIC && !has(TM_FX_PLASTICITY)) on(TM_FX_FACES, "no material flows");
 }
 }    // namespace
 
@@ -202,6 +208,8 @@ void EffectPlan::derive(const Model &model, int dimension)
 
   for (const auto &n : NAMES)
     if (forced_off & n.bit) r.why.erase(n.bit);
+  r.faces();
+  if (forced_off & TM_FX_FACES) r.why.erase(TM_FX_FACES);
   r.conversions();
   for (const auto &n : NAMES)
     if (forced_off & n.bit) r.why.erase(n.bit);
