@@ -84,7 +84,7 @@ struct Reasons {
   const Model &model;
   std::map<unsigned, std::string> why;
   bool every_pair_stored;
-  bool mechanics = false, solid = false, softens = false, shock = false;
+  bool mechanics = false, solid = false, flows = false, softens = false, shock = false;
   std::string conducts = {}, expands = {}, compresses = {};    // the first material that does, or heats by compression
 
   void on(unsigned bit, const std::string &reason) { why.emplace(bit, reason); }
@@ -109,6 +109,7 @@ void Reasons::materials()
     mechanics = true;
     solid = solid || m.strength != TM_STRENGTH_NONE;
     const int flow = tm_strength_flow(m.strength);
+    flows = flows || flow != TM_FLOW_NONE;
     if (flow != TM_FLOW_NONE) on(TM_FX_PLASTICITY, of_type(t) + " yields");
     if (m.heat && m.taylor_quinney > 0.0 && flow != TM_FLOW_NONE)
       on(TM_FX_HEAT, of_type(t) + (flow == TM_FLOW_THERMAL ? " heats by plastic work and softens with temperature"
@@ -179,7 +180,7 @@ void Reasons::faces()
   const Settings &set = model.settings_in_use();
   if (!solid || !has(TM_FX_CORRECTION) || !has(TM_FX_HOURGLASS) || has(TM_FX_ARTSTRESS)) return;
   if (set.faces == FACES_ALWAYS) on(TM_FX_FACES, "pair_style correction second");
-  if (set.faces == FACES_OF_ELASTIC && !has(TM_FX_PLASTICITY)) on(TM_FX_FACES, "no material flows");
+  if (set.faces == FACES_OF_ELASTIC && !(flows && has(TM_FX_PLASTICITY))) on(TM_FX_FACES, "no material flows");
 }
 }    // namespace
 

@@ -212,6 +212,7 @@ tm_ghost_args StepResults::host_ghosts(bool to_write)
   r.heat = on_host(rec_heat);
   r.size = on_host(rec_size);
   r.stab = on_host(rec_stab);
+  r.faces = rec.faces;
   return {r, nullptr, 0};
 }
 
