@@ -25,7 +25,7 @@ region right block $(v_n*2-3) INF INF INF INF INF units box
 group left region left
 group right region right
 group ends union left right
-pair_style sph/tm hyperbolic 1.2 spacing 1 plane stress artstress 0 4 correction yes hourglass 0.01
+pair_style sph/tm hyperbolic 1.2 spacing 1 plane stress artstress 0 4 correction second hourglass 0.01
 pair_coeff 1 1 density 1 elastic 1000 0.3 strength {flow}
 fix body all sph/tm energy yes
 compute s all sph/tm/atom stress/xx pstrain
