@@ -81,11 +81,13 @@ std::map<unsigned, double> RunTable::probe_effects(double seconds, bigint steps)
   MPI_Bcast(&rounds, 1, MPI_DOUBLE, 0, world);
   if (rounds < 2.0) return {};    // one round can be disturbed
   std::map<unsigned, double> share;
-  if (atom->nlocal > 0)
-    share = EffectProbe(state, scene.results(), std::min(atom->nlocal, PROBE_PARTICLES)).shares((int) rounds);
+  const int first = std::min(atom->nlocal, PROBE_PARTICLES);
+  int stepped = first;    // those of them that do not sleep
+  state.active().stepping().some(stepped);
+  if (stepped > 0) share = EffectProbe(state, scene.results(), first).shares((int) rounds);
   for (const unsigned bit : effects_in_loops()) {    // mean over the ranks
     if (!state.has(bit)) continue;
-    double mine[2] = {share[bit] * atom->nlocal, (double) atom->nlocal}, sum[2];
+    double mine[2] = {share[bit] * stepped, (double) stepped}, sum[2];
     MPI_Allreduce(mine, sum, 2, MPI_DOUBLE, MPI_SUM, world);
     share[bit] = sum[0] / std::max(sum[1], 1.0);
   }

@@ -4,10 +4,12 @@
 
 namespace SPHTM_NS {
 
-void ActiveLoops::set(const int *particles, int n)
+void ActiveLoops::set(const int *particles, int n, int of)
 {
   list = particles;
   listed = n;
+  all = of;
+  asked = -1;
   if (!shared()) return;
   runs.clear();
   first_run.assign(1, 0);
@@ -22,7 +24,13 @@ void ActiveLoops::set(const int *particles, int n)
 
 const int *ActiveLoops::some(int &n) const
 {
-  n = std::min(n, listed);
+  if (n < all && n != asked) {
+    std::vector<int> here(listed);
+    if (listed) loops.to_host(here.data(), list, listed * sizeof(int));
+    below = std::lower_bound(here.begin(), here.end(), n) - here.begin();
+    asked = n;
+  }
+  n = n < all ? below : listed;
   return list;
 }
 

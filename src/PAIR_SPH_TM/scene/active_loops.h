@@ -21,14 +21,15 @@ class ActiveLoops : public Backend {
     loops.copy_to_result(result, of_loops, bytes);
   }
 
-  void set(const int *particles, int n);    // in rising order, where the loops run; they stay there
+  void set(const int *particles, int n, int of);    // in rising order, of so many, where the loops run; they stay there
   const int *some(int &n) const override;
   void blocks(int n, const std::function<void(int, int)> &f) override;
 
  private:
   Backend &loops;
   const int *list = nullptr;
-  int listed = 0;
+  int listed = 0, all = 0;
+  mutable int asked = -1, below = 0;    // the last number that was less than all, and those listed below it
   struct Run {
     int begin, end;
   };

@@ -157,7 +157,7 @@ void ActiveRegion::list()
   edge.make_room(true, (size_t) n + 1);
   awake = of.active_list(loops, n, {kinds(), 0}, which.loop_write());
   at_edge = of.active_list(loops, n, {kinds(), 1}, edge.loop_write());
-  active.set(which.loop_read(), awake);
+  active.set(which.loop_read(), awake, n);
 }
 
 void ActiveRegion::renew(const Scene &scene, Pair *pair)
