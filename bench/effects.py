@@ -51,8 +51,9 @@ MORE = dict(BARE, options="viscosity 1 1 hourglass 0 correction no", material="s
 SHOCK = dict(BARE, material="eos shock 4570 1.49 1.9", fix="effects fracture off effects internal-energy off")
 USUAL = dict(BARE, options="", fix="", material="strength plastic 400e6 1e9 heat 38 477 0.9")
 APART = dict(BARE, meet="none")
+STABLE = dict(BARE, options="correction linear")
 BASES = {"bare": (BARE, "none"), "more": (MORE, "viscosity;plasticity;heat"), "shock": (SHOCK, "none"),
-         "apart": (APART, "none"), "usual": (USUAL, "none")}
+         "apart": (APART, "none"), "stable": (STABLE, "viscosity;correction;hourglass"), "usual": (USUAL, "none")}
 # effect: base, what turns it on there
 EFFECTS = {
     "the default stabilization": ("bare", {"options": ""}),
@@ -64,6 +65,7 @@ EFFECTS = {
     "damage": ("more", {"material": "strength plastic 400e6 1e9 heat 0 477 0.9 damage strain 10"}),
     "balsara": ("more", {"options": MORE["options"] + " balsara yes"}),
     "correction": ("bare", {"options": "viscosity 0 0 hourglass 0 correction yes"}),
+    "faces": ("stable", {"options": "correction second"}),
     "hourglass": ("bare", {"options": "viscosity 0 0 hourglass auto correction no"}),
     "xsph": ("bare", {"options": PLAIN + " xsph 0.1"}),
     "surface": ("bare", {"fix": BARE["fix"] + " effects surface on"}),

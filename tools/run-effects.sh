@@ -5,7 +5,7 @@ set -eu
 
 prepare effects
 SPHTM_MINIMAL_PLUGINS=
-for effects in 'none' 'viscosity;plasticity;heat'; do
+for effects in 'none' 'viscosity;plasticity;heat' 'viscosity;correction;hourglass'; do
   build=$root/build/minimal-$(echo "$effects" | tr ';' '-')
   make_folder "$build"
   cmake -S "$root" -B "$build" -G Ninja -D LAMMPS_SOURCE_DIR="$(cat "$host/source")" -D LAMMPS_BUILD_DIR="$host" \

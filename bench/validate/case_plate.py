@@ -15,12 +15,12 @@ SCRIPT = case.script_of("oscillating_plate")
 BASE = {"rows": 20}
 COMPARED = {"period": ("s", 0.01)}
 ROWS = {"gray_2001": {"variables": {}, "title": "plate", "reference": {"period": (0.2621, 0.0)}}}
-SETTINGS = {"rows_6": {"rows": 6}, "rows_10": {"rows": 10}, "rows_20": {}, "hyperbolic_10": {"rows": 10, "kernel": "hyperbolic 1.2"},
+SETTINGS = {"rows_6": {"rows": 6}, "rows_10": {"rows": 10}, "rows_20": {}, "rows_40": {"rows": 40}, "hyperbolic_10": {"rows": 10, "kernel": "hyperbolic 1.2"},
             "hyperbolic_20": {"kernel": "hyperbolic 1.2"}, "artstress": {"rows": 10, "end": 0.36, "options": "stabilize artstress"}}
-SAID = {"rows_6": "6 rows", "rows_10": "10", "rows_20": "20", "hyperbolic_10": "10 rows, *hyperbolic 1.2*", "hyperbolic_20": "20 rows, *hyperbolic 1.2*",
+SAID = {"rows_6": "6 rows", "rows_10": "10", "rows_20": "20", "rows_40": "40", "hyperbolic_10": "10 rows, *hyperbolic 1.2*", "hyperbolic_20": "20 rows, *hyperbolic 1.2*",
         "artstress": "10 rows, *stabilize artstress*"}
-MESH, QUICK = ("rows_6", "rows_10", "rows_20"), "rows_6"
-SPACING = {"rows_6": 1 / 6, "rows_10": 1 / 10, "rows_20": 1 / 20}
+MESH, QUICK = ("rows_6", "rows_10", "rows_20", "rows_40"), "rows_6"
+SPACING = {"rows_6": 1 / 6, "rows_10": 1 / 10, "rows_20": 1 / 20, "rows_40": 1 / 40}
 
 
 def cost(variables):

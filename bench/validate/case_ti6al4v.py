@@ -79,6 +79,7 @@ SETTINGS = {
     "artstress": dict(VARIANT, options="stabilize artstress"),
     "viscosity_1_1": dict(VARIANT, options="viscosity 1 1"),
     "correction_no": dict(VARIANT, options="correction no"),
+    "second": dict(VARIANT, options="correction second"), "second_2.5": {"dx": 2.5, "options": "correction second"},
 }
 SAID = {
     "dx_10": "spacing 10 um", "dx_5": "spacing 5 um", "dx_2.5": "spacing 2.5 um", "variants": "6.7 um, cut of 6 thicknesses: base of those below",
@@ -89,6 +90,7 @@ SAID = {
     "no_expansion": "without thermal expansion", "softening_ducobu": "strain softening, constants of Ducobu 2017", "softening_sima": "strain softening, constants of Sima and Ozel 2010",
     "klippel_2026": "card ti6al4v (other constants)",
     "artstress": "*stabilize artstress*", "viscosity_1_1": "*viscosity 1 1*", "correction_no": "*correction no*",
+    "second": "*correction second*", "second_2.5": "*correction second*, spacing 2.5 um, cut of 10 thicknesses",
 }
 QUICK = "dx_10"
 

@@ -17,7 +17,7 @@ static struct {
   double force[3 * MOST], sides[MOST * 2 * TM_BODY_SIDE];
   tm_body_law law[(TYPES + 1) * (TYPES + 1)];
   int side[(TYPES + 1) * (TYPES + 1)];
-  double young[TYPES + 1], effusivity[TYPES + 1];
+  double young[TYPES + 1], half_layer[TYPES + 1], effusivity[TYPES + 1];
 } s;
 static tm_rates_args a;
 static tm_body_contact_args b;
@@ -39,6 +39,7 @@ static void begin(int dim)
   b.side = s.side;
   b.sides = 1;
   b.young = s.young;
+  b.half_layer = s.half_layer;
   b.effusivity = s.effusivity;
   b.surface = tm_body_surface_make(dim, 2.4);
   b.spacing = 1.0;

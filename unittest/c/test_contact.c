@@ -12,6 +12,13 @@ static void laws(void)
   UT_NEAR(tm_contact_stiffness(0.5, 100.0, 1e30, 0.1, 0.1, 1), 0.5 * 100.0 * 0.1, 1e-15);
   UT_NEAR(tm_contact_stiffness(0.5, 100.0, 0.0, 0.1, 0.1, 1), 0.5 * 100.0 * 0.1, 1e-15);
   UT_NEAR(tm_contact_stiffness(0.5, 100.0, 0.0, 0.1, 0.1, 0), 0.5 * 100.0, 1e-15);
+  UT_NEAR(tm_contact_modulus(0.5, 100.0, 270.0), 50.0, 1e-15);
+  UT_NEAR(tm_contact_modulus(0.0, 100.0, 270.0), 270.0, 1e-15);
+  /* elastic bodies: under a pressure the compliance of two halves of a spacing, (dp/2)/M each */
+  const double M1 = 135.0, M2 = 405.0, dp = 0.1, area = dp * dp, closes = 0.5 * dp / M1 + 0.5 * dp / M2;
+  const double one = tm_contact_half_layer(M1), two = tm_contact_half_layer(M2);
+  UT_NEAR(area / tm_contact_stiffness(1.0, one, two, dp, dp, 1), closes, 1e-14);
+  UT_NEAR(area / tm_contact_stiffness(1.0, one, 0.0, dp, dp, 1), 0.5 * dp / M1, 1e-14);
 
   UT_NEAR(tm_contact_normal(10.0, 0.1, 2.0, 0.3, 0), 1.6, 1e-15);    /* closing: damping adds */
   UT_NEAR(tm_contact_normal(10.0, 0.1, 2.0, -0.3, 0), 0.4, 1e-15);

@@ -112,6 +112,7 @@ void cloud_make(cloud *w, int dim, int kernel, double ratio, unsigned effects, t
     points_material(t == 1 ? POINTS_PLASTIC : POINTS_JOHNSON_COOK, w->material + t);
     w->mass[t] = w->material[t].rho0 * pow(w->spacing, dim);
     w->young[t] = w->material[t].young;
+    w->half_layer[t] = 2.7 * w->young[t];
     w->effusivity[t] = 1e4 * t;
     tm_contact_law *law = w->law + t;
     law->active = 1;

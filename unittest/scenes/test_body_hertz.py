@@ -3,9 +3,8 @@
 Hertz: a rigid spherical cap of particles, driven, is pressed into a flat layer of particles on a rigid base, both with the law
 of bodies (pair_coeff contact). F = 4/3 E* sqrt(R) d^1.5 times the factor of a bonded layer of finite thickness
 (Dimitriadis et al. 2002, as in test_contact_press.py, where the cap is a mesh). The cap is a lattice whose columns are
-shifted by rho^2/(2 R); the cap over the particles of the layer, and moved by half a spacing along both axes. The smooth surfaces
-carry load beyond the edge of the contact, so the force is too high by about half a spacing over the contact radius a. Where
-the particles are in step or not changes it by 0.2 %.
+shifted by rho^2/(2 R); the cap over the particles of the layer, and moved by half a spacing along both axes. The contact is *penalty
+material*: it has the compliance of the half spacing on either side that particles do not have.
 
 Compliance: a column is pressed on another with pressure p; the gap closes by p dp (E1 + E2)/(PFAC E1 E2), whatever the
 offset of the lattices, and at half the spacing by half of it. The columns are periodic."""
@@ -18,7 +17,7 @@ HERTZ = """
 pair_coeff 1 1 density 1000 elastic {E} {nu}
 pair_coeff 2 2 density 1000 elastic {E} {nu}
 pair_coeff 3 3 density 1000 elastic {E} {nu}
-pair_coeff 1 3 contact penalty 20 damping 0.2
+pair_coeff 1 3 contact penalty material damping 0.2
 pair_coeff 2 3 none
 group free type 1 3
 group cap type 3
@@ -41,7 +40,7 @@ def hertz(checks):
         cap = block((15, 15, 3), 1.0, (-7.5, -7.5, 0.0))
         cap[:, 2] += (cap[:, 0] ** 2 + cap[:, 1] ** 2) / (2 * radius)
         x = np.r_[layer, cap + [shift, shift, 0.02]]
-        script = header(1.0, style="viscosity 1 1 hourglass 0") + HERTZ.format(E=E, nu=NU, speed=speed, rise=0.02, steps=2600)
+        script = header(1.0) + HERTZ.format(E=E, nu=NU, speed=speed, rise=0.02, steps=2600)
         t = run(script, files={"data.scene": particles(x, [(-12, 12), (-12, 12), (-14, 20)],
                                                        types=np.r_[types, 3 * np.ones(len(cap), int)])}).thermo[-1]
         d, F = 0.5 - t["c_z"], abs(t["f_push[3]"])
@@ -50,7 +49,7 @@ def hertz(checks):
             at = np.argmin(abs(d - depth))
             a = np.sqrt(radius * d[at])
             checks.near("cap of %g dp %s: contact radius %.1f dp, d %.2f: F/F_due" % (radius, name, a, d[at]),
-                        F[at] / due[at] / layer_factor(d[at], radius, THICK - 2.0, NU), 1.0, relative=0.55 / a)
+                        F[at] / due[at] / layer_factor(d[at], radius, THICK - 2.0, NU), 1.0, relative=0.1)
 
 
 COLUMN = """

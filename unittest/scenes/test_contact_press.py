@@ -3,14 +3,16 @@
 At rest the force on the tool is the weight (within 1 %), and its torque is r x F: for single particles over a
 face, an edge and a corner, for blocks in 2d and 3d.
 
-Hertz: a rigid ball (mesh of 1280 triangles) is pressed into a flat layer of SPH particles, and a plane into a layer
+Hertz: a rigid ball (mesh) is pressed into a flat layer of SPH particles, and a plane into a layer
 whose surface is curved by the same radius (columns of the lattice shifted by rho^2/(2 R), so that the surface has no
 stairs). F = 4/3 E* sqrt(R) d^1.5, times a polynomial in sqrt(R d)/t for a layer of thickness t bonded to a rigid
-base (Dimitriadis et al., Biophys. J. 82, 2798, 2002, eqs. 13-15); small strain, so d is taken up to R/10. The compression of the penalty spring, about 1 % of
-d at penalty 10, is left in. The radius of contact is 2 to 3 spacings only. With plain gradients the surface of an SPH body is
-too soft, since its particles lack half of their neighbors: 20 to 25 % at this resolution; corrected gradients come
-within 5 %. With second order at free faces, the default of elastic bodies, the layer is 4 to 7 % too stiff at a contact of 2 to
-2.5 spacings (not looked into). A ball cut from the lattice is given for information: its pole is a flat of 3 spacings radius, so it meets the
+base (Dimitriadis et al., Biophys. J. 82, 2798, 2002, eqs. 13-15); small strain, so d is taken up to R/10. The radius of contact is 2 to
+2.5 spacings only. With *penalty material* what the half spacing between surface and particles
+lacks in compliance is in the contact: corrected gradients come within 5 %. *penalty 10* leaves it out and is stiffer by
+8 %, *penalty 1* is softer by 15 %. With plain gradients the surface of an SPH body is too soft, since its particles lack half of
+their neighbors. The mesh of the ball is fine (20480 triangles): one of 1280, inscribed like all, lies 0.02 spacings inside of its
+sphere and takes 5 % off the force. Of the curved layers the one with R = 16 spacings has *penalty material*; that with R = 8, whose surface has slopes
+of 0.3 at the edge of the contact, is no half-space any more and has *penalty 10*. A ball cut from the lattice is given for information: its pole is a flat of 3 spacings radius, so it meets the
 plate as a punch and not as a ball."""
 import numpy as np
 from contact_scene import MATERIAL, block, header, mesh, particles
@@ -105,13 +107,13 @@ SPEED = 0.005 * np.sqrt(E / 1000)
 DT = 0.35 * 2 * (np.sqrt(1.04) - 0.2) / np.sqrt(10 * E / 1000)    # what the contact spring allows at penalty 10
 
 
-def press(x, types, style, tools, depth):
+def press(x, types, style, tools, depth, law=""):
     """Tools approach by depth; force on the first, its reference height, force on the last."""
     folder = new_folder()
-    mesh(folder, "ball.stl", "sphere --radius %r --levels 3 --format ascii" % RADIUS)
+    mesh(folder, "ball.stl", "sphere --radius %r --levels 5 --format ascii" % RADIUS)
     mesh(folder, "plane.stl", "plane --size 40 40 --cells 13 13")
-    lines = ["fix %s all contact/tri %s penalty 10 damping 0.2\nfix_modify %s move linear 0 0 %r ramp %r" %
-             (name, what, name, speed, 20 * DT) for name, what, speed in tools]
+    lines = ["fix %s all contact/tri %s %s damping 0.2\nfix_modify %s move linear 0 0 %r ramp %r" %
+             (name, what, law, name, speed, 20 * DT) for name, what, speed in tools]
     script = header(1.0, style=style) + PRESS.format(E=E, nu=NU, tools="\n".join(lines), first=tools[0][0],
                                                      last=tools[-1][0], steps=int(depth / SPEED / DT) + 10)
     box = [(-12, 12), (-12, 12), (-26, 20)]
@@ -135,15 +137,56 @@ def hertz(checks):
     x = block((WIDE, WIDE, THICK), 1.0, (-0.5 * WIDE, -0.5 * WIDE, -THICK))
     types = np.where(x[:, 2] < -THICK + 2, 2, 1)
     ball = [("tool", "file ball.stl move 0 0 %r" % RADIUS, -SPEED)]
-    for name, style, lowest, most in (("corrected", "correction linear", 0.95, 1.05), ("second order", "", 0.95, 1.08),
-                                      ("plain", "stabilize artstress", 0.7, 1.05)):
-        F, z, _ = press(x, types, style, ball, 0.9)
+    for name, style, law, lowest, most in (("second order", "", "penalty material", 0.95, 1.05),
+                                           ("corrected", "correction linear", "penalty material", 0.95, 1.05),
+                                           ("plain", "stabilize artstress", "penalty material", 0.7, 1.05),
+                                           ("second order, penalty 10,", "", "penalty 10", 1.07, 1.14),
+                                           ("second order, penalty 1,", "", "penalty 1", 0.82, 0.92)):
+        F, z, _ = press(x, types, style, ball, 0.9, law)
         checks.true("ball on layer, %s gradients: pushed up" % name, (F[RADIUS - z > 0.1] > 0).all())
         compare(checks, "    ball on layer", RADIUS - z, F, RADIUS, True, lowest, most)
-    x[:, 2] -= (x[:, 0] ** 2 + x[:, 1] ** 2) / (2 * RADIUS)
-    plane = [("tool", "file plane.stl rotate axis 1 0 0 angle 180", -SPEED)]
-    F, z, _ = press(x, types, "", plane, 0.9)
-    compare(checks, "curved layer, corrected", -z, F, RADIUS, True, 0.9, 1.1)
+    for radius, law in ((RADIUS, "penalty 10"), (2 * RADIUS, "penalty material")):
+        curved = x.copy()
+        curved[:, 2] -= (x[:, 0] ** 2 + x[:, 1] ** 2) / (2 * radius)
+        plane = [("tool", "file plane.stl rotate axis 1 0 0 angle 180", -SPEED)]
+        F, z, _ = press(curved, types, "", plane, 0.9, law)
+        compare(checks, "curved layer, radius %g, %s" % (radius, law), -z, F, radius, True, 0.9, 1.1)
+
+
+COLUMN = """
+pair_coeff 1 1 density 1000 elastic {E} {nu}
+fix body all sph/tm
+fix low all contact/tri file floor.stl rotate axis 1 0 0 angle -90 {law}
+fix high all contact/tri file floor.stl rotate axis 1 0 0 angle 90 move 0 {height} 0 {law}
+variable u equal "(time < {ramp})*time/{ramp} + (time >= {ramp})"
+variable y equal -{way}*(1-cos(PI*v_u))/2
+variable v equal -{way}*PI*sin(PI*v_u)/2/{ramp}
+fix_modify high move variable NULL v_y NULL NULL v_v NULL
+fix rest all sph/tm/relax
+thermo_style custom step time f_low[2] f_high[2]
+thermo_modify norm no format float %.12g
+thermo 100
+run {steps}
+"""
+
+
+def column(checks):
+    """Rows between two plates that come together, with nowhere to go sideways: stress M times strain. The force of the plate acts on one
+    row alone, which takes the compliance of a third of a spacing off either end; the contact itself has that of half a spacing."""
+    M, squeeze = E * (1 - NU) / ((1 + NU) * (1 - 2 * NU)), 0.004
+    for rows in (5, 20):
+        for law, checked in (("penalty material", True), ("penalty 1", False), ("penalty 10", False)):
+            folder = new_folder()
+            mesh(folder, "floor.stl", "plane --size 20 20 --cells 3 3")
+            sound = np.sqrt(M / 1000)
+            script = header(1.0, 2, boundary="p f p") + COLUMN.format(E=E, nu=NU, law=law, height=rows, way=squeeze * rows,
+                                                                      ramp=20 * rows / sound, steps=300 * rows)
+            t = run(script, files={"data.scene": particles(block((8, rows, 1), 1.0, (-4, 0, -0.5)), [(-4, 4), (-1, rows + 1), (-0.5, 0.5)])},
+                    folder=folder).thermo[-1]
+            off = 0.5 * (t["f_high[2]"][-1] - t["f_low[2]"][-1]) / 8.0 / (M * squeeze) - 1
+            text = "%d rows between plates, %s: stress over M strain, off by" % (rows, law)
+            if checked: checks.true(text, abs(off) < 0.8 / rows, "%.4f, allowed %.4f" % (off, 0.8 / rows))
+            else: checks.note(text, "%.4f" % off)
 
 
 def lattice_ball(checks):
@@ -164,6 +207,7 @@ if __name__ == "__main__":
     checks = Checks()
     single(checks)
     blocks(checks)
+    column(checks)
     hertz(checks)
     lattice_ball(checks)
     checks.end()

@@ -24,7 +24,8 @@ struct ContactSettings {
   int surface = 1;    // its number, where a script gives one
   // contact law
   tm_table friction = {};    // mu(T)
-  double shear = 0.0, penalty = 1.0, damping = 0.1;
+  double shear = 0.0, damping = 0.1;
+  double penalty = 1.0;    // 0: of the material
   bool approach = false, f15 = false, two_sided = false, overlap_allowed = false;
   bool has_friction() const { return friction.n || friction.value > 0.0; }
   // heat

@@ -69,8 +69,11 @@ void FixSPHTMRelax::setup(int)
     const std::string style = f->style;
     if (!later || f == this || !(modify->fmask[k] & POST_FORCE) || style.find("sph/tm/") == 0) continue;
     if (comm->me == 0)
-      error->warning(FLERR, "Fix {} ({}) acts on forces after fix sph/tm/relax {}: write the relaxation behind it",
-                     f->id, f->style, id);
+      error->warning(
+          FLERR,
+          "Fix {} ({}) acts on forces after fix sph/tm/relax {}, which then comes to rest out of balance with it: write "
+          "the relaxation behind it",
+          f->id, f->style, id);
   }
   sum(false);
 }

@@ -148,7 +148,8 @@ static void read_meeting(LAMMPS *lmp, int narg, char **arg, Model &model)
       else law.contact.shear = k.share();
       iarg = narg - k.rest() - 2;
     } else if (key == "penalty" && law.meeting == CONTACT)
-      law.contact.penalty = positive(lmp, "Pair sph/tm coeff contact penalty", val);
+      law.contact.penalty = strcmp(val, "material") == 0 ? 0.0
+                                                         : positive(lmp, "Pair sph/tm coeff contact penalty", val);
     else if (key == "damping" && law.meeting == CONTACT)
       law.contact.damping = not_negative(lmp, "Pair sph/tm coeff contact damping", val);
     else

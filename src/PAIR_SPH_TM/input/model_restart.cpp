@@ -157,6 +157,13 @@ std::string change(const std::string &name, double then, double now)
   return fmt::format("{} was {:.8g}, is {:.8g}", name, then, now);
 }
 
+// as in the script
+const char *correction_word(const Settings &set)
+{
+  if (!set.correction) return "no";
+  return set.faces == FACES_NEVER ? "linear" : set.faces == FACES_ALWAYS ? "second" : "yes";
+}
+
 std::vector<std::string> changes(const Settings &then, const Settings &now)
 {
   using S = Settings;
@@ -166,7 +173,7 @@ std::vector<std::string> changes(const Settings &then, const Settings &now)
       {"viscosity beta", &S::visc_beta}, {"artstress", &S::art_eps}, {"xsph", &S::xsph}, {"hourglass", &S::hourglass}};
   static const struct { const char *name; bool S::*value; } flags[] = {
       {"artstress component", &S::art_component}, {"artstress balanced", &S::art_balanced}, {"form f14", &S::form_f14},
-      {"correction", &S::correction}, {"balsara", &S::balsara}, {"plane stress", &S::plane_stress},
+      {"balsara", &S::balsara}, {"plane stress", &S::plane_stress},
       {"precision mixed", &S::mixed}};
   // clang-format on
   std::vector<std::string> found;
@@ -174,7 +181,8 @@ std::vector<std::string> changes(const Settings &then, const Settings &now)
     found.push_back(fmt::format("kernel was {}, is {}", kernel_name(then.kernel), kernel_name(now.kernel)));
   for (const auto &n : numbers)
     if (then.*n.value != now.*n.value) found.push_back(change(n.name, then.*n.value, now.*n.value));
-  if (then.faces != now.faces) found.push_back(change("correction at faces", then.faces, now.faces));
+  const std::string corrected = correction_word(then), corrects = correction_word(now);
+  if (corrected != corrects) found.push_back(fmt::format("correction was {}, is {}", corrected, corrects));
   if (then.art_n != now.art_n) found.push_back(change("artstress exponent", then.art_n, now.art_n));
   for (const auto &f : flags)
     if (then.*f.value != now.*f.value)

@@ -16,8 +16,8 @@ namespace SPHTM_NS {
 
 // kernel (5) x dimension (2) x {viscosity, artificial stress, conduction} (8) + extended (1)
 // + smoothing and viscosity x {artificial stress, conduction} (4)
-// + one pass: viscosity x {conduction, smoothing} (4) + extended (1)
-constexpr int RATE_SETS_PER_KERNEL = 2 * 18;
+// + one pass: viscosity x {conduction, smoothing} (4) + extended (1) + viscosity and faces (1)
+constexpr int RATE_SETS_PER_KERNEL = 2 * 19;
 constexpr int RATE_SETS = TM_KERNEL_COUNT * RATE_SETS_PER_KERNEL;
 
 static constexpr unsigned rate_set(int index)
@@ -26,6 +26,7 @@ static constexpr unsigned rate_set(int index)
   const unsigned rest = index % RATE_SETS_PER_KERNEL;
   const unsigned set = rest / 2;
   unsigned effects = (kernel << TM_FX_KERNEL_SHIFT) | ((rest & 1u) ? unsigned(TM_FX_3D) : 0u);
+  if (set == 18) return effects | unsigned(TM_FX_ONE_PASS) | unsigned(TM_FX_VISCOSITY) | unsigned(TM_FX_FACES);
   if (set == 17) return effects | unsigned(TM_FX_ONE_PASS) | unsigned(TM_FX_EXTENDED);
   if (set > 12) {
     effects |= unsigned(TM_FX_ONE_PASS) | unsigned(TM_FX_VISCOSITY);
@@ -54,7 +55,10 @@ static constexpr int rate_set_index(unsigned effects)
   int set = 0;
   constexpr unsigned rare =
       (TM_FX_EXTENDED_MASK | unsigned(TM_FX_ARTSTRESS)) & ~(unsigned(TM_FX_SMOOTHING) | unsigned(TM_FX_CORRECTION));
-  if (effects & TM_FX_ONE_PASS)
+  constexpr unsigned varied = unsigned(TM_FX_VISCOSITY) | unsigned(TM_FX_CONDUCTION) | unsigned(TM_FX_SMOOTHING);
+  if ((effects & TM_FX_ONE_PASS) && (effects & (rare | varied)) == (unsigned(TM_FX_FACES) | unsigned(TM_FX_VISCOSITY)))
+    set = 18;
+  else if (effects & TM_FX_ONE_PASS)
     set = (effects & rare) || !(effects & TM_FX_VISCOSITY)
               ? 17
               : 13 + ((effects & TM_FX_CONDUCTION) ? 1 : 0) + ((effects & TM_FX_SMOOTHING) ? 2 : 0);
@@ -96,6 +100,12 @@ static constexpr int kernel_set_index(unsigned effects) { return 2 * kernel_of(e
 constexpr unsigned RARE_IN_UPDATE =
     TM_FX_DAMAGE | TM_FX_ENERGY | TM_FX_BALSARA | TM_FX_XSPH | TM_FX_PLANE_STRESS | TM_FX_SMOOTHING | TM_FX_FACES;
 constexpr unsigned RARE_IN_PREDICTION = RARE_IN_UPDATE | TM_FX_FORM_F14;
+// with faces as the one that is on, and in the update without heat, they have loops of their own: of what is elastic
+static constexpr bool faces_alone(unsigned effects, unsigned rare)
+{
+  return (effects & rare) == unsigned(TM_FX_FACES) &&
+         !(effects & (unsigned(TM_FX_HEAT) | unsigned(TM_FX_CONDUCTION) | unsigned(TM_FX_PLASTICITY)));
+}
 
 }    // namespace SPHTM_NS
 

@@ -244,6 +244,7 @@ tm_update_result update(Backend &backend, int all, const tm_update_args &a, unsi
   if (n == 0) return r;
   if (ledger && usual) run_update<RARE, TM_FX_LEDGER>(p, a, effects);
   else if (ledger) run_update<0u, TM_FX_LEDGER>(p, a, effects);
+  else if (faces_alone(effects, RARE)) run_update<(RARE & ~unsigned(TM_FX_FACES)) | HEAT | FLOW>(p, a, effects);
   else if (effects & RARE) run_update<0u>(p, a, effects);
   else if (usual) run_update<RARE>(p, a, effects);
   else if (effects & HEAT) run_update<RARE | FLOW>(p, a, effects);

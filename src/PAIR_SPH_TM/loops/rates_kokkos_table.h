@@ -20,7 +20,12 @@ template <unsigned EFFECTS> struct Rates {
 // of 64 leave a thread 168 registers, 4 of 128 leave 128: just enough without spills, but for loops that test effects
 // at run time.
 constexpr int RATE_THREADS = sizeof(tm_pair) == sizeof(double) ? 64 : 128;
-constexpr int rate_blocks(unsigned effects) { return (effects & TM_FX_EXTENDED) ? 1 : RATE_THREADS == 64 ? 6 : 4; }
+constexpr int rate_blocks(unsigned effects)
+{
+  if (effects & TM_FX_EXTENDED) return 1;
+  if (effects & TM_FX_FACES) return RATE_THREADS == 64 ? 4 : 3;
+  return RATE_THREADS == 64 ? 6 : 4;
+}
 
 template <unsigned EFFECTS, int GROUP> void run_in_groups(int n, const tm_rates_args &a)
 {

@@ -21,7 +21,7 @@ enum {
   TM_COL_CONDUCTED,                         /* power per volume into i */
   TM_COL_PER_RHO,                           /* 1/rho_j */
   TM_COL_SMOOTH,                            /* m_j/rho_mean W */
-  TM_COL_SOUND,                             /* sound speed, with one pass in the extended instantiation */
+  TM_COL_SOUND,                             /* sound speed, with one pass in the extended instantiation or with faces */
   TM_COL_Q,                                 /* r/h, and W'/r: of loops that test effects at run time */
   TM_COL_G,
   TM_COLUMNS
@@ -46,7 +46,7 @@ TM_FN tm_rates_terms tm_rates_terms_of(unsigned effects, unsigned run_time)
   t.conduction = (all & TM_FX_CONDUCTION) != 0;
   t.form_f14 = (all & TM_FX_FORM_F14) != 0;
   t.one_pass = (effects & TM_FX_ONE_PASS) != 0;
-  t.faces = t.one_pass && t.extended && (all & TM_FX_FACES) != 0;
+  t.faces = t.one_pass && (all & TM_FX_FACES) != 0;
   t.correction = !t.one_pass && (all & TM_FX_CORRECTION) != 0;
   t.balsara = (all & TM_FX_BALSARA) != 0;
   t.xsph = (all & TM_FX_XSPH) != 0;
@@ -74,6 +74,12 @@ TM_FN tm_pair tm_rates_sound(const tm_rates_own *own, tm_pair rho_c2, tm_pair rh
   return own->visc_alpha > 0 ? tm_pair_sqrt(rho_c2 / rho) : 0;
 }
 
+/* Columns of the record of one pass that a loop reads. */
+TM_FN int tm_rates_stab_fetched(const tm_rates_terms *t)
+{
+  return t->extended || t->faces ? (int) TM_REC_STAB : (int) TM_STAB_FETCHED;
+}
+
 TM_FN void tm_rates_load(int i, const tm_rates_args *a, const tm_rates_terms *t, const tm_pair_records *rec,
                          tm_rates_own *own)
 {
@@ -93,9 +99,7 @@ TM_FN void tm_rates_load(int i, const tm_rates_args *a, const tm_rates_terms *t,
   if (t->correction)
     for (int c = 0; c < TM_REC_CORRECTION; c++)
       own->correction[c] = rec->correction[(ptrdiff_t) i * TM_REC_CORRECTION + c];
-  if (t->one_pass)
-    tm_fetch(rec->stab + tm_pair_record(i, TM_REC_STAB), t->extended ? (int) TM_REC_STAB : (int) TM_STAB_FETCHED,
-             own->stab);
+  if (t->one_pass) tm_fetch(rec->stab + tm_pair_record(i, TM_REC_STAB), tm_rates_stab_fetched(t), own->stab);
   own->visc_alpha = t->viscosity ? (tm_pair) a->visc_alpha : 0;
   own->visc_beta = t->viscosity ? (tm_pair) a->visc_beta : 0;
   own->sound = t->faces ? tm_rates_sound(own, own->stab[TM_STAB_K], own->r[TM_REC_RHO]) : own->r[TM_REC_C];
@@ -116,8 +120,7 @@ TM_FN void tm_rates_fetch(const tm_chunk *c, const int *jj, const tm_rates_terms
     tm_chunk_fetch_main(c, jj, TM_REC, t->dim3, col);
   else tm_chunk_fetch_main(c, jj, TM_REC_C, t->dim3, col);
   if (t->one_pass)
-    tm_fetch_records(rec->stab, TM_REC_STAB, 0, t->extended ? (int) TM_REC_STAB : (int) TM_STAB_FETCHED, jj, c->lanes,
-                     col[TM_COL_STAB]);
+    tm_fetch_records(rec->stab, TM_REC_STAB, 0, tm_rates_stab_fetched(t), jj, c->lanes, col[TM_COL_STAB]);
   if (t->artstress) /* in single with heat behind it, whose columns begin within a group of four */
     tm_fetch_records(rec->stress, TM_STRESS_COLUMNS, 0, TM_STRESS_COLUMNS, jj, c->lanes, col[TM_COL_STRESS]);
   else if (TM_SINGLE && t->conduction)
@@ -145,9 +148,9 @@ TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, con
   const tm_pair_size p = tm_chunk_pair_size(c, t->sizes, col + TM_COL_SIZE, l, &own->norm_of_one, t->dim3);
   const tm_pair r2 = dx * dx + dy * dy + dz * dz, r = tm_pair_sqrt(r2), q = r * p.inv_h;
   const tm_pair mj = col[TM_REC_M][tm_at(l)], rhoj = col[TM_REC_RHO][tm_at(l)];
-  const tm_pair *c_of = !t->one_pass  ? col[TM_REC_C]
-                        : t->extended ? col[TM_COL_SOUND]
-                                      : col[(int) TM_COL_STAB + TM_STAB_C];
+  const tm_pair *c_of = !t->one_pass              ? col[TM_REC_C]
+                        : t->extended || t->faces ? col[TM_COL_SOUND]
+                                                  : col[(int) TM_COL_STAB + TM_STAB_C];
   tm_pair inv_r, inv_rho_sum;
   if (t->viscosity) {
     const tm_pair vx = own->r[4] - col[4][tm_at(l)], vy = own->r[5] - col[5][tm_at(l)];
@@ -255,7 +258,7 @@ TM_FN void tm_rates_all_coefficients(const tm_chunk *c, const tm_rates_terms *t,
                                      tm_values *col)
 {
   tm_rates_terms u = *t;
-  if (t->one_pass && t->extended) tm_rates_sound_loop(c, t, own, col);
+  if (t->one_pass && (t->extended || t->faces)) tm_rates_sound_loop(c, t, own, col);
   if (!t->extended) tm_rates_coefficient_loop(c, t, own, col);
   else {
     u.viscosity = 1; /* with factors of 0 where it is off */

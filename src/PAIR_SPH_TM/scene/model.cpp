@@ -22,7 +22,7 @@ const char *kernel_name(int kernel)
 Model::Tables::Tables(Backend &loops)
 {
   material.live_in(loops);
-  for (auto *a : {&conductance, &young, &effusivity, &gradient, &share}) a->live_in(loops);
+  for (auto *a : {&conductance, &young, &half_layer, &effusivity, &gradient, &share}) a->live_in(loops);
   law.live_in(loops);
   side.live_in(loops);
 }
@@ -100,7 +100,7 @@ void Model::prepare()
 void Model::make_tables(double temperature)
 {
   const int n = atom_types + 1;
-  std::vector<double> conductance(n * n), young(n), effusivity(n);
+  std::vector<double> conductance(n * n), young(n), half_layer(n), effusivity(n);
   std::vector<tm_body_law> contact(n * n);
   std::vector<int> side;
   most_sides = laws.contact_sides(side);
@@ -115,6 +115,7 @@ void Model::make_tables(double temperature)
   for (int t = 1; t < n; t++) {
     const tm_material &m = material[t];
     young[t] = m.young;
+    half_layer[t] = half_layer_modulus(t);
     effusivity[t] =
         m.heat ? tm_effusivity(tm_conductivity(&m, temperature), tm_table_at(&m.capacity, temperature), m.rho0) : 0.0;
   }
@@ -123,6 +124,7 @@ void Model::make_tables(double temperature)
   tables.law.assign(contact.data(), n * n);
   tables.side.assign(side.data(), n * n);
   tables.young.assign(young.data(), n);
+  tables.half_layer.assign(half_layer.data(), n);
   tables.effusivity.assign(effusivity.data(), n);
   std::vector<double> share(settings.art_balanced && settings.art_eps > 0.0 ? TM_GRADIENT_ENTRIES : 0);
   if (!share.empty()) tm_tensile_table(settings.kernel, domain->dimension, settings.art_n, share.data());
@@ -152,6 +154,14 @@ void Model::cover_sizes(double h, double dp)
 
 double Model::particle_mass(int type) const { return material[type].rho0 * pow(settings.spacing, domain->dimension); }
 
+double Model::half_layer_modulus(int type) const
+{
+  const tm_material &m = material[type];
+  const double c = tm_eos_sound_speed(&m, m.rho0, 0.0);
+  const double confined = settings.plane_stress ? m.young / (1.0 - m.poisson * m.poisson) : m.rho0 * c * c;
+  return tm_contact_half_layer(confined);
+}
+
 double Model::largest_conductivity() const
 {
   double k = 0.0;
@@ -168,9 +178,11 @@ double Model::contact_time_step(int t) const
   for (int u = 1; u <= atom_types; u++) {
     const PairLaw &l = laws(t, u);
     if (l.meeting != CONTACT) continue;
-    const double e1 = material[t].young, e2 = material[u].young;
+    const auto modulus = [&](int type) {
+      return tm_contact_modulus(l.contact.penalty, material[type].young, half_layer_modulus(type));
+    };
     const double k =
-        tm_contact_stiffness(l.contact.penalty, e1, e2, settings.spacing, least_spacing, domain->dimension == 3);
+        tm_contact_stiffness(1.0, modulus(t), modulus(u), settings.spacing, least_spacing, domain->dimension == 3);
     const double mass = pow(least_spacing, domain->dimension) * std::min(material[t].rho0, material[u].rho0) * 0.5;
     least = std::min(least, tm_contact_time_step(k, mass, 0.0));
   }
