@@ -62,6 +62,7 @@ static void host_runs_over_the_same()
     for (int i : AWAKE)
       if (i < n) below.push_back(i);
     UT_TRUE(seen == below);
+    UT_TRUE(number(loops, n) == (int) below.size());
   }
 }
 

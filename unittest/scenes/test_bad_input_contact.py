@@ -53,6 +53,8 @@ wrong("input alone", tool("input"), "contact/tri input", "got nothing")
 wrong("input stl without a file", tool("input stl 1 1"), "contact/tri keyword input", "3 values")
 wrong("input stl of type 0", tool(INPUT.replace("2 3", "0 3")), "contact/tri input", "type", "got 0")
 wrong("two inputs", tool(INPUT + "input stl 1 1 @ascii.stl"), "contact/tri input", "fix contact/tri of its own")
+wrong("a file behind an input", tool(INPUT + "file @ascii.stl"), "contact/tri file", "fix contact/tri of its own")
+wrong("two files", tool(AWAY + "file @ascii.stl"), "contact/tri file", "fix contact/tri of its own")
 wrong("a granular model", tool(INPUT + "model 1 1 hooke 1 1 1 1 0 1"), "contact/tri model", "penalty, damping, friction")
 
 # --- fix contact/tri: keywords ------------------------------------------------------------------------------

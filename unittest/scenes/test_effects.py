@@ -75,6 +75,8 @@ johnson_cook = scene(STEEL + " " + HEAT)
 expect("elastic", elastic, plain | {"faces"})
 lines = expect("plastic", plastic, plain | {"plasticity"})
 checks.true("plastic: the reason names the type", "type 1" in lines["plasticity"][1], lines["plasticity"][1])
+checks.true("plastic: the line of faces says what that means", "material flows" in lines["faces"][1] and "correction second" in lines["faces"][1],
+            lines["faces"][1])
 expect("plastic, heat constants", scene(YIELDS + " " + HEAT), plain | {"plasticity"} | heated)
 expect("plastic, heat constants, chi 0", scene(YIELDS + " heat 38 477 0"), plain | {"plasticity"})
 expect("Johnson-Cook, no heat constants", scene(STEEL), plain | {"plasticity"})

@@ -25,17 +25,25 @@ void ContactSettings::read_input(Keywords &k)
 {
   if (!k.take("stl"))
     lmp->error->all(FLERR, "{} must read: input stl type mol file, got {}", k.what(), k.rest() ? k.value() : "nothing");
-  if (!shape.file.empty())
-    lmp->error->all(FLERR, "{}: a tool has one mesh; give each file a fix contact/tri of its own", k.what());
   k.need(3);
   k.integer(1, MAXSMALLINT, "type");
   surface = k.integer(1, MAXSMALLINT, "mol");
-  shape.file = k.value();
+  read_file(k);
+}
+
+void ContactSettings::read_file(Keywords &k)
+{
+  const std::string name = k.value();
+  if (!shape.file.empty())
+    lmp->error->all(FLERR,
+                    "{}: a tool has one mesh, and {} comes behind {}; give each file a fix contact/tri of its own",
+                    k.what(), name, shape.file);
+  shape.file = name;
 }
 
 bool ContactSettings::read_mesh(Keywords &k)
 {
-  if (k.is("file")) shape.file = k.value();
+  if (k.is("file")) read_file(k);
   else if (k.is("input")) read_input(k);
   else if (k.is("flip")) shape.flip = k.yes();
   else if (k.is("merge")) shape.options.tolerance = k.between(0.0, 0.01);

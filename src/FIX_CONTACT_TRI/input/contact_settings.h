@@ -58,6 +58,7 @@ struct ContactSettings {
   LAMMPS_NS::LAMMPS *lmp;
   // each returns whether the keyword is its own
   void read_input(Keywords &);
+  void read_file(Keywords &);
   bool read_mesh(Keywords &);
   bool read_placement(Keywords &);
   bool read_law(Keywords &);

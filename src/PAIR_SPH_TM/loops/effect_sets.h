@@ -100,7 +100,7 @@ static constexpr int kernel_set_index(unsigned effects) { return 2 * kernel_of(e
 constexpr unsigned RARE_IN_UPDATE =
     TM_FX_DAMAGE | TM_FX_ENERGY | TM_FX_BALSARA | TM_FX_XSPH | TM_FX_PLANE_STRESS | TM_FX_SMOOTHING | TM_FX_FACES;
 constexpr unsigned RARE_IN_PREDICTION = RARE_IN_UPDATE | TM_FX_FORM_F14;
-// with faces as the one that is on, and in the update without heat, they have loops of their own: of what is elastic
+// faces alone, of what is elastic: the update of a GPU has a loop of its own for it
 static constexpr bool faces_alone(unsigned effects, unsigned rare)
 {
   return (effects & rare) == unsigned(TM_FX_FACES) &&

@@ -92,8 +92,7 @@ template <unsigned ASK> void predict_usual(int begin, int end, const tm_predict_
 
 void predict(int begin, int end, const tm_predict_args *args, unsigned effects)
 {
-  if (faces_alone(effects, RARE_IN_PREDICTION)) predict_set<TM_FX_FACES, TESTED | TM_FX_3D>(begin, end, args, effects);
-  else if (effects & RARE_IN_PREDICTION) predict_usual<~unsigned(TM_FX_HEAT)>(begin, end, args, effects);
+  if (effects & RARE_IN_PREDICTION) predict_usual<~unsigned(TM_FX_HEAT)>(begin, end, args, effects);
   else if (effects & TESTED) predict_usual<TESTED | TM_FX_3D>(begin, end, args, effects);
   else predict_usual<TM_FX_3D>(begin, end, args, effects);
 }
@@ -129,11 +128,9 @@ template <unsigned ASK> update_range_t update_usual(unsigned effects)
 tm_update_result update(int begin, int end, const tm_update_args *args, unsigned effects)
 {
   constexpr unsigned HEAT = TM_FX_HEAT, DIM = TM_FX_3D;    // literals of loops for rare effects
-  const update_range_t run = faces_alone(effects, RARE_IN_UPDATE)
-                                 ? update_of<TESTED, TM_FX_FACES, TM_FX_LEDGER, DIM>(effects)
-                             : (effects & RARE_IN_UPDATE) ? update_of<~(HEAT | DIM), 0u, HEAT, DIM>(effects)
-                             : (effects & TESTED)         ? update_usual<TESTED>(effects)
-                                                          : update_usual<0u>(effects);
+  const update_range_t run = (effects & RARE_IN_UPDATE) ? update_of<~(HEAT | DIM), 0u, HEAT, DIM>(effects)
+                             : (effects & TESTED)       ? update_usual<TESTED>(effects)
+                                                        : update_usual<0u>(effects);
   return run(begin, end, args, effects);
 }
 

@@ -25,9 +25,10 @@ void ActiveLoops::set(const int *particles, int n, int of)
 const int *ActiveLoops::some(int &n) const
 {
   if (n < all && n != asked) {
-    std::vector<int> here(listed);
-    if (listed) loops.to_host(here.data(), list, listed * sizeof(int));
-    below = std::lower_bound(here.begin(), here.end(), n) - here.begin();
+    std::vector<int> copy(shared() ? 0 : listed);
+    if (!copy.empty()) loops.to_host(copy.data(), list, listed * sizeof(int));
+    const int *here = shared() ? list : copy.data();
+    below = std::lower_bound(here, here + listed, n) - here;
     asked = n;
   }
   n = n < all ? below : listed;

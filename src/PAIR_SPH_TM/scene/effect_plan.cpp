@@ -85,6 +85,7 @@ struct Reasons {
   std::map<unsigned, std::string> why;
   bool every_pair_stored;
   bool mechanics = false, solid = false, flows = false, softens = false, shock = false;
+  std::string why_no_faces = {};
   std::string conducts = {}, expands = {}, compresses = {};    // the first material that does, or heats by compression
 
   void on(unsigned bit, const std::string &reason) { why.emplace(bit, reason); }
@@ -179,8 +180,12 @@ void Reasons::faces()
 {
   const Settings &set = model.settings_in_use();
   if (!solid || !has(TM_FX_CORRECTION) || !has(TM_FX_HOURGLASS) || has(TM_FX_ARTSTRESS)) return;
+  const bool flowing = flows && has(TM_FX_PLASTICITY);
   if (set.faces == FACES_ALWAYS) on(TM_FX_FACES, "pair_style correction second");
-  if (set.faces == FACES_OF_ELASTIC && !(flows && has(TM_FX_PLASTICITY))) on(TM_FX_FACES, "no material flows");
+  if (set.faces == FACES_OF_ELASTIC && !flowing) on(TM_FX_FACES, "no material flows");
+  if (set.faces == FACES_OF_ELASTIC && flowing)
+    why_no_faces = "material flows; thin parts bend too softly, pair_style correction second mends that";
+  if (set.faces == FACES_NEVER) why_no_faces = "pair_style correction linear";
 }
 }    // namespace
 
@@ -210,6 +215,7 @@ void EffectPlan::derive(const Model &model, int dimension)
   for (const auto &n : NAMES)
     if (forced_off & n.bit) r.why.erase(n.bit);
   r.faces();
+  std::string why_no_faces = r.why_no_faces;
   if (forced_off & TM_FX_FACES) r.why.erase(TM_FX_FACES);
   r.conversions();
   for (const auto &n : NAMES)
@@ -245,8 +251,9 @@ void EffectPlan::derive(const Model &model, int dimension)
           "of fix adapt/neigh that keep pairs";
     effects &= ~unsigned(TM_FX_FACES);
     r.why.erase(TM_FX_FACES);
+    why_no_faces = "lists keep pairs; thin parts bend too softly";
   }
-  write_report(r.why);
+  write_report(r.why, why_no_faces);
 }
 
 // forced off, but a material or a fix has a use for it
@@ -262,16 +269,17 @@ void EffectPlan::warn(const std::map<unsigned, std::string> &why, bool softens)
                        "temperature stays uniform");
 }
 
-void EffectPlan::write_report(const std::map<unsigned, std::string> &why)
+void EffectPlan::write_report(const std::map<unsigned, std::string> &why, const std::string &why_no_faces)
 {
   report.clear();
   for (const auto &n : NAMES) {
     const auto it = why.find(n.bit);
     std::string line = "sph/tm effect " + std::string(n.name);
     line.resize(32, ' ');
-    line += it != why.end() ? "on   " + it->second
-                            : std::string("off  ") + ((forced_off & n.bit) ? "forced off in fix sph/tm"
-                                                                           : "nothing in the scene calls for it");
+    if (it != why.end()) line += "on   " + it->second;
+    else if (forced_off & n.bit) line += "off  forced off in fix sph/tm";
+    else if (n.bit == TM_FX_FACES && !why_no_faces.empty()) line += "off  " + why_no_faces;
+    else line += "off  nothing in the scene calls for it";
     report.push_back(line);
   }
 }
