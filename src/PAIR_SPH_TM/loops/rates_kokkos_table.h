@@ -20,6 +20,7 @@ template <unsigned EFFECTS> struct Rates {
 // of 64 leave a thread 168 registers, 4 of 128 leave 128: just enough without spills, but for loops that test effects
 // at run time.
 constexpr int RATE_THREADS = sizeof(tm_pair) == sizeof(double) ? 64 : 128;
+// What free faces add wants more: 4 of 64 leave 255 (others were not measured).
 constexpr int rate_blocks(unsigned effects)
 {
   if (effects & TM_FX_EXTENDED) return 1;
