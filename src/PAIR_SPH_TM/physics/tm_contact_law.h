@@ -27,6 +27,9 @@ TM_FN tm_real tm_contact_modulus(tm_real pfac, tm_real E, tm_real half_layer)
   return pfac > 0.0 ? pfac * E : half_layer;
 }
 
+/* Elastic contact so many times as soft as half a spacing of the material is worth a word. */
+#define TM_SOFT_CONTACT 1.2
+
 /* F15 (10) for a particle of edge dp in a scene of the given spacing; Ej = 0 stands for a rigid body. */
 TM_FN tm_real tm_contact_stiffness(tm_real pfac, tm_real Ei, tm_real Ej, tm_real spacing, tm_real dp, int dim3)
 {

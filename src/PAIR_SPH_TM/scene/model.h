@@ -113,6 +113,9 @@ class Model : protected LAMMPS_NS::Pointers {
   PairLaws laws;
   std::string file;
   Tables tables;
+  bool said_soft_contact = false;
+
+  void say_soft_contact();
 };
 
 }    // namespace SPHTM_NS
