@@ -147,6 +147,16 @@ TM_FN tm_lanes tm_lanes_of_ints(tm_lanes_ints v)
 }
 #endif
 
+/* 1/x, as tm_pair_inverse() has it */
+TM_FN tm_lanes tm_lanes_inverse(tm_lanes x)
+{
+#if TM_VECTOR
+  return 1 / x;
+#else
+  return tm_pair_inverse(x);
+#endif
+}
+
 /* Where it is below 0, else 0. */
 TM_FN tm_lanes tm_lanes_negative(tm_lanes v)
 {

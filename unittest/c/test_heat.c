@@ -11,8 +11,12 @@ static void check_tables(void)
   a.value = 50;
   UT_NEAR(tm_table_at(&a, 1e6), 50, 0);
   a.n = 3;
-  a.t[0] = 300; a.t[1] = 500; a.t[2] = 1000;
-  a.y[0] = 50; a.y[1] = 40; a.y[2] = 45;
+  a.t[0] = 300;
+  a.t[1] = 500;
+  a.t[2] = 1000;
+  a.y[0] = 50;
+  a.y[1] = 40;
+  a.y[2] = 45;
   UT_NEAR(tm_table_at(&a, 0), 50, 0);
   UT_NEAR(tm_table_at(&a, 300), 50, 1e-15);
   UT_NEAR(tm_table_at(&a, 350), 47.5, 1e-15);
@@ -36,9 +40,12 @@ static void check_pairs(void)
     const double Ti = ut_random(0, 2000), Tj = ut_random(0, 2000);
     const double vi = ut_random(0.1, 2), vj = ut_random(0.1, 2), r = ut_random(0.1, 2);
     const double g = -ut_random(0.1, 5), hc = pow(10, ut_random(-3, 3));
-    const double ij = vi * tm_conduction_pair(ki, kj, Ti, Tj, vj, g);
-    const double ji = vj * tm_conduction_pair(kj, ki, Tj, Ti, vi, g);
+    const double ri = pow(10, ut_random(-9, 4)), rj = ri * ut_random(0.1, 10); /* densities */
+    const double ij = vi * tm_conduction_pair(ki, kj, Ti, Tj, vj * rj, rj, g);
+    const double ji = vj * tm_conduction_pair(kj, ki, Tj, Ti, vi * ri, ri, g);
     UT_NEAR(ij, -ji, 1e-14);
+    UT_TRUE(tm_conduction_pair(ki, kj, Ti, Tj, vi * ri * (vj * rj), ri * rj, g) ==
+            -tm_conduction_pair(kj, ki, Tj, Ti, vj * rj * (vi * ri), rj * ri, g)); /* with the same bits */
     UT_TRUE((Ti > Tj) == (ij < 0));
     UT_NEAR(ij, 4 * ki * kj / (ki + kj) * (Ti - Tj) * vi * vj * g, 1e-14);
     const double cij = vi * tm_conduction_pair_interface(ki, kj, Ti, Tj, vj, g, r, hc);
@@ -49,9 +56,10 @@ static void check_pairs(void)
     const double open = tm_conduction_pair_interface(ki, kj, Ti, Tj, vj, g, r, 1e12);
     UT_NEAR(open * vi, ij, 1e-7);
     UT_TRUE(tm_conduction_pair_interface(ki, kj, Ti, Tj, vj, g, r, 0) == 0);
-    UT_TRUE(tm_conduction_pair(0, kj, Ti, Tj, vj, g) == 0);
+    UT_TRUE(tm_conduction_pair(0, kj, Ti, Tj, vj, 1, g) == 0);
   }
-  UT_TRUE(tm_conduction_pair(0, 0, 1, 2, 1, -1) == 0);
+  UT_TRUE(tm_conduction_pair(0, 0, 1, 2, 1, 1, -1) == 0);
+  UT_TRUE(tm_conduction_pair(0, 0, 1, 2, 1e-18, 1e-18, -1) == 0); /* tonnes and millimeters */
   UT_TRUE(tm_conduction_pair_interface(0, 0, 1, 2, 1, -1, 1, 0) == 0);
 }
 
@@ -135,7 +143,7 @@ static double largest_eigenvalue(int kernel, int dim, double h)
               if (r == 0) continue;
               const double wave = cos(TM_PI / 4 * (a * x + b * y + c * z));
               const double g = norm * tm_kernel_slope(kernel, r / h) / r;
-              sum -= tm_conduction_pair(1, 1, 1, wave, 1, g);
+              sum -= tm_conduction_pair(1, 1, 1, wave, 1, 1, g);
             }
         best = tm_max(best, sum * h * h);
       }
@@ -151,7 +159,7 @@ int main(void)
   for (int kernel = 0; kernel < TM_KERNEL_COUNT; kernel++)
     for (int dim = 1; dim <= 3; dim++)
       for (double h = 1; h < 2.1; h += 0.25) {
-        const double rate = largest_eigenvalue(kernel, dim, h);   /* k/(rho cp h^2) = 1 */
+        const double rate = largest_eigenvalue(kernel, dim, h); /* k/(rho cp h^2) = 1 */
         if (dim == 1) continue;
         const tm_lattice sums = tm_lattice_sums(kernel, dim, h);
         UT_NEAR(sums.heat_rate * sums.gradient, rate, 0.01);

@@ -12,7 +12,7 @@ int rates_main(void);
 #include "tm_single.h"
 
 static float single_main[MOST * TM_REC], single_more[MOST * TM_MORE], single_correction[MOST * TM_REC_CORRECTION];
-static rates size;      /* of the terms */
+static rates size; /* of the terms */
 static single_rates *in_single;
 
 static void to_single(unsigned fx, double length)
@@ -24,7 +24,9 @@ static void to_single(unsigned fx, double length)
   args.single.correction = single_correction;
   args.single.length = length;
   args.single.volume = pow(length, c.dim);
-  args.single.position = tm_single_position_unit(sqrt(args.support_radius2) + 0.3 * length, length);
+  args.single.position = (float) tm_single_position_unit(sqrt(args.support_radius2) + 0.3 * length, length);
+  args.single.visc_alpha = (float) args.visc_alpha;
+  args.single.visc_beta = (float) args.visc_beta;
   a.rec = args.rec;
   a.single = args.single;
   for (int i = 0; i < c.n; i++) tm_single(i, &a, fx);
@@ -77,7 +79,7 @@ static void sizes(int i, int kernel, double h, unsigned fx)
     const double *ti = c.heat + 2 * i, *tj = c.heat + 2 * j;
     heat += mj / rhoj * 4 * ti[1] * tj[1] / (ti[1] + tj[1]) * apart(ti, tj, 0) * g / r;
   }
-  double K = 1;      /* rows of K mix the columns of L */
+  double K = 1; /* rows of K mix the columns of L */
   if (fx & TM_FX_CORRECTION)
     for (int d = 0; d < 6; d++) K += fabs(got.correction[6 * i + d]);
   for (int d = 0; d < 9; d++) size.gradient[9 * i + d] = K * L;
@@ -133,7 +135,7 @@ static void opposite(int kernel, double h, unsigned fx)
     for (int d = 0; d < 3; d++) UT_TRUE(got.force[d] + got.force[3 + d] == 0);
     if (fx & TM_FX_CONDUCTION) {
       const double v0 = rec(0)[TM_REC_M] / rec(0)[TM_REC_RHO], v1 = rec(1)[TM_REC_M] / rec(1)[TM_REC_RHO];
-      UT_NEAR(v0 * got.heat[0], -v1 * got.heat[1], 4e-7);    /* volumes are rounded */
+      UT_NEAR(v0 * got.heat[0], -v1 * got.heat[1], 4e-7); /* volumes are rounded */
     }
     if (fx & TM_FX_VISCOSITY) UT_TRUE(got.artificial[0] == got.artificial[1]);
   }
@@ -172,7 +174,7 @@ static void all_sets(void)
     }
   printf("error over bound: %.3f; with positions in single %.0f\n", worst, least_far);
   UT_WITHIN(worst, 0, 1);
-  UT_TRUE(worst > 0.01);      /* the bound is not empty */
+  UT_TRUE(worst > 0.01); /* the bound is not empty */
   UT_TRUE(least_far > 10);
 }
 

@@ -71,6 +71,7 @@ struct Range {
 // the last range holds for the inputs that follow
 const std::vector<Range> ranges[POINTS_CASES] = {
     {{-1, 1}},                                                                          // products
+    {{1, 4}, {1, 4}, {1, 4}, {1, 4}, {-300, 300}},                                      // pair_numbers
     {{0, 3.2}},                                                                         // kernels
     {{-1, 1}},                                                                          // eigen
     {{-1, 1}},                                                                          // positive_part

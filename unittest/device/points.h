@@ -16,6 +16,7 @@
 #include <string.h>
 
 #define POINTS_MOST 24                        /* inputs or outputs of a case */
+#define POINTS_LAST_BITS 4.5e-16              /* two of them */
 #define POINTS_ARITHMETIC 1e-12
 #define POINTS_TRANSCENDENTAL 1e-10           /* exp, log, pow, sin, ... or an iteration that ends at a tolerance */
 
@@ -66,6 +67,16 @@ POINT(products)
   out[21] = tm_sym_ddot(SYM(0), SYM(6));
   out[22] = tm_sym_mises(tm_sym_deviator(SYM(0)));
   return 1.0;
+}
+POINT(pair_numbers)    /* without a compiler's division and root: of all sizes */
+{
+  (void) m;
+  for (int k = 0; k < 4; k++) {
+    const double x = ldexp(in[k], (int) in[4 + k]);
+    out[2 * k] = tm_pair_inverse(x);
+    out[2 * k + 1] = tm_pair_root(x);
+  }
+  return 0.0;
 }
 POINT(kernels)
 {
@@ -147,7 +158,7 @@ POINT(conduction)
 {
   const tm_material *mat = m + POINTS_PLASTIC;
   const tm_real ki = tm_conductivity(mat, in[0]), kj = tm_conductivity(mat, in[1]);
-  out[0] = tm_conduction_pair(ki, kj, in[0], in[1], in[2], -in[3]);
+  out[0] = tm_conduction_pair(ki, kj, in[0], in[1], in[2], in[4], -in[3]);
   out[1] = tm_conduction_pair_interface(ki, kj, in[0], in[1], in[2], -in[3], in[4], in[5]);
   out[2] = tm_heat_rise(mat, in[0], in[6]);
   out[3] = tm_convection(in[5], in[0], in[1]);
@@ -235,6 +246,7 @@ POINT(motion)
 /* name, inputs, outputs, tolerance; ranges below in the same order */
 #define POINT_CASES(CASE)                                 \
   CASE(products, 18, 23, POINTS_ARITHMETIC)               \
+  CASE(pair_numbers, 8, 8, POINTS_LAST_BITS)              \
   CASE(kernels, 1, 10, POINTS_ARITHMETIC)                 \
   CASE(eigen, 6, 8, POINTS_ARITHMETIC)                    \
   CASE(positive_part, 6, 12, POINTS_ARITHMETIC)           \

@@ -260,7 +260,7 @@ TM_FN void tm_tl_rates(int i, const tm_tl_args *a, unsigned effects)
         const int m = tm_at(l);
         col[TM_TL_COL_CONDUCTED][m] =
             tm_conduction_pair(ki, col[(int) TM_TL_COL_HEAT + TM_REC_K][m], ti, col[(int) TM_TL_COL_HEAT + TM_REC_T][m],
-                               col[TM_REC_M][m] / col[TM_TL_COL_RHO + 1][m],
+                               col[TM_REC_M][m], col[TM_TL_COL_RHO + 1][m],
                                per_r * tm_weight_slope(&a->rows, weight, k + l));
       }
 

@@ -16,16 +16,16 @@ template <unsigned EFFECTS> struct Rates {
     tm_rates_shared(a.which ? a.which[k] : k, group, &a, EFFECTS);
   }
 };
-// How many threads share a multiprocessor decides: most of the time a warp waits for its neighbors' records. 6 blocks
-// of 64 leave a thread 168 registers, 4 of 128 leave 128: just enough without spills, but for loops that test effects
-// at run time.
-constexpr int RATE_THREADS = sizeof(tm_pair) == sizeof(double) ? 64 : 128;
-// What free faces add wants more: 4 of 64 leave 255 (others were not measured).
+// How many threads share a multiprocessor decides: most of the time a warp waits for its neighbors' records. In double 6
+// blocks of 64 leave a thread 168 registers, in two dimensions 8 leave 128: just enough without spills, but for loops that test
+// effects at run time. In single 5 blocks of 128 leave 96; what is spilled is behind the pairs (doc/performance.rst).
+constexpr bool RATES_IN_DOUBLE = sizeof(tm_pair) == sizeof(double);
+constexpr int RATE_THREADS = RATES_IN_DOUBLE ? 64 : 128;
 constexpr int rate_blocks(unsigned effects)
 {
   if (effects & TM_FX_EXTENDED) return 1;
-  if (effects & TM_FX_FACES) return RATE_THREADS == 64 ? 4 : 3;
-  return RATE_THREADS == 64 ? 6 : 4;
+  if (effects & TM_FX_FACES) return 4;
+  return !RATES_IN_DOUBLE ? 5 : is_3d(effects) ? 6 : 8;
 }
 
 template <unsigned EFFECTS, int GROUP> void run_in_groups(int n, const tm_rates_args &a)

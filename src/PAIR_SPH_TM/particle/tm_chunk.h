@@ -135,7 +135,7 @@ typedef struct {
   tm_pair support_radius2, far;
   const tm_pair *main, *size; /* records */
   /* its row */
-  const int *row;
+  const int *row; /* on a GPU from entry k on */
   ptrdiff_t stride;
   int end;
   /* the chunk */
@@ -176,8 +176,9 @@ TM_FN void tm_chunk_begin(tm_chunk *c, int i, const tm_rates_args *a, const tm_p
 TM_FN void tm_chunk_share(tm_chunk *c, tm_group group, int *jj)
 {
   c->k = group.lane;
+  c->row += group.lane * c->stride;
   c->group = group;
-  if (c->k > 0 && c->k < c->end) jj[1] = c->row[c->k * c->stride];
+  if (c->k > 0 && c->k < c->end) jj[1] = c->row[0];
 }
 
 /* Deals what the threads have found in a round: mine is a particle, inside says whether it is a neighbor. Returns whether
@@ -214,7 +215,7 @@ TM_FN int tm_chunk_gather(tm_chunk *c, int *jj, tm_pair *position, int dim3)
   const int shared = c->group.size > 1, step = c->group.size;
   if (c->k - c->group.lane >= end) return 0;
   jj[0] = jj[1];
-  if (c->k + step < end) jj[1] = row[(c->k + step) * stride];
+  if (c->k + step < end) jj[1] = row[step * stride];
   tm_fetch(rec + tm_pair_record(jj[0], TM_REC), 4, position);
   tm_pair dx = tm_apart(x, tm_coord_load(position), unit), dy = tm_apart(y, tm_coord_load(position + 1), unit);
   tm_pair dz = dim3 ? tm_apart(z, tm_coord_load(position + 2), unit) : 0;
@@ -286,8 +287,10 @@ TM_FN int tm_chunk_gather(tm_chunk *c, int *jj, tm_pair *position, int dim3)
 /* The neighbors that do not fill a vector go into the next chunk. */
 TM_FN void tm_chunk_carry(tm_chunk *c, int *jj)
 {
-  if (TM_COLUMN == 1) c->k += c->group.size;
-  else if (!c->last) {
+  if (TM_COLUMN == 1) {
+    c->k += c->group.size;
+    c->row += c->group.size * c->stride;
+  } else if (!c->last) {
     for (int l = c->lanes; l < c->n; l++) jj[tm_at(l - c->lanes)] = jj[tm_at(l)];
     c->n -= c->lanes;
   }

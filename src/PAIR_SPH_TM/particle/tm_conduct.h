@@ -93,7 +93,7 @@ TM_FN int tm_conduct_pairs(int i, const tm_conduct_args *a, const tm_rows *rows,
   const int sizes = (effects & TM_FX_SMOOTHING) != 0;
   const int *row = rows->index + rows->first[i];
   const tm_real *ri = tm_main_record(&q->rec, i), *hi = tm_heat_record(&q->rec, i);
-  const tm_real Vi = ri[tm_part(TM_REC_M)] / ri[tm_part(TM_REC_RHO)], ki = hi[tm_part(TM_REC_K)];
+  const tm_real mi = ri[tm_part(TM_REC_M)], rhoi = ri[tm_part(TM_REC_RHO)], ki = hi[tm_part(TM_REC_K)];
   const tm_pair_size of_all = tm_size_of_all(q, 1.0, 1.0);
   const tm_pair_size own = tm_own_size(sizes ? q->rec.size + (ptrdiff_t) i * TM_REC_SIZE : NULL, of_all);
   tm_pair_size p = of_all;
@@ -110,10 +110,10 @@ TM_FN int tm_conduct_pairs(int i, const tm_conduct_args *a, const tm_rows *rows,
     if (sizes ? r2 * p.inv_h * p.inv_h >= q->support2 : r2 >= q->support_radius2) continue;
     const tm_real r = sqrt(r2), x = r / p.h, kj = tm_heat_record(&q->rec, j)[tm_part(TM_REC_K)];
     const tm_real slope = p.slope_norm * tm_kernel_slope(kernel, x) / r;
-    const tm_real VV = Vi * (rj[tm_part(TM_REC_M)] / rj[tm_part(TM_REC_RHO)]);
+    const tm_real mass = mi * rj[tm_part(TM_REC_M)], rho = rhoi * rj[tm_part(TM_REC_RHO)];
     const tm_real hc = conductance ? conductance[q->type[i] * (q->ntypes + 1) + q->type[j]] : 0.0;
-    const tm_real g = hc > 0.0 ? tm_conduction_pair_interface(ki, kj, 0.0, 1.0, VV, slope, r, hc)
-                               : tm_conduction_pair(ki, kj, 0.0, 1.0, VV, slope);
+    const tm_real g = hc > 0.0 ? tm_conduction_pair_interface(ki, kj, 0.0, 1.0, mass / rho, slope, r, hc)
+                               : tm_conduction_pair(ki, kj, 0.0, 1.0, mass, rho, slope);
     if (!(g > 0.0)) continue;
     const ptrdiff_t at = tm_conduct_entry(&a->rows, i, k++);
     a->rows.index[at] = j;

@@ -37,6 +37,7 @@ typedef struct {
   tm_sum_sym moment; /* with one pass: sums of -d (x) g, g, g d and g v, g = m_j W'/r */
   tm_sum weights;
   tm_sum_vec gd, gv;
+  tm_sum_vec gi;   /* with faces: sum of m_j gradW as i has it */
   tm_sum_vec tilt; /* what normals of faces add to the moment, tilt (x) b */
   tm_sum less;     /* and what they take from the trace of the sums of -d (x) g */
 } tm_rates_sums;
@@ -48,7 +49,7 @@ TM_FN tm_rates_sums tm_rates_sums_zero(void)
   s.acceleration = s.xsph = s.surface = tm_sum_vec_zero();
   s.artificial = s.heat = s.weights = s.less = tm_lanes_zero();
   s.moment = tm_sum_sym_zero();
-  s.gd = s.gv = s.tilt = tm_sum_vec_zero();
+  s.gd = s.gv = s.gi = s.tilt = tm_sum_vec_zero();
   return s;
 }
 
@@ -95,15 +96,23 @@ TM_FN void tm_rates_sums_of_group(tm_rates_sums *s, const tm_rates_terms *t, tm_
   s->gd = tm_group_sum_vec(s->gd, dim3, group);
   s->gv = tm_group_sum_vec(s->gv, dim3, group);
   if (!t->faces) return;
+  s->gi = tm_group_sum_vec(s->gi, dim3, group);
   s->tilt = tm_group_sum_vec(s->tilt, dim3, group);
   s->less = tm_group_sum(s->less, group);
 }
 
-/* Whether the particle or one of its neighbors in a chunk is at a free face. */
+/* Whether the particle or one of its neighbors in a chunk is at a free face; on a GPU, whether that is so for one of the threads
+   that go on together: they would else take one way after the other. Where none is at a face both ways give the same bits. */
 TM_FN int tm_rates_at_face(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own, tm_values *col)
 {
   const tm_pair *b = own->stab + TM_STAB_FACE;
   tm_values *bj = col + TM_COL_STAB + TM_STAB_FACE;
+#if defined(__CUDA_ARCH__)
+  const tm_pair mine = b[0] * b[0] + b[1] * b[1] + (t->dim3 ? b[2] * b[2] : 0);
+  const tm_pair other = bj[0][0] * bj[0][0] + bj[1][0] * bj[1][0] + (t->dim3 ? bj[2][0] * bj[2][0] : 0);
+  (void) c;
+  return __any_sync(__activemask(), mine + other > 0);
+#else
   if (b[0] * b[0] + b[1] * b[1] + (t->dim3 ? b[2] * b[2] : 0) > 0) return 1;
   const tm_lanes zero = {0};
   tm_sum sum = tm_lanes_zero();
@@ -113,6 +122,7 @@ TM_FN int tm_rates_at_face(const tm_chunk *c, const tm_rates_terms *t, const tm_
     sum += tm_lanes_dot(other, other, t->dim3);
   }
   return tm_lanes_sum(sum) > 0;
+#endif
 }
 
 /* D of tm_face.h times the slope of the kernel, from e toward the particle's neighbor: kept e + added b. Both particles of a
@@ -125,7 +135,7 @@ TM_FN tm_rates_tilted tm_rates_tilt(tm_lanes slope, tm_lanes kappa, tm_lanes_vec
   tm_rates_tilted t;
   t.less = slope * kappa * s;
   t.kept = slope - t.less;
-  t.added = t.less * s / (tm_lanes_dot(b, b, dim3) + TM_PAIR(1e-30));
+  t.added = t.less * s * tm_lanes_inverse(tm_lanes_dot(b, b, dim3) + TM_PAIR(1e-30));
   return t;
 }
 
@@ -175,34 +185,33 @@ TM_FN void tm_rates_add(const tm_chunk *c, const tm_rates_terms *t, const tm_rat
   /* momentum F15 (4), F14 (6) and (15); corrected: P K for P */
   tm_sum_vec *a = &s->acceleration;
   const tm_lanes_vec g_momentum = t->form_f14 ? tm_lanes_scale(own->inv_rho + zero, g) : m_gradw;
-  if (faces)
-    tm_sum_vec_add(a,
-                   tm_pair_momentum_of_both(own->stab + TM_STAB_PK, gi, col + TM_COL_STAB + TM_STAB_PK, l, gj, dim3));
-  else if (t->one_pass)
-    tm_pair_momentum(a, tm_pair_tensor_sum(own->stab + TM_STAB_PK, col + TM_COL_STAB + TM_STAB_PK, l), m_gradw, dim3);
-  else if (t->correction)
+  if (t->one_pass) { /* of the neighbor; tm_rates_store() has that of the particle itself */
+    tm_pair_momentum_of_other(a, col + TM_COL_STAB + TM_STAB_PK, l, gj, dim3);
+    if (t->faces) tm_sum_vec_add(&s->gi, gi);
+  } else if (t->correction)
     tm_pair_momentum(a, tm_pair_tensor_sum(own->correction, col + TM_COL_CORRECTION, l), g_momentum, dim3);
   else tm_pair_momentum(a, tm_pair_symmetric_sum(own->r + TM_REC_P, col + TM_REC_P, l), g_momentum, dim3);
 
   /* artificial terms F14 (15): their heating apart, for the energy balance */
+  if (t->one_pass) { /* hourglass control and viscosity, both along the line between the particles */
+    const tm_lanes slope = tm_values_load(col[TM_COL_SLOPE], l);
+    const tm_lanes_vec across = tm_pair_difference(own->stab + TM_STAB_W, col + TM_COL_STAB + TM_STAB_W, l, dim3);
+    tm_lanes along = tm_lanes_dot(across, d, dim3) * tm_values_load(col[TM_COL_HOURGLASS], l);
+    if (t->viscosity) along -= tm_values_load(col[TM_COL_VISCOUS], l) * slope;
+    tm_pair_along(a, &s->artificial, along, d, v, dim3);
+    tm_pair_moment(&s->moment, d, kept, dim3);
+    s->weights += slope;
+    tm_sum_vec_add(&s->gd, m_gradw);
+    tm_sum_vec_add(&s->gv, tm_lanes_scale(slope, v));
+    if (t->conduction && !t->extended) s->heat += tm_values_load(col[TM_COL_CONDUCTED], l); /* F15 (6) */
+    return;
+  }
   tm_lanes_vec artificial = {zero, zero, zero};
   if (t->artstress)
     artificial = tm_pair_artificial_stress(tm_pair_symmetric_sum(own->stress, col + TM_COL_STRESS, l),
                                            tm_values_load(col[TM_COL_TENSILE], l), m_gradw, dim3);
   if (t->viscosity) tm_pair_viscosity(&artificial, tm_values_load(col[TM_COL_VISCOUS], l), m_gradw);
-  if (t->one_pass) {
-    const tm_lanes slope = tm_values_load(col[TM_COL_SLOPE], l);
-    const tm_lanes_vec across = tm_pair_difference(own->stab + TM_STAB_W, col + TM_COL_STAB + TM_STAB_W, l, dim3);
-    const tm_lanes along = tm_lanes_dot(across, d, dim3) * tm_values_load(col[TM_COL_HOURGLASS], l);
-    artificial.x += along * d.x;
-    artificial.y += along * d.y;
-    if (dim3) artificial.z += along * d.z;
-    tm_pair_moment(&s->moment, d, kept, dim3);
-    s->weights += slope;
-    tm_sum_vec_add(&s->gd, m_gradw);
-    tm_sum_vec_add(&s->gv, tm_lanes_scale(slope, v));
-  }
-  if (t->artstress || t->viscosity || t->one_pass) tm_pair_artificial(a, &s->artificial, artificial, v);
+  if (t->artstress || t->viscosity) tm_pair_artificial(a, &s->artificial, artificial, v);
   if (t->conduction && !t->extended) s->heat += tm_values_load(col[TM_COL_CONDUCTED], l); /* F15 (6) */
 }
 TM_FN void tm_rates_add_loop(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own, tm_values *col,
@@ -290,20 +299,24 @@ TM_FN tm_sym3 tm_rates_face(const tm_rates_terms *t, const tm_rates_own *own, co
   return used;
 }
 
+/* With one pass: its sums, in the order of the enumeration. */
+enum { TM_SUM_MOMENT = 0, TM_SUM_WEIGHTS = 6, TM_SUM_GD = 7, TM_SUM_GV = 10, TM_SUM_GI = 13, TM_SUMS = 16 };
+TM_FN void tm_rates_sums_stabilized(const tm_rates_sums *s, tm_real *sum)
+{
+  const tm_sum all[TM_SUMS] = {s->moment.xx, s->moment.yy, s->moment.zz, s->moment.xy, s->moment.xz, s->moment.yz,
+                               s->weights,   s->gd.x,      s->gd.y,      s->gd.z,      s->gv.x,      s->gv.y,
+                               s->gv.z,      s->gi.x,      s->gi.y,      s->gi.z};
+  tm_lanes_sums(all, TM_SUMS, sum);
+}
+
 /* With one pass: the correction at this force point, and the rate of the displacement of hourglass control. */
 TM_FN void tm_rates_store_stabilized(int i, const tm_rates_args *a, const tm_rates_terms *t, const tm_pair_records *rec,
-                                     const tm_rates_own *own, const tm_rates_sums *s, tm_mat3 L)
+                                     const tm_rates_own *own, const tm_rates_sums *s, const tm_real *sum, tm_mat3 L)
 {
-  const tm_sum none = tm_lanes_zero();
-  const tm_sum all[16] = {s->moment.xx, s->moment.yy, s->moment.zz, s->moment.xy, s->moment.xz, s->moment.yz,
-                          s->weights,   s->gd.x,      s->gd.y,      s->gd.z,      s->gv.x,      s->gv.y,
-                          s->gv.z,      none,         none,         none};
-  tm_real sum[16];
-  tm_lanes_sums(all, 16, sum);
   const tm_real length = TM_SINGLE ? rec->length : 1.0;
   const tm_real per_rho = (TM_SINGLE ? 1.0 / own->r[TM_REC_M] : 1.0) / own->r[TM_REC_RHO];
-  const tm_sym3 M = tm_sym_scale(per_rho, tm_sym_load(sum));
-  const tm_vec3 gd = tm_vec(length * sum[7], length * sum[8], length * sum[9]);
+  const tm_sym3 M = tm_sym_scale(per_rho, tm_sym_load(sum + TM_SUM_MOMENT));
+  const tm_vec3 gd = tm_vec_scale(length, tm_load3(sum + TM_SUM_GD));
   tm_real *moment = a->moment + (ptrdiff_t) i * TM_MOMENT_COLUMNS;
   tm_real face;
   if (t->faces) {
@@ -318,7 +331,7 @@ TM_FN void tm_rates_store_stabilized(int i, const tm_rates_args *a, const tm_rat
     tm_sym_store(moment, tm_correction_of_loose(K, tm_rates_h(i, a), &face));
   }
   moment[TM_MOMENT_FACE] = face;
-  const tm_vec3 rate = tm_residual_velocity(sum[6], gd, tm_vec(sum[10], sum[11], sum[12]), L);
+  const tm_vec3 rate = tm_residual_velocity(sum[TM_SUM_WEIGHTS], gd, tm_load3(sum + TM_SUM_GV), L);
   tm_real *out = a->hourglass_rate + 3 * (ptrdiff_t) i;
   out[0] = rate.x;
   out[1] = rate.y;
@@ -339,9 +352,16 @@ TM_FN void tm_rates_store(int i, const tm_rates_args *a, const tm_rates_terms *t
   const tm_sum all[16] = {G->xx, G->xy, G->xz, G->yx, G->yy, G->yz, G->zx, G->zy, G->zz,
                           s->acceleration.x, s->acceleration.y, s->acceleration.z, s->artificial, s->heat, none, none};
   /* clang-format on */
-  tm_real L[16];
-  const tm_real *acceleration = L + 9;
+  tm_real L[16], stabilized[TM_SUMS], *acceleration = L + 9;
   tm_lanes_sums(all, 16, L);
+  if (t->one_pass) { /* P_i K_i times the sum of m_j gradW */
+    tm_rates_sums_stabilized(s, stabilized);
+    const tm_real *g = stabilized + (t->faces ? (int) TM_SUM_GI : (int) TM_SUM_GD);
+    tm_pair PK[TM_STAB_LATE + 1];
+    tm_fetch(rec->stab + tm_pair_record(i, TM_REC_STAB), TM_STAB_LATE, PK);
+    PK[TM_STAB_LATE] = own->stab[TM_STAB_LATE];
+    for (int d = 0; d < 3; d++) acceleration[d] += PK[3 * d] * g[0] + PK[3 * d + 1] * g[1] + PK[3 * d + 2] * g[2];
+  }
   for (int k = 0; k < 9; k++) L[k] *= lscale;
   if (t->correction || t->one_pass) {
     const tm_sym3 K = tm_sym_load(a->correction + (ptrdiff_t) i * 6);
@@ -361,9 +381,9 @@ TM_FN void tm_rates_store(int i, const tm_rates_args *a, const tm_rates_terms *t
   double *f = a->force + 3 * (ptrdiff_t) i;
   const int begins = a->force_begins;
   for (int d = 0; d < 3; d++) f[d] = (begins ? 0.0 : f[d]) + mf * acceleration[d];
-  if (t->one_pass) tm_rates_store_stabilized(i, a, t, rec, own, s, tm_mat_load(L));
+  if (t->one_pass) tm_rates_store_stabilized(i, a, t, rec, own, s, stabilized, tm_mat_load(L));
   if ((t->artstress || t->viscosity || t->one_pass) && a->artificial) a->artificial[i] = 0.5 * per_force * L[12];
-  if (t->conduction) a->heat[i] = TM_SINGLE ? L[13] * per_length * per_length / own->volume : L[13];
+  if (t->conduction) a->heat[i] = TM_SINGLE ? L[13] * per_length * per_length * own->density / own->mass : L[13];
   if (t->xsph) {
     tm_real *u = a->xsph_v + 3 * (ptrdiff_t) i;
     u[0] = a->xsph * tm_lanes_sum(s->xsph.x);

@@ -63,7 +63,7 @@ typedef struct {
   tm_pair stab[TM_REC_STAB];
   tm_pair T, k; /* temperature, conductivity */
   tm_pair inv_rho, sound;
-  tm_pair mass, volume; /* in single, where weights are symmetric; else 1 */
+  tm_pair mass, density; /* in single, where weights are symmetric; else 1 */
   tm_pair visc_alpha, visc_beta, norm_of_one;
   int art_n;
 } tm_rates_own;
@@ -71,8 +71,12 @@ typedef struct {
 /* With faces, sound speed from rho c^2, where the linear part of the viscosity needs it. */
 TM_FN tm_pair tm_rates_sound(const tm_rates_own *own, tm_pair rho_c2, tm_pair rho)
 {
-  return own->visc_alpha > 0 ? tm_pair_sqrt(rho_c2 / rho) : 0;
+  const tm_pair tiny = TM_PAIR(TM_SINGLE ? 1e-36 : 1e-300);
+  return own->visc_alpha > 0 ? tm_pair_root(rho_c2 * tm_pair_inverse(rho) + tiny) : 0;
 }
+
+/* Columns of the particle's own record of one pass that are read behind its pairs: most of P K. */
+enum { TM_STAB_LATE = 8 };
 
 /* Columns of the record of one pass that a loop reads. */
 TM_FN int tm_rates_stab_fetched(const tm_rates_terms *t)
@@ -86,7 +90,7 @@ TM_FN void tm_rates_load(int i, const tm_rates_args *a, const tm_rates_terms *t,
   tm_fetch(rec->main + tm_pair_record(i, TM_REC), TM_REC, own->r);
   own->inv_rho = 1 / own->r[TM_REC_RHO];
   own->mass = TM_SINGLE ? own->r[TM_REC_M] : 1;
-  own->volume = TM_SINGLE ? own->r[TM_REC_M] / own->r[TM_REC_RHO] : 1;
+  own->density = TM_SINGLE ? own->r[TM_REC_RHO] : 1;
   own->T = own->k = 0;
   for (int c = 0; c < TM_MORE; c++) own->stress[c] = 0;
   for (int c = 0; c < TM_REC_CORRECTION; c++) own->correction[c] = 0;
@@ -99,9 +103,11 @@ TM_FN void tm_rates_load(int i, const tm_rates_args *a, const tm_rates_terms *t,
   if (t->correction)
     for (int c = 0; c < TM_REC_CORRECTION; c++)
       own->correction[c] = rec->correction[(ptrdiff_t) i * TM_REC_CORRECTION + c];
-  if (t->one_pass) tm_fetch(rec->stab + tm_pair_record(i, TM_REC_STAB), tm_rates_stab_fetched(t), own->stab);
-  own->visc_alpha = t->viscosity ? (tm_pair) a->visc_alpha : 0;
-  own->visc_beta = t->viscosity ? (tm_pair) a->visc_beta : 0;
+  if (t->one_pass)
+    tm_fetch(rec->stab + tm_pair_record(i, TM_REC_STAB) + tm_pair_part(TM_STAB_LATE),
+             tm_rates_stab_fetched(t) - TM_STAB_LATE, own->stab + TM_STAB_LATE);
+  own->visc_alpha = !t->viscosity ? 0 : TM_SINGLE ? (tm_pair) a->single.visc_alpha : (tm_pair) a->visc_alpha;
+  own->visc_beta = !t->viscosity ? 0 : TM_SINGLE ? (tm_pair) a->single.visc_beta : (tm_pair) a->visc_beta;
   own->sound = t->faces ? tm_rates_sound(own, own->stab[TM_STAB_K], own->r[TM_REC_RHO]) : own->r[TM_REC_C];
   own->norm_of_one = (tm_pair) a->norm_of_one;
   own->art_n = a->art_n;
@@ -135,8 +141,8 @@ TM_FN void tm_rates_fetch(const tm_chunk *c, const int *jj, const tm_rates_terms
 TM_FN tm_pair tm_rates_conducted(const tm_rates_own *own, tm_values *col, int l, tm_pair g)
 {
   return tm_conduction_pair(own->k, col[(int) TM_COL_HEAT + TM_REC_K][tm_at(l)], own->T,
-                            col[(int) TM_COL_HEAT + TM_REC_T][tm_at(l)],
-                            col[TM_REC_M][tm_at(l)] / col[TM_REC_RHO][tm_at(l)] * own->volume, g);
+                            col[(int) TM_COL_HEAT + TM_REC_T][tm_at(l)], col[TM_REC_M][tm_at(l)] * own->mass,
+                            col[TM_REC_RHO][tm_at(l)] * own->density, g);
 }
 
 /* Coefficients of the pair with neighbor l of a chunk, but those of tm_rates_rare_coefficients(). */
@@ -146,7 +152,7 @@ TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, con
   const tm_pair dx = tm_chunk_apart(c->x, col[0], l), dy = tm_chunk_apart(c->y, col[1], l);
   const tm_pair dz = t->dim3 ? tm_chunk_apart(c->z, col[2], l) : 0;
   const tm_pair_size p = tm_chunk_pair_size(c, t->sizes, col + TM_COL_SIZE, l, &own->norm_of_one, t->dim3);
-  const tm_pair r2 = dx * dx + dy * dy + dz * dz, r = tm_pair_sqrt(r2), q = r * p.inv_h;
+  const tm_pair r2 = dx * dx + dy * dy + dz * dz, r = tm_pair_root(r2), q = r * p.inv_h;
   const tm_pair mj = col[TM_REC_M][tm_at(l)], rhoj = col[TM_REC_RHO][tm_at(l)];
   const tm_pair *c_of = !t->one_pass              ? col[TM_REC_C]
                         : t->extended || t->faces ? col[TM_COL_SOUND]
@@ -160,8 +166,8 @@ TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, con
                                          &inv_r, &inv_rho_sum);
     col[TM_COL_VISCOUS][tm_at(l)] = pi;
   } else {
-    inv_r = 1 / r;
-    inv_rho_sum = t->one_pass ? 1 / (own->r[TM_REC_RHO] + rhoj) : 0;
+    inv_r = tm_pair_inverse(r);
+    inv_rho_sum = t->one_pass ? tm_pair_inverse(own->r[TM_REC_RHO] + rhoj) : 0;
   }
   const tm_pair g = p.slope_norm * tm_kernel_slope(t->kernel, q) * inv_r; /* W'/r */
   if (t->extended) {

@@ -64,7 +64,8 @@ typedef struct {
   float *stab;       /* TM_REC_STAB, or NULL; 4 columns together */
   tm_real length;    /* lengths are in units of this */
   tm_real volume;    /* masses in density times this, length^dim */
-  tm_real position;  /* unit of positions, in units of length */
+  float position;    /* unit of positions, in units of length: a power of two */
+  float visc_alpha, visc_beta;
 } tm_records_single;
 
 /* Record of particle i; column c is its entry tm_part(c). */

@@ -40,14 +40,13 @@ TM_FN void tm_thermal(int i, tm_group group, const tm_rates_args *a, unsigned ef
       p = tm_pair_of_sizes(&own, z[TM_SIZE_INV_H], z[TM_SIZE_FACTOR], 1.0, a->norm_of_one, dim3);
     }
     if (sizes ? r2 * p.inv_h * p.inv_h >= a->support2 : r2 >= a->support_radius2) continue;
-    const tm_real r = sqrt(r2), q = r / p.h;
-    const tm_real g = p.slope_norm * tm_kernel_slope(kernel, q) / r;
-    const tm_real vol = rj[tm_part(TM_REC_M)] / rj[tm_part(TM_REC_RHO)];
-    n = tm_vec_axpy(n, vol * g, tm_vec(dx, dy, dz));
+    const tm_real r = tm_pair_root(r2), mj = rj[tm_part(TM_REC_M)], rhoj = rj[tm_part(TM_REC_RHO)];
+    const tm_real g = p.slope_norm * tm_kernel_slope(kernel, r * p.inv_h) * tm_pair_inverse(r);
+    if (effects & TM_FX_SURFACE) n = tm_vec_axpy(n, mj / rhoj * g, tm_vec(dx, dy, dz));
     const tm_real hc = a->conductance ? a->conductance[a->type[i] * (a->ntypes + 1) + a->type[j]] : 0.0;
     heat += hc > 0.0
-                ? tm_conduction_pair_interface(hi[TM_REC_K], hj[TM_REC_K], hi[TM_REC_T], hj[TM_REC_T], vol, g, r, hc)
-                : tm_conduction_pair(hi[TM_REC_K], hj[TM_REC_K], hi[TM_REC_T], hj[TM_REC_T], vol, g);
+                ? tm_conduction_pair_interface(hi[TM_REC_K], hj[TM_REC_K], hi[TM_REC_T], hj[TM_REC_T], mj / rhoj, g, r, hc)
+                : tm_conduction_pair(hi[TM_REC_K], hj[TM_REC_K], hi[TM_REC_T], hj[TM_REC_T], mj, rhoj, g);
   }
   heat = tm_group_sum_real(heat, group);
   if (effects & TM_FX_SURFACE)

@@ -24,7 +24,7 @@ TM_FN tm_pair tm_viscosity_soft2(tm_pair h, tm_pair r2) { return r2 + TM_PAIR(0.
 TM_FN tm_pair tm_viscosity_pair(tm_pair alpha, tm_pair beta, tm_pair h, tm_pair vx, tm_pair r2, tm_pair r,
                                 tm_pair c_mean, tm_pair rho_sum, tm_pair *inv_r, tm_pair *inv_rho_sum)
 {
-  const tm_pair soft2 = tm_viscosity_soft2(h, r2), inv = 1 / (r2 * (soft2 * rho_sum));
+  const tm_pair soft2 = tm_viscosity_soft2(h, r2), inv = tm_pair_inverse(r2 * (soft2 * rho_sum));
   const tm_pair mu = h * tm_pair_min(vx, 0) * (r2 * rho_sum * inv);
   *inv_r = r * (soft2 * rho_sum) * inv;
   *inv_rho_sum = r2 * soft2 * inv;

@@ -59,10 +59,12 @@ TM_FN tm_real tm_capacity(const tm_material *m, tm_real T)
    friction by it, and meet at the mean of their temperatures weighted by it. */
 TM_FN tm_real tm_effusivity(tm_real k, tm_real rho, tm_real cp) { return sqrt(k * rho * cp); }
 
-/* [hot] One pair of F15 (6): power per volume into particle i. vol_j = m_j/rho_j. */
-TM_FN tm_pair tm_conduction_pair(tm_pair ki, tm_pair kj, tm_pair Ti, tm_pair Tj, tm_pair vol_j, tm_pair dwdr_over_r)
+/* [hot] One pair of F15 (6): power per volume into particle i. The volume of j is mass/rho; with those of both, multiplied, it is
+   the power, with the same bits for either particle. */
+TM_FN tm_pair tm_conduction_pair(tm_pair ki, tm_pair kj, tm_pair Ti, tm_pair Tj, tm_pair mass, tm_pair rho,
+                                 tm_pair dwdr_over_r)
 {
-  return 4 * ki * kj / (ki + kj + TM_HEAT_TINY) * (Ti - Tj) * (vol_j * dwdr_over_r);
+  return 4 * ki * kj * mass * tm_pair_inverse((ki + kj) * rho + TM_HEAT_TINY) * (Ti - Tj) * dwdr_over_r;
 }
 
 /* [hot] The same through an interface of conductance hc_pair between i and j, distance r:

@@ -161,24 +161,26 @@ TM_FN void tm_pair_momentum(tm_sum_vec *a, tm_lanes_mat P, tm_lanes_vec g, int d
   }
 }
 
-/* P_i g_i + P_j g_j of one pair, P_i and P_j row major in `own` and in columns: what j makes of it is exactly the opposite. */
-TM_FN tm_lanes_vec tm_pair_momentum_of_both(const tm_pair *own, tm_lanes_vec gi, tm_values *col, int l, tm_lanes_vec gj,
-                                            int dim3)
+/* a += P_j g, P_j row major in columns. That of the particle itself, P_i g, is P_i times the sum of g. */
+TM_FN void tm_pair_momentum_of_other(tm_sum_vec *a, tm_values *col, int l, tm_lanes_vec g, int dim3)
 {
-  const tm_lanes zero = {0};
-  tm_lanes_mat P, Q;
-  P.xx = zero + own[0], P.xy = zero + own[1], P.xz = zero + own[2];
-  P.yx = zero + own[3], P.yy = zero + own[4], P.yz = zero + own[5];
-  P.zx = zero + own[6], P.zy = zero + own[7], P.zz = zero + own[8];
-  Q.xx = tm_values_load(col[0], l), Q.xy = tm_values_load(col[1], l), Q.xz = tm_values_load(col[2], l);
-  Q.yx = tm_values_load(col[3], l), Q.yy = tm_values_load(col[4], l), Q.yz = tm_values_load(col[5], l);
-  Q.zx = tm_values_load(col[6], l), Q.zy = tm_values_load(col[7], l), Q.zz = tm_values_load(col[8], l);
-  tm_lanes_vec of_i = tm_lanes_product_2d(P, gi), of_j = tm_lanes_product_2d(Q, gj);
+  /* clang-format off */
+  a->x += tm_values_load(col[0], l) * g.x; a->x += tm_values_load(col[1], l) * g.y;
+  a->y += tm_values_load(col[3], l) * g.x; a->y += tm_values_load(col[4], l) * g.y;
   if (dim3) {
-    of_i = tm_lanes_add(of_i, tm_lanes_product_rest(P, gi));
-    of_j = tm_lanes_add(of_j, tm_lanes_product_rest(Q, gj));
+    a->x += tm_values_load(col[2], l) * g.z; a->y += tm_values_load(col[5], l) * g.z;
+    a->z += tm_values_load(col[6], l) * g.x; a->z += tm_values_load(col[7], l) * g.y; a->z += tm_values_load(col[8], l) * g.z;
   }
-  return tm_lanes_add(of_i, of_j);
+  /* clang-format on */
+}
+
+/* The artificial acceleration along times d into a sum of accelerations, its heating into that of heating. */
+TM_FN void tm_pair_along(tm_sum_vec *a, tm_sum *heating, tm_lanes along, tm_lanes_vec d, tm_lanes_vec v, int dim3)
+{
+  a->x += along * d.x;
+  a->y += along * d.y;
+  if (dim3) a->z += along * d.z;
+  *heating -= along * tm_lanes_dot(v, d, dim3);
 }
 
 /* The artificial acceleration f^n R g of one pair. */

@@ -188,7 +188,9 @@ tm_records_single StepResults::single_records(const ParticleState &state)
   s.stab = single_stab.loop_write();
   s.length = spacing;
   s.volume = pow(spacing, domain->dimension);
-  s.position = single_position_unit(model, neighbor->skin);
+  s.position = (float) single_position_unit(model, neighbor->skin);
+  s.visc_alpha = (float) model.settings_in_use().visc_alpha;
+  s.visc_beta = (float) model.settings_in_use().visc_beta;
   return s;
 }
 
