@@ -44,9 +44,9 @@ TM_FN void tm_thermal(int i, tm_group group, const tm_rates_args *a, unsigned ef
     const tm_real g = p.slope_norm * tm_kernel_slope(kernel, r * p.inv_h) * tm_pair_inverse(r);
     if (effects & TM_FX_SURFACE) n = tm_vec_axpy(n, mj / rhoj * g, tm_vec(dx, dy, dz));
     const tm_real hc = a->conductance ? a->conductance[a->type[i] * (a->ntypes + 1) + a->type[j]] : 0.0;
-    heat += hc > 0.0
-                ? tm_conduction_pair_interface(hi[TM_REC_K], hj[TM_REC_K], hi[TM_REC_T], hj[TM_REC_T], mj / rhoj, g, r, hc)
-                : tm_conduction_pair(hi[TM_REC_K], hj[TM_REC_K], hi[TM_REC_T], hj[TM_REC_T], mj, rhoj, g);
+    heat += hc > 0.0 ? tm_conduction_pair_interface(hi[TM_REC_K], hj[TM_REC_K], hi[TM_REC_T], hj[TM_REC_T], mj / rhoj,
+                                                    g, r, hc)
+                     : tm_conduction_pair(hi[TM_REC_K], hj[TM_REC_K], hi[TM_REC_T], hj[TM_REC_T], mj, rhoj, g);
   }
   heat = tm_group_sum_real(heat, group);
   if (effects & TM_FX_SURFACE)
