@@ -25,6 +25,8 @@ MACHINING_HERE = ((r"start equal 7\.02e-3", "start equal 7.0e-3"),)
 # effects that no usual loop has
 BALSARA = (r"(hyperbolic 1\.2 .*)", r"\1 balsara yes")
 XSPH = (r"(hyperbolic 1\.2 .*)", r"\1 xsph 0.1")
+# without second order at free faces
+LINEAR = (r"(hyperbolic 1\.2 .*)", r"\1 correction linear")
 AIR = (r"(fix +body .*\n)", r"\1fix air all sph/tm/heat convection 100 293\n")
 CASES = {
     "3d_contact_1m": (BLOCK, {"case": "contact", "n": 100, "mesh": "tool.stl"}, 300, (), True),
@@ -36,6 +38,7 @@ CASES = {
     "3d_thermo_1m_air": (BLOCK, {"case": "thermo", "n": 100}, 300, (AIR,), False),
     "3d_plastic_1m": (BLOCK, {"case": "plastic", "n": 100}, 300, (), False),
     "3d_elastic_1m": (BLOCK, {"case": "elastic", "n": 100}, 300, (), False),
+    "3d_elastic_1m_linear": (BLOCK, {"case": "elastic", "n": 100}, 300, (LINEAR,), False),
     "2d_cut_1400k": (CUT, {"dx": 5.83e-7}, 300, (WIDE_2D,), True),
     "2d_cut_197k": (CUT, {"dx": 1.561e-6}, 1000, (WIDE_2D,), False),
     "2d_cut_7600": (CUT, {"dx": 7.95e-6}, 10000, (WIDE_2D,), True),

@@ -39,7 +39,8 @@ static void make(int dimension, int side, double noise)
         }
         rec(n)[TM_REC_M] = ut_random(1.9, 2.1);
         rec(n)[TM_REC_RHO] = rho;
-        for (int k = 0; k < 6; k++) rec(n)[TM_REC_P + k] = dim == 3 || k == 0 || k == 1 || k == 3 ? ut_random(-1, 1) : 0;
+        for (int k = 0; k < 6; k++)
+          rec(n)[TM_REC_P + k] = dim == 3 || k == 0 || k == 1 || k == 3 ? ut_random(-1, 1) : 0;
         tm_real *s = stab + n * TM_REC_STAB, *g = hourglass + n * TM_REC_HOURGLASS;
         for (int d = 0; d < 3; d++) g[d] = s[TM_STAB_W + d] = d < dim ? ut_random(-0.1, 0.1) : 0.0;
         g[TM_HOURGLASS_K] = s[TM_STAB_K] = ut_random(1, 3);
@@ -85,6 +86,23 @@ static void results_of(results *r)
   args.face_next = r->face;
 }
 
+/* Particles at free faces and all others in calls of their own, as a GPU has them; effects and whose are literals. */
+static void run_faces_apart(void)
+{
+  const tm_group alone = tm_group_alone();
+  for (int i = 0; i < n; i++) {
+    const double *b = stab + i * TM_REC_STAB + TM_STAB_FACE;
+    const int at_face = b[0] != 0 || b[1] != 0 || (dim == 3 && b[2] != 0);
+    if (dim == 3)
+      tm_rates_of(i, alone, &args, TM_FX_3D | TM_FX_VISCOSITY | TM_FX_ONE_PASS | TM_FX_FACES, TM_RATES_INSIDE);
+    else tm_rates_of(i, alone, &args, TM_FX_VISCOSITY | TM_FX_ONE_PASS | TM_FX_FACES, TM_RATES_INSIDE);
+    if (!at_face) continue;
+    if (dim == 3)
+      tm_rates_of(i, alone, &args, TM_FX_3D | TM_FX_VISCOSITY | TM_FX_ONE_PASS | TM_FX_FACES, TM_RATES_AT_FACE);
+    else tm_rates_of(i, alone, &args, TM_FX_VISCOSITY | TM_FX_ONE_PASS | TM_FX_FACES, TM_RATES_AT_FACE);
+  }
+}
+
 /* Both ways; the effects are literals. */
 static void run(void)
 {
@@ -103,7 +121,10 @@ static void run(void)
     else if (dim == 3) tm_rates(i, &args, TM_FX_3D | TM_FX_VISCOSITY | TM_FX_ONE_PASS);
     else tm_rates(i, &args, TM_FX_VISCOSITY | TM_FX_ONE_PASS);
   results_of(&apart);
-  if (faces) return;
+  if (faces) {
+    run_faces_apart();
+    return;
+  }
   args.rec.correction = PK;
   args.effects = VISCOUS | TM_FX_CORRECTION;
   for (int i = 0; i < n; i++) {
@@ -123,6 +144,15 @@ static void test_as_apart(void)
     UT_WITHIN(one.artificial[i], apart.artificial[i], 1e-12);
     for (int k = 0; k < 6; k++) UT_WITHIN(one.moment[TM_MOMENT_COLUMNS * i + k], K[6 * i + k], 1e-12);
   }
+}
+
+/* In calls of their own, to the bit. */
+static void test_faces_apart(void)
+{
+  int at_face = 0;
+  for (int i = 0; i < n; i++) at_face += stab[i * TM_REC_STAB + TM_STAB_FACE] != 0;
+  UT_TRUE(at_face > n / 10 && at_face < n);
+  UT_TRUE(!memcmp(&one, &apart, sizeof one));
 }
 
 /* The normal of a face from the sum of gradW, written out; K and L with it from sums over D as in tm_face.h. */
@@ -294,7 +324,8 @@ int main(void)
     for (faces = 0; faces < 2; faces++) {
       make(d, d == 2 ? 16 : 6, 0.15);
       run();
-      if (!faces) test_as_apart();
+      if (faces) test_faces_apart();
+      else test_as_apart();
       test_residual();
       if (faces) test_normal();
       else test_face();

@@ -95,25 +95,29 @@ TM_FN void tm_rates_sums_of_group(tm_rates_sums *s, const tm_rates_terms *t, tm_
   s->weights = tm_group_sum(s->weights, group);
   s->gd = tm_group_sum_vec(s->gd, dim3, group);
   s->gv = tm_group_sum_vec(s->gv, dim3, group);
-  if (!t->faces) return;
+  if (!t->faces || t->whose == TM_RATES_INSIDE) return;
   s->gi = tm_group_sum_vec(s->gi, dim3, group);
   s->tilt = tm_group_sum_vec(s->tilt, dim3, group);
   s->less = tm_group_sum(s->less, group);
 }
 
-/* Whether the particle or one of its neighbors in a chunk is at a free face; on a GPU, whether that is so for one of the threads
-   that go on together: they would else take one way after the other. Where none is at a face both ways give the same bits. */
-TM_FN int tm_rates_at_face(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own, tm_values *col)
+/* Of a pair, or of those of a chunk, which are at a free face. */
+enum { TM_FACE_NONE = 0, TM_FACE_OTHER, TM_FACE_BOTH };
+
+TM_FN int tm_rates_own_at_face(const tm_rates_own *own, int dim3)
 {
   const tm_pair *b = own->stab + TM_STAB_FACE;
+  return b[0] * b[0] + b[1] * b[1] + (dim3 ? b[2] * b[2] : 0) > 0;
+}
+
+/* Whether one of the neighbors in a chunk is at a free face. */
+TM_FN int tm_rates_other_at_face(const tm_chunk *c, const tm_rates_terms *t, tm_values *col)
+{
   tm_values *bj = col + TM_COL_STAB + TM_STAB_FACE;
-#if defined(__CUDA_ARCH__)
-  const tm_pair mine = b[0] * b[0] + b[1] * b[1] + (t->dim3 ? b[2] * b[2] : 0);
-  const tm_pair other = bj[0][0] * bj[0][0] + bj[1][0] * bj[1][0] + (t->dim3 ? bj[2][0] * bj[2][0] : 0);
+#if TM_COLUMN == 1
   (void) c;
-  return __any_sync(__activemask(), mine + other > 0);
+  return bj[0][0] * bj[0][0] + bj[1][0] * bj[1][0] + (t->dim3 ? bj[2][0] * bj[2][0] : 0) > 0;
 #else
-  if (b[0] * b[0] + b[1] * b[1] + (t->dim3 ? b[2] * b[2] : 0) > 0) return 1;
   const tm_lanes zero = {0};
   tm_sum sum = tm_lanes_zero();
   for (int l = 0; l < c->lanes; l += TM_LANES) {
@@ -139,32 +143,42 @@ TM_FN tm_rates_tilted tm_rates_tilt(tm_lanes slope, tm_lanes kappa, tm_lanes_vec
   return t;
 }
 
-/* The sums at free faces, of TM_LANES pairs from neighbor l on: gradW as i and as j have it. The moment of i takes the part
+/* gradW as the neighbors have it, TM_LANES of them from neighbor l on. */
+TM_FN tm_lanes_vec tm_rates_face_of_other(const tm_chunk *c, const tm_rates_terms *t, tm_values *col, int l,
+                                          tm_lanes_vec d)
+{
+  const tm_lanes zero = {0};
+  tm_values *b = col + TM_COL_STAB + TM_STAB_FACE;
+  const tm_lanes_vec other = {tm_values_load(b[0], l), tm_values_load(b[1], l),
+                              t->dim3 ? tm_values_load(b[2], l) : zero};
+  const tm_lanes kappa = t->sizes
+                             ? zero + TM_PAIR(TM_FACE_TILT) * tm_values_load(col[(int) TM_COL_SIZE + TM_SIZE_INV_H], l)
+                             : zero + TM_PAIR(TM_FACE_TILT) * c->own.inv_h;
+  const tm_rates_tilted j =
+      tm_rates_tilt(tm_values_load(col[TM_COL_SLOPE], l), kappa, other, tm_lanes_dot(other, d, t->dim3), t->dim3);
+  return tm_lanes_add(tm_lanes_scale(j.kept, d), tm_lanes_scale(j.added, other));
+}
+
+/* The sums at free faces, of TM_LANES pairs from neighbor l on: gradW as i has it. The moment of i takes the part
    along d, kept, and tilt (x) b. */
 TM_FN void tm_rates_add_face(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own, tm_values *col, int l,
-                             tm_lanes_vec d, tm_lanes_vec *gi, tm_lanes_vec *gj, tm_lanes_vec *kept, tm_rates_sums *s)
+                             tm_lanes_vec d, tm_lanes_vec *gi, tm_lanes_vec *kept, tm_rates_sums *s)
 {
-  const tm_lanes zero = {0}, slope = tm_values_load(col[TM_COL_SLOPE], l);
+  const tm_lanes zero = {0}, kappa = zero + TM_PAIR(TM_FACE_TILT) * c->own.inv_h;
   const int dim3 = t->dim3;
   const tm_pair *b = own->stab + TM_STAB_FACE;
-  tm_values *bj = col + TM_COL_STAB + TM_STAB_FACE;
   const tm_lanes_vec mine = {zero + b[0], zero + b[1], dim3 ? zero + b[2] : zero};
-  const tm_lanes_vec other = {tm_values_load(bj[0], l), tm_values_load(bj[1], l),
-                              dim3 ? tm_values_load(bj[2], l) : zero};
-  const tm_lanes ki = zero + TM_PAIR(TM_FACE_TILT) * c->own.inv_h;
-  const tm_lanes kj =
-      t->sizes ? zero + TM_PAIR(TM_FACE_TILT) * tm_values_load(col[(int) TM_COL_SIZE + TM_SIZE_INV_H], l) : ki;
-  const tm_rates_tilted i = tm_rates_tilt(slope, ki, mine, zero - tm_lanes_dot(mine, d, dim3), dim3);
-  const tm_rates_tilted j = tm_rates_tilt(slope, kj, other, tm_lanes_dot(other, d, dim3), dim3);
+  const tm_rates_tilted i =
+      tm_rates_tilt(tm_values_load(col[TM_COL_SLOPE], l), kappa, mine, zero - tm_lanes_dot(mine, d, dim3), dim3);
   *kept = tm_lanes_scale(i.kept, d);
   *gi = tm_lanes_add(*kept, tm_lanes_scale(zero - i.added, mine));
-  *gj = tm_lanes_add(tm_lanes_scale(j.kept, d), tm_lanes_scale(j.added, other));
+  tm_sum_vec_add(&s->gi, *gi);
   tm_sum_vec_add(&s->tilt, tm_lanes_scale(i.added, d));
   s->less -= i.less * tm_lanes_dot(d, d, dim3);
 }
 
-/* The pairs with TM_LANES neighbors of a chunk, from neighbor l on, into the sums of motion. faces, a literal: some may be at
-   a free face. */
+/* The pairs with TM_LANES neighbors of a chunk, from neighbor l on, into the sums of motion. faces, a literal: which may be
+   at a free face. */
 TM_FN void tm_rates_add(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own, tm_values *col, int l,
                         int faces, tm_rates_sums *s)
 {
@@ -176,7 +190,8 @@ TM_FN void tm_rates_add(const tm_chunk *c, const tm_rates_terms *t, const tm_rat
   const tm_lanes_vec m_gradw = tm_lanes_scale(tm_values_load(col[TM_COL_SLOPE], l), d);
   const tm_lanes per_rho = t->form_f14 ? tm_values_load(col[TM_COL_PER_RHO], l) : zero;
   tm_lanes_vec gi = m_gradw, gj = m_gradw, kept = m_gradw;
-  if (faces) tm_rates_add_face(c, t, own, col, l, d, &gi, &gj, &kept, s);
+  if (faces == TM_FACE_BOTH) tm_rates_add_face(c, t, own, col, l, d, &gi, &kept, s);
+  if (faces != TM_FACE_NONE) gj = tm_rates_face_of_other(c, t, col, l, d);
 
   /* velocity gradient, conjugate of F15 (4), and of F14 (6) with the volume m_j/rho_j; its trace: F15 (2), F14 (4) */
   const tm_lanes_vec g = t->form_f14 ? tm_lanes_scale(per_rho, m_gradw) : gi;
@@ -187,7 +202,6 @@ TM_FN void tm_rates_add(const tm_chunk *c, const tm_rates_terms *t, const tm_rat
   const tm_lanes_vec g_momentum = t->form_f14 ? tm_lanes_scale(own->inv_rho + zero, g) : m_gradw;
   if (t->one_pass) { /* of the neighbor; tm_rates_store() has that of the particle itself */
     tm_pair_momentum_of_other(a, col + TM_COL_STAB + TM_STAB_PK, l, gj, dim3);
-    if (t->faces) tm_sum_vec_add(&s->gi, gi);
   } else if (t->correction)
     tm_pair_momentum(a, tm_pair_tensor_sum(own->correction, col + TM_COL_CORRECTION, l), g_momentum, dim3);
   else tm_pair_momentum(a, tm_pair_symmetric_sum(own->r + TM_REC_P, col + TM_REC_P, l), g_momentum, dim3);
@@ -214,13 +228,28 @@ TM_FN void tm_rates_add(const tm_chunk *c, const tm_rates_terms *t, const tm_rat
   if (t->artstress || t->viscosity) tm_pair_artificial(a, &s->artificial, artificial, v);
   if (t->conduction && !t->extended) s->heat += tm_values_load(col[TM_COL_CONDUCTED], l); /* F15 (6) */
 }
+/* The pairs of a chunk. Where neither is at a free face all ways give the same bits, and where the particle is not, both of the
+   other two. */
 TM_FN void tm_rates_add_loop(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own, tm_values *col,
                              tm_rates_sums *s)
 {
-  if (t->faces && tm_rates_at_face(c, t, own, col))
-    for (int l = 0; l < c->lanes; l += TM_LANES) tm_rates_add(c, t, own, col, l, 1, s);
-  else
-    for (int l = 0; l < c->lanes; l += TM_LANES) tm_rates_add(c, t, own, col, l, 0, s);
+  int faces = TM_FACE_NONE;
+  if (t->faces) {
+    const int mine = t->whose == TM_RATES_AT_FACE || (t->whose == TM_RATES_ALL && tm_rates_own_at_face(own, t->dim3));
+    const int any = mine || tm_rates_other_at_face(c, t, col);
+#if defined(__CUDA_ARCH__) /* threads that go on together would take one way after the other */
+    if (t->whose == TM_RATES_AT_FACE || __any_sync(__activemask(), any))
+      faces = t->whose == TM_RATES_INSIDE ? TM_FACE_OTHER : TM_FACE_BOTH;
+#else
+    faces = mine ? TM_FACE_BOTH : any ? TM_FACE_OTHER : TM_FACE_NONE;
+#endif
+  }
+  if (faces == TM_FACE_BOTH && t->whose != TM_RATES_INSIDE)
+    for (int l = 0; l < c->lanes; l += TM_LANES) tm_rates_add(c, t, own, col, l, TM_FACE_BOTH, s);
+  else if (faces == TM_FACE_OTHER && (t->whose == TM_RATES_INSIDE || TM_COLUMN > 1))
+    for (int l = 0; l < c->lanes; l += TM_LANES) tm_rates_add(c, t, own, col, l, TM_FACE_OTHER, s);
+  else if (t->whose != TM_RATES_AT_FACE)
+    for (int l = 0; l < c->lanes; l += TM_LANES) tm_rates_add(c, t, own, col, l, TM_FACE_NONE, s);
 }
 
 /* With the form of the momentum equation as a literal. */
@@ -356,7 +385,8 @@ TM_FN void tm_rates_store(int i, const tm_rates_args *a, const tm_rates_terms *t
   tm_lanes_sums(all, 16, L);
   if (t->one_pass) { /* P_i K_i times the sum of m_j gradW */
     tm_rates_sums_stabilized(s, stabilized);
-    const tm_real *g = stabilized + (t->faces ? (int) TM_SUM_GI : (int) TM_SUM_GD);
+    const int tilted = t->faces && t->whose != TM_RATES_INSIDE && tm_rates_own_at_face(own, t->dim3);
+    const tm_real *g = stabilized + (tilted ? (int) TM_SUM_GI : (int) TM_SUM_GD);
     tm_pair PK[TM_STAB_LATE + 1];
     tm_fetch(rec->stab + tm_pair_record(i, TM_REC_STAB), TM_STAB_LATE, PK);
     PK[TM_STAB_LATE] = own->stab[TM_STAB_LATE];
@@ -398,14 +428,16 @@ TM_FN void tm_rates_store(int i, const tm_rates_args *a, const tm_rates_terms *t
   }
 }
 
-/* On a GPU the row of particle i may be shared by several threads. */
-TM_FN void tm_rates_shared(int i, tm_group group, const tm_rates_args *a, unsigned effects)
+/* Of one particle, if it is one of those that the call is for. On a GPU its row may be shared by several threads. */
+TM_FN void tm_rates_of(int i, tm_group group, const tm_rates_args *a, unsigned effects, int whose)
 {
-  const tm_rates_terms t = tm_rates_terms_of(effects, a->effects);
+  tm_rates_terms t = tm_rates_terms_of(effects, a->effects);
+  t.whose = whose;
   const tm_pair_records rec = tm_pair_records_of(a);
   tm_rates_sums sums = tm_rates_sums_zero();
   tm_rates_own own;
   tm_rates_load(i, a, &t, &rec, &own);
+  if (whose == TM_RATES_INSIDE && t.faces && tm_rates_own_at_face(&own, t.dim3)) return;
 
   tm_chunk c;
   int jj[TM_CHUNK_ROOM];
@@ -424,7 +456,7 @@ TM_FN void tm_rates_shared(int i, tm_group group, const tm_rates_args *a, unsign
 
 TM_FN void tm_rates(int i, const tm_rates_args *a, unsigned effects)
 {
-  tm_rates_shared(i, tm_group_alone(), a, effects);
+  tm_rates_of(i, tm_group_alone(), a, effects, TM_RATES_ALL);
 }
 
 #endif

@@ -27,11 +27,15 @@ enum {
   TM_COLUMNS
 };
 
+/* Which particles a call of the rate pass is for: all, those that are not at a free face, those that are. A literal. */
+enum tm_rates_whose { TM_RATES_ALL = 0, TM_RATES_INSIDE, TM_RATES_AT_FACE };
+
 /* Terms of the rates: literals, but in the extended instantiation, where kernel, dim3 and one_pass are. */
 typedef struct {
   int kernel, dim3, viscosity, artstress, conduction, form_f14, correction, balsara, xsph, surface, sizes, one_pass,
       faces;
   int extended;
+  int whose; /* enum tm_rates_whose, with faces */
 } tm_rates_terms;
 
 TM_FN tm_rates_terms tm_rates_terms_of(unsigned effects, unsigned run_time)
@@ -39,6 +43,7 @@ TM_FN tm_rates_terms tm_rates_terms_of(unsigned effects, unsigned run_time)
   const unsigned all = TM_FX_PRESENT & ((effects & TM_FX_EXTENDED) ? (effects & TM_FX_3D) | run_time : effects);
   tm_rates_terms t;
   t.extended = (effects & TM_FX_EXTENDED) != 0;
+  t.whose = 0;
   t.kernel = tm_fx_kernel(effects);
   t.dim3 = (effects & TM_FX_3D) != 0;
   t.viscosity = (all & TM_FX_VISCOSITY) != 0;

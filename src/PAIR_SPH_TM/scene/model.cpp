@@ -62,6 +62,29 @@ void Model::set_time_scale(double s)
   }
 }
 
+// pairs of elastic types whose contact is softer than the half spacing on either side of it, in words
+static std::string soft_contacts(const Model &model)
+{
+  std::string soft;
+  const tm_material *material = model.materials();
+  for (int i = 1; i <= model.types(); i++)
+    for (int j = i; j <= model.types(); j++) {
+      const PairLaw &l = model.pair_laws()(i, j);
+      if (l.meeting != CONTACT || l.contact.penalty <= 0.0) continue;
+      double right = 0.0, layers = 0.0;    // compliance per area and spacing
+      bool elastic = true;
+      for (const int t : {i, j}) {
+        const double half_layer = model.half_layer_modulus(t);
+        elastic = elastic && tm_strength_flow(material[t].strength) == TM_FLOW_NONE;
+        right += 1.0 / half_layer;
+        layers += 1.0 / tm_contact_modulus(l.contact.penalty, material[t].young, half_layer);
+      }
+      if (elastic && layers > TM_SOFT_CONTACT * right)
+        soft += fmt::format("{}{} and {} ({:.2g} times)", soft.empty() ? "" : ", ", i, j, layers / right);
+    }
+  return soft;
+}
+
 void Model::complete_laws()
 {
   for (int i = 1; i <= atom_types; i++)
@@ -82,29 +105,8 @@ void Model::complete_laws()
                    "sph/tm: types {} are one body where they touch (bond, the default); 'pair_coeff i j contact' "
                    "makes two bodies of them\n",
                    welded);
-  if (comm->me == 0) say_soft_contact();
-}
-
-// elastic bodies whose contact is softer than the half spacing on either side of it
-void Model::say_soft_contact()
-{
-  if (said_soft_contact) return;
-  std::string soft;
-  for (int i = 1; i <= atom_types; i++)
-    for (int j = i; j <= atom_types; j++) {
-      const PairLaw &l = laws(i, j);
-      if (l.meeting != CONTACT || l.contact.penalty <= 0.0) continue;
-      double right = 0.0, layers = 0.0;    // compliance per area and spacing
-      bool elastic = true;
-      for (const int t : {i, j}) {
-        elastic = elastic && tm_strength_flow(material[t].strength) == TM_FLOW_NONE;
-        right += 1.0 / half_layer_modulus(t);
-        layers += 1.0 / tm_contact_modulus(l.contact.penalty, material[t].young, half_layer_modulus(t));
-      }
-      if (elastic && layers > TM_SOFT_CONTACT * right)
-        soft += fmt::format("{}{} and {} ({:.2g} times)", soft.empty() ? "" : ", ", i, j, layers / right);
-    }
-  if (soft.empty()) return;
+  const std::string soft = said_soft_contact ? "" : soft_contacts(*this);
+  if (soft.empty() || comm->me) return;
   said_soft_contact = true;
   utils::logmesg(lmp,
                  "sph/tm: contact of types {} is softer than the elastic material at it: where few spacings touch, "

@@ -114,8 +114,6 @@ class Model : protected LAMMPS_NS::Pointers {
   std::string file;
   Tables tables;
   bool said_soft_contact = false;
-
-  void say_soft_contact();
 };
 
 }    // namespace SPHTM_NS
