@@ -2,7 +2,7 @@
 #include "tm_neighbors.h"
 #include "ut_state.h"
 
-enum { N = 40, ALL = 60, LONGEST = 59, BITS = 0x3fffffff };   /* owned, with ghosts, longest list */
+enum { N = 40, ALL = 60, LONGEST = 59, BITS = 0x3fffffff }; /* owned, with ghosts, longest list */
 
 static int list[N * LONGEST], length[N], type[ALL], tag[ALL];
 static int count[TM_SEGMENTS][N], index_[N * 3 * LONGEST * 32];
@@ -13,11 +13,14 @@ static double x[3 * ALL];
 static tm_row_args args(void)
 {
   tm_row_args a;
-  a.list = list; a.length = length;
-  a.row_step = LONGEST; a.step = 1;
+  a.list = list;
+  a.length = length;
+  a.row_step = LONGEST;
+  a.step = 1;
   a.bits = BITS;
   a.meets = meets;
-  a.type = type; a.tag = tag;
+  a.type = type;
+  a.tag = tag;
   a.ntypes = 2;
   a.index = index_;
   for (int s = 0; s < TM_SEGMENTS; s++) a.count[s] = count[s];
@@ -106,7 +109,8 @@ static void rows(void)
     tm_row_entry e[LONGEST];
     for (int k = 0; k < length[i]; k++) {
       e[k] = tm_row_load(i, k, &a);
-      UT_TRUE(e[k].index == (list[i * LONGEST + k] & BITS) && e[k].tag == tag[e[k].index]);
+      const int j = list[i * LONGEST + k] & BITS;
+      UT_TRUE((int) (unsigned) e[k].key == j && (int) (e[k].key >> 32) == tag[j]);
     }
     for (int k = length[i] - 1; k >= 0; k--) tm_row_put(i, k, length[i], e, &a);
   }
@@ -174,8 +178,12 @@ static void near(void)
   double each[N], main[ALL * TM_REC], size[ALL * TM_REC_SIZE];
   tm_near_args a;
   memset(&a, 0, sizeof a);
-  a.rows.index = index_; a.rows.first = first; a.rows.stride = TM_ROW_SLICE;
-  a.rows.mechanical = count[0]; a.rows.thermal = count[1]; a.rows.contact = count[2];
+  a.rows.index = index_;
+  a.rows.first = first;
+  a.rows.stride = TM_ROW_SLICE;
+  a.rows.mechanical = count[0];
+  a.rows.thermal = count[1];
+  a.rows.contact = count[2];
   for (int i = 0; i < ALL; i++)
     for (int d = 0; d < 3; d++) main[TM_REC * i + d] = x[3 * i + d];
   a.main = main;
@@ -206,8 +214,7 @@ static void near(void)
       UT_TRUE(c.i == i && c.count == 1.0 && c.sum == c.distance);
       sum += mine;
       have++;
-    } else
-      UT_TRUE(c.i == -1 && c.count == 0.0 && c.sum == 0.0);
+    } else UT_TRUE(c.i == -1 && c.count == 0.0 && c.sum == 0.0);
     tm_nearest_sum(&all, &c);
   }
   UT_NEAR(all.distance, closest, 1e-15);
@@ -229,9 +236,10 @@ static void near(void)
     UT_TRUE(tm_near_count(i, &a) == within);
   }
 
-  tm_nearest one = tm_nearest_nothing(), two = one;   /* of equal distances the lower number */
+  tm_nearest one = tm_nearest_nothing(), two = one; /* of equal distances the lower number */
   one.distance = two.distance = 1.0;
-  one.i = 4; two.i = 2;
+  one.i = 4;
+  two.i = 2;
   tm_nearest_sum(&one, &two);
   UT_TRUE(one.i == 2);
   two.i = 9;

@@ -17,7 +17,6 @@
 
 /* segments of a row, as bits of what a pair takes part in */
 enum { TM_MEETS_MECHANICAL = 1, TM_MEETS_THERMAL = 2, TM_MEETS_CONTACT = 4, TM_SEGMENTS = 3 };
-enum { TM_MEETS_NOTHING = 8 }; /* behind the segments, where rows are the host's */
 
 typedef struct {
   const int *list, *length; /* the host's list: entry k of i is list[i row_step + k step] */
@@ -89,35 +88,40 @@ TM_FN void tm_row_fill(int i, const tm_row_args *a)
 }
 
 /* The same by many threads for one row: the entries of the host's list, and where each goes. In place all entries are
-   loaded before the first is put. */
+   loaded before the first is put. An entry is compared with all others of its row, so it is made for that: of two the one with
+   the lower key comes first, and `meets` counts in all segments at once, 16 bits for each. */
 typedef struct {
-  int index, tag, meets;
+  unsigned long long key; /* tag, then index */
+  unsigned long long meets;
 } tm_row_entry;
+enum { TM_ROW_COUNT_BITS = 16 };
 
 TM_FN tm_row_entry tm_row_load(int i, int k, const tm_row_args *a)
 {
+  const int index = a->list[i * a->row_step + k * a->step] & a->bits, meets = tm_row_meets(i, index, a);
   tm_row_entry e;
-  e.index = a->list[i * a->row_step + k * a->step] & a->bits;
-  e.tag = a->tag[e.index];
-  e.meets = tm_row_meets(i, e.index, a);
-  if (a->in_place && !e.meets) e.meets = TM_MEETS_NOTHING;
+  e.key = (unsigned long long) (unsigned) a->tag[index] << 32 | (unsigned) index;
+  e.meets = a->in_place && !meets ? 1ull << TM_SEGMENTS * TM_ROW_COUNT_BITS : 0;
+  for (int s = 0; s < TM_SEGMENTS; s++) e.meets |= (unsigned long long) (meets >> s & 1) << s * TM_ROW_COUNT_BITS;
   return e;
 }
 
-/* Puts entry k of all n into the segments it belongs to, behind those of lower tag. */
+/* Puts entry k of all n into the segments it belongs to, behind those of lower tag; in place what meets nothing goes to the
+   end. */
 TM_FN void tm_row_put(int i, int k, int n, const tm_row_entry *entry, const tm_row_args *a)
 {
   const tm_row_entry e = entry[k];
-  int rank[TM_SEGMENTS + 1] = {0, 0, 0, 0};
+  unsigned long long rank = 0;
   if (!e.meets) return;
   for (int l = 0; l < n; l++) {
     const tm_row_entry o = entry[l];
-    const int before = o.tag != e.tag ? o.tag < e.tag : o.index < e.index;
-    for (int s = 0; s <= TM_SEGMENTS; s++) rank[s] += before & (o.meets >> s);
+    if (o.key < e.key) rank += o.meets;
   }
   int *row = a->index + a->first[i];
   for (int s = 0; s <= TM_SEGMENTS; s++) {
-    if (e.meets >> s & 1) row[rank[s] * a->stride] = e.index;
+    const int at = s * TM_ROW_COUNT_BITS;
+    if (e.meets >> at & 1)
+      row[(ptrdiff_t) (rank >> at & ((1u << TM_ROW_COUNT_BITS) - 1u)) * a->stride] = (int) (unsigned) e.key;
     if (s < TM_SEGMENTS) row += a->count[s][i] * a->stride;
   }
 }
