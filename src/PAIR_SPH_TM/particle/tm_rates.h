@@ -10,8 +10,8 @@
    surface             n_i = sum_j m_j/rho_j gradW; area of the surface = 2 V_i |n_i|
 
    With gradient correction (F15 form only) gradW is gradW K_i in L and in the term of P_i, and
-   gradW K_j in that of P_j; K comes from tm_moment.h. With TM_FX_FACES x_i - x_j is replaced in gradW by what tm_face.h
-   makes of it with the normal of i, and of j.
+   gradW K_j in that of P_j; K comes from tm_moment.h. With one pass the term of P_i is P_i K_i times the sum of
+   m_j gradW. With TM_FX_FACES x_i - x_j is replaced in gradW by what tm_face.h makes of it with the normal of i, and of j.
 
    Each velocity gradient is the work conjugate of its momentum form: the power of the pair forces
    equals minus sum V sigma:L minus the artificial heating, to round-off.
@@ -20,8 +20,8 @@
    function call, sums (tm_pair.h).
 
    In a file that defines TM_PAIR_SINGLE pairs are computed in single (tm_single.h). What a pair gives
-   one particle is then opposite to what it gives the other to the last bit: weights are symmetric in
-   both, and the particle's own share is divided out of the sum. */
+   one particle is then opposite to what it gives the other to the last bit (the stress with one pass: to round-off): weights
+   are symmetric in both, and the particle's own share is divided out of the sum. */
 #ifndef TM_RATES_H
 #define TM_RATES_H
 
