@@ -13,8 +13,8 @@ from make_bar import make_bar                                                   
 OFHC = ("density 8960 elastic 124e9 0.34 strength johnson/cook 90e6 292e6 0.31 0.025 1.09 298 1356 1.0 "
         "heat 386 383 0.9")
 # radius, length (m), density, variables of the script; reference: length, radius (mm)
-SHOTS = {"linear": (3.2e-3, 32.4e-3, 8930, {}, (21.4, 7.22)),
-         "ofhc190": (3.81e-3, 25.4e-3, 8960, {"speed": 190, "end": 75e-6, "material": OFHC}, (17.40, 7.28)),
+SHOTS = {"linear": (3.2e-3, 32.4e-3, 8930, {}, (21.48, 7.36)),
+         "ofhc190": (3.81e-3, 25.4e-3, 8960, {"speed": 190, "end": 75e-6, "material": OFHC}, (17.36, 7.40)),
          "ofhc210": (3.81e-3, 23.47e-3, 8960, {"speed": 210, "end": 75e-6, "material": OFHC}, (14.80, 8.40)),
          "ofhc225": (3.9e-3, 34.5e-3, 8960, {"speed": 225, "end": 100e-6, "material": OFHC}, (22.25, 8.02))}
 
