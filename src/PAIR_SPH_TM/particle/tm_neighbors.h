@@ -101,7 +101,7 @@ TM_FN tm_row_entry tm_row_load(int i, int k, const tm_row_args *a)
   const int index = a->list[i * a->row_step + k * a->step] & a->bits, meets = tm_row_meets(i, index, a);
   tm_row_entry e;
   e.key = (unsigned long long) (unsigned) a->tag[index] << 32 | (unsigned) index;
-  e.meets = a->in_place && !meets ? 1ull << TM_SEGMENTS * TM_ROW_COUNT_BITS : 0;
+  e.meets = a->in_place && !meets ? 1ull << TM_SEGMENTS * (int) TM_ROW_COUNT_BITS : 0;
   for (int s = 0; s < TM_SEGMENTS; s++) e.meets |= (unsigned long long) (meets >> s & 1) << s * TM_ROW_COUNT_BITS;
   return e;
 }
