@@ -46,7 +46,7 @@ struct ListAtFace {
     const int i = which ? which[k] : k;
     const tm_real *b = stab + tm_record(i, TM_REC_STAB);
     const tm_real x = b[tm_part(TM_STAB_FACE)], y = b[tm_part(TM_STAB_FACE + 1)], z = b[tm_part(TM_STAB_FACE + 2)];
-    if (!((tm_pair) x * (tm_pair) x + (tm_pair) y * (tm_pair) y + (tm_pair) z * (tm_pair) z > 0)) return;
+    if (!tm_face_is_there((tm_pair) x, (tm_pair) y, (tm_pair) z)) return;
     if (last) list[m] = i;
     m++;
   }

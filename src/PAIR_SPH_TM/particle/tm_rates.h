@@ -107,7 +107,7 @@ enum { TM_FACE_NONE = 0, TM_FACE_OTHER, TM_FACE_BOTH };
 TM_FN int tm_rates_own_at_face(const tm_rates_own *own, int dim3)
 {
   const tm_pair *b = own->stab + TM_STAB_FACE;
-  return b[0] * b[0] + b[1] * b[1] + (dim3 ? b[2] * b[2] : 0) > 0;
+  return tm_face_is_there(b[0], b[1], dim3 ? b[2] : 0);
 }
 
 /* Whether one of the neighbors in a chunk is at a free face. */
@@ -116,7 +116,7 @@ TM_FN int tm_rates_other_at_face(const tm_chunk *c, const tm_rates_terms *t, tm_
   tm_values *bj = col + TM_COL_STAB + TM_STAB_FACE;
 #if TM_COLUMN == 1
   (void) c;
-  return bj[0][0] * bj[0][0] + bj[1][0] * bj[1][0] + (t->dim3 ? bj[2][0] * bj[2][0] : 0) > 0;
+  return tm_face_is_there(bj[0][0], bj[1][0], t->dim3 ? bj[2][0] : 0);
 #else
   const tm_lanes zero = {0};
   tm_sum sum = tm_lanes_zero();

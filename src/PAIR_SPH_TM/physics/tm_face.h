@@ -85,4 +85,7 @@ TM_FN tm_mat3 tm_face_inverse(tm_mat3 M, tm_vec3 b, int dim3)
   return good && tm_sym_det(S) * tm_sym_det(K) > 1.0 - 1e-9 ? inverse : tm_mat_from_sym(K);
 }
 
+/* Whether a particle with this normal, as pairs have it, is at a free face: for all who ask, with the same answer. */
+TM_FN int tm_face_is_there(tm_pair x, tm_pair y, tm_pair z) { return x != 0 || y != 0 || z != 0; }
+
 #endif
