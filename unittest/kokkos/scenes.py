@@ -43,7 +43,7 @@ fix             tool all contact/tri file tool.stl scale 1e-3 move 0.01601 -0.00
                 heat conductance 1e5 temperature 350 effusivity 3000
 fix_modify      tool move linear -150 0 0
 compute         fc all cutting/force tool
-thermo_style    custom step time dt c_fc[1] c_fc[2] f_tool[10] f_tool[12] f_body[1] f_body[9]
+thermo_style    custom step time dt c_fc[1] c_fc[2] f_tool[10] f_tool[12] f_body[*9]
 """
 
 # a bar of which only what is in a window that passes, or near the tool, is awake; the window is faster than any tool
@@ -62,9 +62,9 @@ fix             tool all contact/tri file tool.stl scale 1e-3 move 0.03001 -0.00
                 heat conductance 1e5 temperature 350 effusivity 3000
 fix_modify      tool move linear -150 0 0
 compute         fc all cutting/force tool
-thermo_style    custom step time dt c_fc[1] c_fc[2] f_tool[10] f_tool[12] f_body[1] {sums}
+thermo_style    custom step time dt c_fc[1] c_fc[2] f_tool[10] f_tool[12] {sums}
 """
-LEDGER = "f_body[7] f_body[8] f_body[9]"
+LEDGER = "f_body[*9]"
 
 # plane stress, two bodies that rub and conduct, heat that leaves through the free surface, a driven end
 BODIES = PLANE + """
@@ -89,7 +89,7 @@ fix_modify      body temperature high 400
 fix             air all sph/tm/heat convection 1e4 300
 fix             sun high sph/tm/heat radiation 900
 fix             pull end sph/tm/drive 5 0 NULL
-thermo_style    custom step time dt f_body[1] f_body[5] f_body[9] f_air f_sun f_pull
+thermo_style    custom step time dt f_body[*9] f_air f_sun f_pull
 """
 
 # a tool whose inside is made of particles that conduct
@@ -107,7 +107,7 @@ pair_coeff      2 2 density 7800 elastic 200e9 0.3 heat 50 480 0.9 body heat
 fix             body all sph/tm temperature 293 energy yes
 fix             tool all contact/tri file box.stl friction 0.4 particles 2
 fix_modify      tool move linear 20 -60 0
-thermo_style    custom step time dt f_tool[2] f_tool[10] f_tool[11] f_body[9]
+thermo_style    custom step time dt f_tool[2] f_tool[10] f_tool[11] f_body[*9]
 """
 
 
@@ -163,9 +163,11 @@ SCENES = {
     "asleep, window": ASLEEP.format(style="", fix="energy yes active region win speed 5 every 5", sums=LEDGER)
                       + end(120, "active " + VALUES),
     "asleep, window of several regions": ASLEEP.format(style="", fix="conduction explicit active region both speed 5 "
-                                                       "every 7\nfix air all sph/tm/heat convection 1e4 280", sums="")
+                                                       "every 7\nfix air all sph/tm/heat convection 1e4 280",
+                                                       sums="f_body[1]")
                                          + end(120, "active " + VALUES + " surface/area"),
-    "asleep, near the tool": ASLEEP.format(style="stabilize artstress", fix="active near 3e-3 speed 5 every 5", sums="")
+    "asleep, near the tool": ASLEEP.format(style="stabilize artstress", fix="active near 3e-3 speed 5 every 5",
+                                           sums="f_body[1]")
                              + end(120, "active " + VALUES),
     "asleep, in stages": ASLEEP.format(style="", fix="energy yes active region win speed 5 every 5", sums=LEDGER).replace(
         "c45e", "c45e set conductivity 5e6") + end(60, "active " + VALUES),
