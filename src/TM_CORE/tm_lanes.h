@@ -242,18 +242,27 @@ TM_FN tm_real tm_sum_of_8(tm_v8 v)
 #endif
 
 #define TM_PART(type, ...) __builtin_convertvector(__builtin_shufflevector(v, v, __VA_ARGS__), type)
+#if TM_VECTOR == 64
+/* In double; of floats the two halves added. */
+TM_FN tm_v8 tm_lanes_folded(tm_sum v)
+{
+#if TM_SINGLE
+  return TM_PART(tm_v8, 0, 1, 2, 3, 4, 5, 6, 7) + TM_PART(tm_v8, 8, 9, 10, 11, 12, 13, 14, 15);
+#else
+  return v;
+#endif
+}
+#endif
 TM_FN tm_real tm_lanes_sum(tm_sum v)
 {
 #if !TM_VECTOR
   return v;
-#elif TM_SINGLE && TM_VECTOR == 64
-  return tm_sum_of_8(TM_PART(tm_v8, 0, 1, 2, 3, 4, 5, 6, 7) + TM_PART(tm_v8, 8, 9, 10, 11, 12, 13, 14, 15));
+#elif TM_VECTOR == 64
+  return tm_sum_of_8(tm_lanes_folded(v));
 #elif TM_SINGLE && TM_VECTOR == 32
   return tm_sum_of_4(TM_PART(tm_v4, 0, 1, 2, 3) + TM_PART(tm_v4, 4, 5, 6, 7));
 #elif TM_SINGLE
   return tm_sum_of_2(TM_PART(tm_v2, 0, 1) + TM_PART(tm_v2, 2, 3));
-#elif TM_VECTOR == 64
-  return tm_sum_of_8(v);
 #elif TM_VECTOR == 32
   return tm_sum_of_4(v);
 #else
@@ -277,12 +286,14 @@ TM_FN tm_sum tm_group_sum(tm_sum v, tm_group g)
 TM_FN void tm_lanes_sums(const tm_sum *v, int n, tm_real *out)
 {
   int k = 0;
-#if TM_VECTOR == 64 && !TM_SINGLE
+#if TM_VECTOR == 64
   for (; k + 8 <= n; k += 8, v += 8) {
     tm_v8 s[4], t[2];
-    for (int p = 0; p < 4; p++)
-      s[p] = __builtin_shufflevector(v[2 * p], v[2 * p + 1], 0, 1, 2, 3, 8, 9, 10, 11) +
-             __builtin_shufflevector(v[2 * p], v[2 * p + 1], 4, 5, 6, 7, 12, 13, 14, 15);
+    for (int p = 0; p < 4; p++) {
+      const tm_v8 a = tm_lanes_folded(v[2 * p]), b = tm_lanes_folded(v[2 * p + 1]);
+      s[p] = __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11) +
+             __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
+    }
     for (int p = 0; p < 2; p++)
       t[p] = __builtin_shufflevector(s[2 * p], s[2 * p + 1], 0, 1, 4, 5, 8, 9, 12, 13) +
              __builtin_shufflevector(s[2 * p], s[2 * p + 1], 2, 3, 6, 7, 10, 11, 14, 15);

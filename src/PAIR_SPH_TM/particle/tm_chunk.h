@@ -248,9 +248,14 @@ TM_FN int tm_chunk_gather(tm_chunk *c, int *jj, tm_pair *position, int dim3)
   const tm_lanes zero = {0};
   for (; k < end && n < TM_CHUNK; k += TM_LANES) {
     const int *r = row + k, left = end - k;
-    if (left < TM_LANES || stride != 1) {
+    unsigned in_row = (1u << TM_LANES) - 1u;
+    if (left < TM_LANES && end >= TM_LANES && stride == 1) { /* the last of the row, less those that have been */
+      r = row + end - TM_LANES;
+      in_row &= ~0u << (TM_LANES - left);
+    } else if (left < TM_LANES || stride != 1) {
       for (int l = 0; l < TM_LANES; l++) block[l] = row[(l < left ? k + l : k) * stride];
       r = block;
+      if (left < TM_LANES) in_row = (1u << left) - 1u;
     }
     tm_transpose(rec, TM_REC, r, dim3 || TM_SINGLE ? 4 : 2, col[0]);
     const tm_lanes dx = tm_lanes_apart(x, col[0], unit), dy = tm_lanes_apart(y, col[1], unit);
@@ -260,7 +265,7 @@ TM_FN int tm_chunk_gather(tm_chunk *c, int *jj, tm_pair *position, int dim3)
       tm_transpose(size, TM_REC_SIZE, r, TM_SINGLE ? 4 : 2, col[0]);
       r2 *= inv_h * tm_lanes_load(col[TM_SIZE_INV_H]);
     }
-    const unsigned inside = tm_lanes_below(r2, limit, (1u << (left < TM_LANES ? left : TM_LANES)) - 1u);
+    const unsigned inside = tm_lanes_below(r2, limit, in_row);
     n += tm_compress(r, inside, jj + n);
   }
 #else
@@ -279,7 +284,7 @@ TM_FN int tm_chunk_gather(tm_chunk *c, int *jj, tm_pair *position, int dim3)
   if (n == 0) return 0;
   c->last = k >= end;
   c->lanes = (c->last ? n + TM_LANES - 1 : n) / TM_LANES * TM_LANES;
-  for (int l = n; l < c->lanes; l++) jj[tm_at(l)] = c->i;
+  for (int l = 0; l < TM_LANES; l++) jj[tm_at(n + l)] = c->i;
   return 1;
 #endif
 }
@@ -311,7 +316,12 @@ TM_FN void tm_chunk_fetch_main(const tm_chunk *c, const int *jj, int n, int dim3
     tm_lanes_store(col[1] + tm_at(l), tm_lanes_apart(c->y, col[1] + tm_at(l), c->unit));
     if (dim3) tm_lanes_store(col[2] + tm_at(l), tm_lanes_apart(c->z, col[2] + tm_at(l), c->unit));
   }
-  for (int l = c->n; l < c->lanes; l++) col[TM_REC_X][tm_at(l)] = TM_SINGLE ? c->far : (tm_pair) c->x + c->far;
+  if (c->n < c->lanes) { /* in the last vector */
+    const int begin = c->lanes - TM_LANES, filled = c->n - begin;
+    const tm_pair away = TM_SINGLE ? c->far : (tm_pair) c->x + c->far;
+    tm_pair *x = col[TM_REC_X] + tm_at(begin);
+    for (int l = 0; l < TM_LANES; l++) x[l] = l < filled ? x[l] : away;
+  }
 }
 
 /* x_i - x_j of one pair and of TM_LANES pairs: coordinate x of the particle and its column */
