@@ -223,23 +223,6 @@ static void test_second_order(void)
   faces = 0;
 }
 
-/* What says how a particle swings against one-sided neighbors: |K sum V_j gradW|. */
-static void test_face(void)
-{
-  for (int i = 0; i < n; i++) {
-    double s[3] = {0, 0, 0};
-    for (int l = 0; l < length[i]; l++) {
-      const double *ri = rec(i), *rj = rec(row[i * ROOM + l]);
-      double r2 = 0;
-      for (int d = 0; d < 3; d++) r2 += (ri[d] - rj[d]) * (ri[d] - rj[d]);
-      const double g = args.slope_norm * tm_kernel_slope(TM_KERNEL_HYPERBOLIC, sqrt(r2) / args.h) / sqrt(r2);
-      for (int d = 0; d < 3; d++) s[d] += rj[TM_REC_M] / ri[TM_REC_RHO] * g * (ri[d] - rj[d]);
-    }
-    const tm_vec3 want = tm_sym_mul_vec(tm_sym_load(K + 6 * i), tm_vec(s[0], s[1], s[2]));
-    UT_WITHIN(one.moment[TM_MOMENT_COLUMNS * i + TM_MOMENT_FACE], tm_vec_norm(want), 1e-12);
-  }
-}
-
 /* v_i minus the linear field through i with the gradient L, the mean over the neighbors with weights -m W'/r */
 static void test_residual(void)
 {
@@ -328,7 +311,6 @@ int main(void)
       else test_as_apart();
       test_residual();
       if (faces) test_normal();
-      else test_face();
       test_momentum();
       test_linear();
     }

@@ -3,6 +3,7 @@
 zero     every effect on, rows searched in every step, smoothing lengths that follow the density in every step: 0
 rows     two bars meet and yield: the stale rows' share grows with the threshold of fix adapt/neigh
 causes   each effect that is off, single precision, and lengths that lag are seen, by themselves, and nothing else
+faces    second order at free faces adds the same that it lacks where it is off, and nothing without faces
 ranks    the same numbers on 1, 2 and 4 ranks, across a periodic boundary, with another skin; the same run without
 """
 import numpy as np
@@ -10,8 +11,8 @@ from contact_scene import block, particles
 from sphtm_scene import Checks, run
 
 # those that are off, then what those that are on add
-OFF = "viscosity artstress correction xsph conduction".split()
-ON = ["on " + name for name in "viscosity artstress hourglass xsph".split()]
+OFF = "viscosity artstress correction faces xsph conduction".split()
+ON = ["on " + name for name in "viscosity artstress hourglass xsph faces".split()]
 NAMES = "all rows precision smoothing".split() + OFF + ON
 SCENE = """
 units           si
@@ -25,7 +26,7 @@ variable        part atom x<0.009
 group           part variable part
 {skin}
 pair_style      sph/tm hyperbolic 1.2 spacing 1e-3 {options}
-pair_coeff      1 1 density 2700 elastic 70e9 0.33 strength plastic 100e6 1e9 heat 200 900 0.9
+pair_coeff      1 1 density 2700 elastic 70e9 0.33 {strength} heat 200 900 0.9
 fix             body all sph/tm temperature 300 {fix}
 {lists}
 fix_modify      body temperature part 400
@@ -45,17 +46,19 @@ checks = Checks()
 
 
 def scene(dim=2, options="", fix="", audit="audit 20 40", lists="", steps=100, every=20, periodic=False, processors="",
-          skin="", **arguments):
+          skin="", strength="strength plastic 100e6 1e9", endless=False, **arguments):
     x = block((18, 12, 6 if dim == 3 else 1), DX, (0, 0, 0 if dim == 3 else -0.5 * DX))
     v = np.where(x[:, :1] < 9 * DX, [60.0, 8, 0], [0.0, 0, 0])
     lo, hi = x.min(0) - 8 * DX, x.max(0) + 8 * DX
     if periodic:
         lo[1], hi[1] = 0, 12 * DX
+    if endless:
+        lo[0], hi[0] = 0, 18 * DX
     if dim == 2:
         lo[2], hi[2] = -0.5 * DX, 0.5 * DX
     text = SCENE.format(
         dim=dim, options=options, fix=fix + " " + audit, lists="fix lists all adapt/neigh " + lists if lists else "",
-        steps=steps, every=every, boundary="f p p" if periodic else "f f " + ("f" if dim == 3 else "p"),
+        steps=steps, every=every, boundary="p p p" if endless else "f p p" if periodic else "f f " + ("f" if dim == 3 else "p"),
         processors=processors, skin=skin, outputs=OUT if audit else "dt")
     return run(text, files={"data.in": particles(x, list(zip(lo, hi)), v)}, **arguments)
 
@@ -112,7 +115,7 @@ checks.true("form f14 has no correction", not form["correction"].any())
 
 # artificial terms that are on: what they add, each alone; those that are off have no such number
 on = meter(scene(options="viscosity 0.7 0.7 artstress 0.3 4 hourglass 0.02 xsph 0.5"))
-for name in ON:
+for name in ON[:-1]:
     checks.above("added, " + name, on[name].max(), 1e-4)
 checks.true("rows are not stale with hourglass control", not on["rows"].any(), str(on["rows"]))
 m = meter(scene(options=NONE))
@@ -129,6 +132,20 @@ balanced = scene(options="viscosity 0 0 artstress 0.3 4 balanced")
 checks.above("balanced artificial stress adds too", meter(balanced)["on artstress"].max(), 1e-5)
 checks.true("the table has a line for what is on", "artificial: artstress" in balanced.output and
             "artificial: viscosity" not in balanced.output)
+
+# second order at faces: on in elastic scenes
+elastic = dict(strength="", **one)
+for name, more in (("2D", {}), ("3D", dict(dim=3))):
+    with_it, without = (meter(scene(options=options, **elastic, **more)) for options in ("", "correction linear"))
+    on, off = with_it["on faces"][-1], without["faces"][-1]
+    checks.above("second order at faces, " + name, on, 1e-3)
+    checks.near("what it adds, on and off, " + name, off / on, 1, relative=0.05)
+    checks.true("each where it is, " + name, not with_it["faces"].any() and not without["on faces"].any())
+m = meter(scene(periodic=True, endless=True, strength="", audit="audit 1 1000", steps=20, every=5))
+checks.below("nothing is added where there are no faces", m["on faces"].max(), 1e-3)
+checks.above("but the rates are there", m["on viscosity"].max(), 1e-3)
+text = scene(strength="").output.split("audits: ")[-1]
+checks.true("the table has a line for it", "second order at faces" in text and "no faces" not in text, text)
 
 # the table at the end
 text = full.output.split("audits: ")[-1]

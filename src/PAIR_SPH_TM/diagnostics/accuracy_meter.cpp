@@ -65,6 +65,7 @@ unsigned AccuracyMeter::missing() const
   unsigned can = unsigned(TM_FX_VISCOSITY) | TM_FX_XSPH;
   if (solid && !state.has(TM_FX_HOURGLASS)) can |= TM_FX_ARTSTRESS;    // the one or the other
   if (!model.settings_in_use().form_f14) can |= TM_FX_CORRECTION;
+  if (state.has(TM_FX_ONE_PASS) && !solid) can |= TM_FX_FACES;    // where material flows they fade with strain
   if (state.has(TM_FX_HEAT) && model.largest_conductivity() > 0.0) can |= TM_FX_CONDUCTION;
   return can & TM_FX_PRESENT & ~state.effects();
 }
@@ -101,7 +102,34 @@ std::vector<int> AccuracyMeter::choose() const
 
 /* ---------------------------------------------------------------------- what neighbors show with effects on */
 
-// corrections, for the lengths in use, and smoothing lengths by the rule
+// Corrections for the lengths in use. With one pass both of a set-up, which takes those of the present positions: of
+// linear order and with the normals of faces.
+void AccuracyMeter::corrections(AuditPatch &p, tm_rates_args a, unsigned effects, std::vector<Around> &out)
+{
+  const int n = p.centers, one_pass = (effects & TM_FX_ONE_PASS) != 0;
+  std::vector<double> K(6 * (size_t) n + 1), turn(3 * (size_t) n + 1), PK((size_t) TM_REC_CORRECTION * n + 1);
+  a.correction = K.data();
+  a.turn = turn.data();
+  if (!one_pass) a.rec.correction = PK.data();
+  for (int faces = 0; faces <= one_pass; faces++) {
+    a.rec.faces = faces;
+    const double began = RunClock::processor_time();
+    PairLoops::of(Backend::host()).correction(Backend::host(), n, a, effects);
+    if (n && !faces) times.moments += (RunClock::processor_time() - began) / n;
+    for (int k = 0; k < n; k++) {
+      Correction &c = faces ? out[k].second : out[k].linear;
+      const double *record = one_pass ? a.rec.stab + (size_t) k * TM_REC_STAB
+                                      : PK.data() + (size_t) k * TM_REC_CORRECTION;
+      std::copy_n(K.data() + 6 * (size_t) k, 6, c.K);
+      std::copy_n(record + (one_pass ? (int) TM_STAB_PK : 0), (int) TM_REC_CORRECTION, c.PK);
+      if (!faces) continue;
+      std::copy_n(turn.data() + 3 * (size_t) k, 3, c.turn);
+      std::copy_n(record + TM_STAB_FACE, 3, c.normal);
+    }
+  }
+}
+
+// corrections, and smoothing lengths by the rule
 std::vector<AccuracyMeter::Around> AccuracyMeter::of_centers(AuditPatch &p, unsigned effects, const SmoothingRule &rule)
 {
   Model &model = state.model();
@@ -112,14 +140,8 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::of_centers(AuditPatch &p, unsi
   a.rec = rec;
   a.which = nullptr;
   a.effects = effects;
-  std::vector<double> K(6 * (size_t) n + 1), PK((size_t) TM_REC_CORRECTION * n + 1);
-  if ((effects & TM_FX_CORRECTION) && !(effects & TM_FX_ONE_PASS)) {
-    a.correction = K.data();
-    a.rec.correction = PK.data();
-    const double began = RunClock::processor_time();
-    PairLoops::of(Backend::host()).correction(Backend::host(), n, a, effects);
-    if (n) times.moments += (RunClock::processor_time() - began) / n;
-  }
+  std::vector<Around> out(n);
+  if (effects & TM_FX_CORRECTION) corrections(p, a, effects, out);
 
   std::vector<double> own((size_t) TM_S_COLUMNS * n + 1), rho(n + 1), mass(n + 1);
   std::vector<int> type(n + 1);
@@ -153,11 +175,8 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::of_centers(AuditPatch &p, unsi
     }
   }
 
-  std::vector<Around> out(n);
   for (int k = 0; k < n; k++) {
     out[k].tag = atom->tag[p.member[k]];
-    std::copy_n(K.data() + 6 * (size_t) k, 6, out[k].K);
-    std::copy_n(PK.data() + (size_t) TM_REC_CORRECTION * k, (int) TM_REC_CORRECTION, out[k].PK);
     tm_size_record(own.data() + (size_t) k * TM_S_COLUMNS, mass[k] / p.main[(size_t) k * TM_REC + TM_REC_RHO],
                    gradient_factors.data(), tm_fx_kernel(effects), dim3, out[k].size);
   }
@@ -186,7 +205,7 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::surroundings(AuditSearch &sear
     if (std::binary_search(all.begin(), all.end(), (int) atom->tag[i])) own.push_back(i);
 
   AuditPatch wider;
-  if (((effects & TM_FX_CORRECTION) && !(effects & TM_FX_ONE_PASS)) || rule.table)
+  if ((effects & TM_FX_CORRECTION) || rule.table)
     wider = search.around(own, rule.table ? search.farthest : search.radius);
   else wider = search.alone(own);
   std::vector<Around> known = of_centers(wider, effects, rule);
@@ -279,6 +298,24 @@ void AccuracyMeter::undo_balance(const AuditPatch &p, const tm_records &rec, std
   }
 }
 
+AccuracyMeter::Stabilized AccuracyMeter::stabilized(const AuditPatch &p, const std::vector<Around> &around,
+                                                    bool faces) const
+{
+  Stabilized s;
+  s.stab = p.stab;
+  for (size_t k = 0; k < p.member.size(); k++) {
+    const Correction &c = faces ? around[k].second : around[k].linear;
+    double *record = s.stab.data() + k * TM_REC_STAB;
+    std::copy_n(c.PK, (int) TM_REC_CORRECTION, record + TM_STAB_PK);
+    if (faces) std::copy_n(c.normal, 3, record + TM_STAB_FACE);
+    else record[TM_STAB_C] = p.main[k * TM_REC + TM_REC_C];
+    if (k >= (size_t) p.centers) continue;
+    s.K.insert(s.K.end(), c.K, c.K + 6);
+    s.turn.insert(s.turn.end(), c.turn, c.turn + 3);
+  }
+  return s;
+}
+
 void AccuracyMeter::audit(const InUse &in_use)
 {
   state.atoms().to_host();
@@ -295,12 +332,12 @@ void AccuracyMeter::audit(const InUse &in_use)
   p.correction.clear();
   for (int k = 0; k < members; k++) {
     const Around &a = around[k];
-    if (k < n && !(used & TM_FX_ONE_PASS)) K.insert(K.end(), a.K, a.K + 6);
+    if (k < n && !(used & TM_FX_ONE_PASS)) K.insert(K.end(), a.linear.K, a.linear.K + 6);
     else if (k < n)
       K.insert(K.end(), in_use.correction + 6 * (size_t) p.member[k], in_use.correction + 6 * (size_t) p.member[k] + 6);
     if (k < n && (used & TM_FX_FACES))
       turn.insert(turn.end(), in_use.turn + 3 * (size_t) p.member[k], in_use.turn + 3 * (size_t) p.member[k] + 3);
-    p.correction.insert(p.correction.end(), a.PK, a.PK + TM_REC_CORRECTION);
+    p.correction.insert(p.correction.end(), a.linear.PK, a.linear.PK + TM_REC_CORRECTION);
     sizes.insert(sizes.end(), a.size, a.size + TM_REC_SIZE);
   }
   rec.correction = used & TM_FX_ONE_PASS ? nullptr : p.correction.data();
@@ -322,8 +359,15 @@ void AccuracyMeter::audit(const InUse &in_use)
   const Rates *from[CAUSES] = {};
   bool shown[CAUSES] = {};
   const unsigned exact = used & ~unsigned(TM_FX_MIXED);
-  auto take = [&](int cause, const tm_records &records, unsigned effects) {
-    of[cause] = rates(p, records, effects, K.data(), turn.data());
+  // other corrections than those in use, of second order where faces are off and of linear order where they are on
+  Stabilized other;
+  if (((used | absent) & TM_FX_FACES) && (used & TM_FX_ONE_PASS))
+    other = stabilized(p, around, (absent & TM_FX_FACES) != 0);
+  auto take = [&](int cause, tm_records records, unsigned effects) {
+    const bool others = ((effects ^ used) & TM_FX_FACES) != 0;
+    if (others) records.stab = other.stab.data();
+    of[cause] =
+        rates(p, records, effects, others ? other.K.data() : K.data(), others ? other.turn.data() : turn.data());
     from[cause] = &of[cause];
     shown[cause] = true;
     if (n) times.cause[cause] += of[cause].seconds / n;
@@ -453,7 +497,7 @@ std::string AccuracyMeter::report(double rates, double lists, bigint steps)
     double time = all.cause[k];
     if (e.effect == TM_FX_CORRECTION) time += all.moments;
     if (!e.on && e.effect == TM_FX_ARTSTRESS) time += all.tensile;
-    line(k, std::string(e.on ? "artificial: " : "no ") + e.name, true, more(time));
+    line(k, e.name, true, more(time));
   }
   line(ALL, "all of them", false, 0.0);
   return text;

@@ -28,15 +28,17 @@ class AccuracyMeter : public StepAudit, protected LAMMPS_NS::Pointers {
     unsigned effect;
     const char *name;
   };
-  static constexpr Compared EFFECTS[] = {{false, TM_FX_VISCOSITY, "viscosity"},
-                                         {false, TM_FX_ARTSTRESS, "artstress"},
-                                         {false, TM_FX_CORRECTION, "correction"},
-                                         {false, TM_FX_XSPH, "xsph"},
-                                         {false, TM_FX_CONDUCTION, "conduction"},
-                                         {true, TM_FX_VISCOSITY, "viscosity"},
-                                         {true, TM_FX_ARTSTRESS, "artstress"},
-                                         {true, TM_FX_HOURGLASS, "hourglass"},
-                                         {true, TM_FX_XSPH, "xsph"}};
+  static constexpr Compared EFFECTS[] = {{false, TM_FX_VISCOSITY, "no viscosity"},
+                                         {false, TM_FX_ARTSTRESS, "no artstress"},
+                                         {false, TM_FX_CORRECTION, "no correction"},
+                                         {false, TM_FX_FACES, "no faces"},
+                                         {false, TM_FX_XSPH, "no xsph"},
+                                         {false, TM_FX_CONDUCTION, "no conduction"},
+                                         {true, TM_FX_VISCOSITY, "artificial: viscosity"},
+                                         {true, TM_FX_ARTSTRESS, "artificial: artstress"},
+                                         {true, TM_FX_HOURGLASS, "artificial: hourglass"},
+                                         {true, TM_FX_XSPH, "artificial: xsph"},
+                                         {true, TM_FX_FACES, "second order at faces"}};
   static constexpr int CAUSES = FIRST_EFFECT + (int) (sizeof(EFFECTS) / sizeof(Compared));
   enum Quantity { ACCELERATION, GRADIENT, HEAT, MOTION, QUANTITIES };
   static constexpr int EVERY = 1000, SAMPLE = 50;    // of 'audit yes'
@@ -68,8 +70,13 @@ class AccuracyMeter : public StepAudit, protected LAMMPS_NS::Pointers {
   bool measured[CAUSES] = {};
   std::vector<double> gradient_factors;    // tm_gradient_table
 
-  struct Around {    // of a particle: its correction, and its smoothing length as it should be
-    double tag, K[6], PK[TM_REC_CORRECTION], size[TM_REC_SIZE];
+  // of a particle: K, and with faces its antisymmetric part and the normal; P K
+  struct Correction {
+    double K[6], turn[3], normal[3], PK[TM_REC_CORRECTION];
+  };
+  struct Around {    // of a particle: its corrections, and its smoothing length as it should be
+    double tag, size[TM_REC_SIZE];
+    Correction linear, second;    // of linear order and, with one pass, of second order at faces
   };
   struct Rates {
     std::vector<double> force, gradient, heat, xsph;
@@ -80,6 +87,11 @@ class AccuracyMeter : public StepAudit, protected LAMMPS_NS::Pointers {
   std::vector<int> choose() const;
   std::vector<Around> surroundings(AuditSearch &, const AuditPatch &, unsigned effects);
   std::vector<Around> of_centers(AuditPatch &, unsigned effects, const SmoothingRule &);
+  void corrections(AuditPatch &, tm_rates_args, unsigned effects, std::vector<Around> &);
+  struct Stabilized {    // records of one pass with corrections of this force point
+    std::vector<double> stab, K, turn;
+  };
+  Stabilized stabilized(const AuditPatch &, const std::vector<Around> &, bool faces) const;
   Rates rates(AuditPatch &, const tm_records &, unsigned effects, const double *K, const double *turn) const;
   void add_differences(const AuditPatch &, const InUse &, const Rates *const of[], const bool shown[]);
 };

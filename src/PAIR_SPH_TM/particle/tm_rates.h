@@ -359,7 +359,6 @@ TM_FN void tm_rates_store_stabilized(int i, const tm_rates_args *a, const tm_rat
     face = per_rho / (length * length) * tm_vec_norm(tm_sym_mul_vec(K, gd));
     tm_sym_store(moment, tm_correction_of_loose(K, tm_rates_h(i, a), &face));
   }
-  moment[TM_MOMENT_FACE] = face;
   const tm_vec3 rate = tm_residual_velocity(sum[TM_SUM_WEIGHTS], gd, tm_load3(sum + TM_SUM_GV), L);
   tm_real *out = a->hourglass_rate + 3 * (ptrdiff_t) i;
   out[0] = rate.x;

@@ -107,9 +107,8 @@ typedef struct {
   tm_real rate[TM_H_STEP]; /* history, one step back */
   tm_real eps_p;
   tm_real artificial;      /* power */
-  tm_correction_last last; /* with one pass: of K; K and what was predicted for it; |K sum V gradW| */
+  tm_correction_last last; /* with one pass: of K; K and what was predicted for it */
   tm_sym3 K, predicted;
-  tm_real face;
   tm_vec3 u, u_rate; /* of hourglass control */
 } tm_update_read;
 
@@ -131,7 +130,7 @@ TM_FN tm_update_read tm_update_read_of(int i, const tm_update_args *a, int solid
   r.heat = (effects & TM_FX_CONDUCTION) ? a->heat[i] : 0.0;
   r.source = a->source ? a->source[i] : 0.0;
   r.rho = *tm_field_row(s, TM_F_RHO, i);
-  r.sound = r.eps_p = r.artificial = r.face = 0.0;
+  r.sound = r.eps_p = r.artificial = 0.0;
   r.L = tm_mat_scale(0.0, tm_mat_identity());
   r.s = r.older = r.K = r.predicted = tm_sym(0, 0, 0, 0, 0, 0);
   for (int k = 0; k < TM_H_STEP; k++) r.rate[k] = 0.0;
@@ -152,7 +151,6 @@ TM_FN tm_update_read tm_update_read_of(int i, const tm_update_args *a, int solid
     const tm_real *moment = a->moment + (ptrdiff_t) i * TM_MOMENT_COLUMNS;
     r.last = tm_correction_last_of(tm_field_row(s, TM_F_CORRECTION, i));
     r.K = tm_sym_load(moment);
-    r.face = moment[TM_MOMENT_FACE];
     r.predicted = tm_sym_load(a->correction + (ptrdiff_t) i * 6);
   }
   if (effects & TM_FX_HOURGLASS) {

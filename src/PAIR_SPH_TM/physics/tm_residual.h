@@ -16,12 +16,12 @@
 /* Eigenvalues of the moment matrix below this count as this. */
 #define TM_MOMENT_LOW 0.1
 
-/* What the rate pass leaves of the moments: K, and |K sum_j V_j gradW|, 1/length: 0 inside a lattice, 1.15/h at a face and
-   1.31/h at a corner (hyperbolic, h = 1.2 spacings). Where it is larger, neighbors lie on one side and close: the particle
-   swings against them faster than any wave of a lattice (tm_sound_time_step()). */
-enum { TM_MOMENT_FACE = 6, TM_MOMENT_COLUMNS };
+/* What the rate pass leaves of the moments: K. */
+enum { TM_MOMENT_COLUMNS = 6 };
 
-/* face h of particles that turn by what the safety of courant 0.4 allows. */
+/* face: |K sum_j V_j gradW|, 1/length, is 0 inside a lattice, 1.15/h at a face and 1.31/h at a corner (hyperbolic, h = 1.2
+   spacings). Where it is larger, neighbors lie on one side and close: the particle swings against them faster than any wave
+   of a lattice, by 5 in h/c at 2.4/h. At this over h it turns by what the safety of courant 0.4 allows. */
 #define TM_FACE_OF_TURN 1.9
 
 /* A particle that hangs loose would set the time step of all (a cut made half as long by some in the chip). Its K is reduced

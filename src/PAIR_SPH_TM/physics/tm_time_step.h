@@ -24,15 +24,12 @@ enum tm_dt_cause {
 
 /* h/c, less what correction and viscosity take. The shortest waves of a lattice turn by 1.1 (most
    kernels; C4 1.3) in h/c, with corrected gradients at free corners by 2.2 (C4 2.6), and viscosity
-   damps them by 2 alpha; a particle whose neighbors lie on one side and close turns faster, by 5 in h/c at a `face` of
-   2.4/h (|K sum V gradW|, tm_residual.h; corners have 1.31/h). Beyond 1.9/h the step goes down with it; particles come
-   with at most that, since their correction is reduced (tm_correction_of_loose()). Hourglass control adds at most 3.6 xi
-   to the square of the turn (the kernel C4 in two dimensions; most below 2.8); tm_state.h bears turns of 0.77 and damping
-   of 0.67 per step. */
-TM_FN tm_real tm_sound_time_step(tm_real h, tm_real c, tm_real visc_alpha, tm_real hourglass, tm_real face,
-                                 unsigned effects)
+   damps them by 2 alpha; a particle whose neighbors lie on one side and close would turn faster, so its correction is
+   reduced (tm_correction_of_loose()). Hourglass control adds at most 3.6 xi to the square of the turn (the kernel C4 in two
+   dimensions; most below 2.8); tm_state.h bears turns of 0.77 and damping of 0.67 per step. */
+TM_FN tm_real tm_sound_time_step(tm_real h, tm_real c, tm_real visc_alpha, tm_real hourglass, unsigned effects)
 {
-  tm_real turn = (effects & TM_FX_CORRECTION) ? 2.2 * tm_max(1.0, h * face / TM_FACE_OF_TURN) : 1.0;
+  tm_real turn = (effects & TM_FX_CORRECTION) ? 2.2 : 1.0;
   if (effects & TM_FX_HOURGLASS) turn = sqrt(turn * turn + 3.0 * tm_max(hourglass, 0.0));
   return h / (c * tm_max(turn, 2.0 * visc_alpha));
 }

@@ -87,7 +87,7 @@ double TimeStep::of_sound_speed()
     const tm_material &m = state.model().materials()[t];
     if (m.body != TM_BODY_SOLID) continue;
     least = std::min(least, tm_sound_time_step(h, tm_eos_sound_speed(&m, m.rho0, 0.0), set.visc_alpha, set.hourglass,
-                                               0.0, state.effects()));
+                                               state.effects()));
   }
   const double value = least < 1e300 ? courant * least : update->dt;
   return most > 0.0 ? std::min(value, most) : value;
@@ -100,7 +100,7 @@ double TimeStep::of_size(int i, double h)
   const double rho = state.field(TM_F_RHO)[i], *e = state.field(TM_F_ENERGY), T = state.temperature(i);
   const Settings &set = model.settings_in_use();
   double value = courant * tm_sound_time_step(h, tm_eos_sound_speed(m, rho, e ? e[3 * (size_t) i] : 0.0),
-                                              set.visc_alpha, set.hourglass, 0.0, state.effects());
+                                              set.visc_alpha, set.hourglass, state.effects());
   if (state.has(TM_FX_CONDUCTION))
     value =
         std::min(value, stages_bear(has_stages()) * tm_conduction_time_step(m, rho, T, h, model.largest_conductivity(),
