@@ -18,9 +18,11 @@ OUT = os.environ.get("SPHTM_OUT", os.path.join(os.path.dirname(HERE), "out", "be
 SECTIONS = ("Pair", "Neigh", "Comm", "Modify", "Other")
 TITLES = {
     "elastic": "sph/tm elastic",
+    "elastic linear": "sph/tm elastic, correction linear",
     "plastic": "sph/tm elastic-plastic, hardening",
     "thermo": "sph/tm Johnson-Cook, heat, conduction",
     "contact": "sph/tm the same, tool in contact",
+    "plastic mixed": "sph/tm elastic-plastic, precision mixed",
     "plastic default": "sph/tm elastic-plastic, SSE2 loops",
     "plastic avx2": "sph/tm elastic-plastic, AVX2 loops",
     "plastic 2 ranks": "sph/tm elastic-plastic, two ranks",
@@ -30,7 +32,9 @@ TITLES = {
 PEERS = ("ulsph", "tlsph")
 # peer and the case it is held against, which has the effects of the peer and more. The host is compiled for any
 # x86-64 (-O2), as LAMMPS is by default: the SSE2 loops are the comparison on equal instructions.
-RATIOS = (("ulsph", "plastic"), ("ulsph", "plastic default"), ("tlsph", "thermo"))
+RATIOS = (("ulsph", "plastic"), ("ulsph", "plastic default"), ("tlsph", "thermo"), ("elastic", "elastic linear"),
+          ("plastic", "plastic mixed"))
+OPTIONS = {"linear": "correction linear", "mixed": "precision mixed"}    # of the pair style
 
 
 def command(case, mesh, steps, n):
@@ -43,6 +47,8 @@ def command(case, mesh, steps, n):
     else:
         words = case.split()
         lmp, script, more = os.environ["SPHTM_LMP"], "in.block", ["-var", "case", words[0], "-var", "mesh", mesh]
+        if words[-1] in OPTIONS:
+            more += ["-var", "options", OPTIONS[words[-1]]]
         if words[-1] in ("default", "avx2"):
             environment["SPHTM_ISA"] = words[-1]
     return ranks + [lmp, "-nocite", "-log", "none", "-in", os.path.join(HERE, script), "-var", "steps", str(steps),

@@ -31,6 +31,11 @@ uint64_t draw(uint64_t tag, uint64_t step)
   z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
   return z ^ (z >> 31);
 }
+// with one pass those in use are there, and others are asked for where faces are on or could be
+bool needs_corrections(unsigned effects)
+{
+  return (effects & TM_FX_CORRECTION) && (!(effects & TM_FX_ONE_PASS) || (effects & TM_FX_FACES));
+}
 }    // namespace
 
 AccuracyMeter::AccuracyMeter(LAMMPS *lmp, ParticleState &s, const Scene &sc, int every_, int sample_) :
@@ -141,7 +146,7 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::of_centers(AuditPatch &p, unsi
   a.which = nullptr;
   a.effects = effects;
   std::vector<Around> out(n);
-  if (effects & TM_FX_CORRECTION) corrections(p, a, effects, out);
+  if (needs_corrections(effects)) corrections(p, a, effects, out);
 
   std::vector<double> own((size_t) TM_S_COLUMNS * n + 1), rho(n + 1), mass(n + 1);
   std::vector<int> type(n + 1);
@@ -205,7 +210,7 @@ std::vector<AccuracyMeter::Around> AccuracyMeter::surroundings(AuditSearch &sear
     if (std::binary_search(all.begin(), all.end(), (int) atom->tag[i])) own.push_back(i);
 
   AuditPatch wider;
-  if ((effects & TM_FX_CORRECTION) || rule.table)
+  if (needs_corrections(effects) || rule.table)
     wider = search.around(own, rule.table ? search.farthest : search.radius);
   else wider = search.alone(own);
   std::vector<Around> known = of_centers(wider, effects, rule);
