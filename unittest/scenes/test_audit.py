@@ -57,7 +57,7 @@ def scene(dim=2, options="", fix="", audit="audit 20 40", lists="", steps=100, e
     if dim == 2:
         lo[2], hi[2] = -0.5 * DX, 0.5 * DX
     text = SCENE.format(
-        dim=dim, options=options, fix=fix + " " + audit, lists="fix lists all adapt/neigh " + lists if lists else "",
+        dim=dim, options=options, strength=strength, fix=fix + " " + audit, lists="fix lists all adapt/neigh " + lists if lists else "",
         steps=steps, every=every, boundary="p p p" if endless else "f p p" if periodic else "f f " + ("f" if dim == 3 else "p"),
         processors=processors, skin=skin, outputs=OUT if audit else "dt")
     return run(text, files={"data.in": particles(x, list(zip(lo, hi)), v)}, **arguments)

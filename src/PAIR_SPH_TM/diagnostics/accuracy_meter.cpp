@@ -70,7 +70,8 @@ unsigned AccuracyMeter::missing() const
   unsigned can = unsigned(TM_FX_VISCOSITY) | TM_FX_XSPH;
   if (solid && !state.has(TM_FX_HOURGLASS)) can |= TM_FX_ARTSTRESS;    // the one or the other
   if (!model.settings_in_use().form_f14) can |= TM_FX_CORRECTION;
-  if (state.has(TM_FX_ONE_PASS) && !solid) can |= TM_FX_FACES;    // where material flows they fade with strain
+  // where material flows they fade with strain
+  if (state.has(TM_FX_ONE_PASS) && !state.has(TM_FX_PLASTICITY)) can |= TM_FX_FACES;
   if (state.has(TM_FX_HEAT) && model.largest_conductivity() > 0.0) can |= TM_FX_CONDUCTION;
   return can & TM_FX_PRESENT & ~state.effects();
 }
