@@ -5,7 +5,7 @@
 #define SPHTM_ACCURACY_METER_H
 
 #include "audit_patch.h"
-#include "row_source.h"
+#include "audit_surroundings.h"
 #include "step_audit.h"
 
 #include "lmptype.h"
@@ -68,16 +68,8 @@ class AccuracyMeter : public StepAudit, protected LAMMPS_NS::Pointers {
   } times = {};
   int audits = 0;
   bool measured[CAUSES] = {};
-  std::vector<double> gradient_factors;    // tm_gradient_table
+  AuditSurroundings surroundings;
 
-  // of a particle: K, and with faces its antisymmetric part and the normal; P K
-  struct Correction {
-    double K[6], turn[3], normal[3], PK[TM_REC_CORRECTION];
-  };
-  struct Around {    // of a particle: its corrections, and its smoothing length as it should be
-    double tag, size[TM_REC_SIZE];
-    Correction linear, second;    // of linear order and, with one pass, of second order at faces
-  };
   struct Rates {
     std::vector<double> force, gradient, heat, xsph;
     double seconds;
@@ -85,13 +77,6 @@ class AccuracyMeter : public StepAudit, protected LAMMPS_NS::Pointers {
   unsigned missing() const;
   void undo_balance(const AuditPatch &, const tm_records &, std::vector<double> &main) const;
   std::vector<int> choose() const;
-  std::vector<Around> surroundings(AuditSearch &, const AuditPatch &, unsigned effects);
-  std::vector<Around> of_centers(AuditPatch &, unsigned effects, const SmoothingRule &);
-  void corrections(AuditPatch &, tm_rates_args, unsigned effects, std::vector<Around> &);
-  struct Stabilized {    // records of one pass with corrections of this force point
-    std::vector<double> stab, K, turn;
-  };
-  Stabilized stabilized(const AuditPatch &, const std::vector<Around> &, bool faces) const;
   Rates rates(AuditPatch &, const tm_records &, unsigned effects, const double *K, const double *turn) const;
   void add_differences(const AuditPatch &, const InUse &, const Rates *const of[], const bool shown[]);
 };
