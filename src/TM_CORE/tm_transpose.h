@@ -53,6 +53,17 @@ TM_FN tm_lanes tm_join_quads(const float *const *r, int k)
   __builtin_shufflevector(a, b, A, B, (C) + 16, (D) + 16, (A) + 4, (B) + 4, (C) + 20, (D) + 20, (A) + 8, (B) + 8, \
                           (C) + 24, (D) + 24, (A) + 12, (B) + 12, (C) + 28, (D) + 28)
 #endif
+
+/* Entry k of a, b, c and d side by side, of each quad: into w[k]. */
+TM_FN void tm_transpose_quads(tm_lanes a, tm_lanes b, tm_lanes c, tm_lanes d, tm_lanes *w)
+{
+  const tm_lanes ab0 = TM_QUADS(a, b, 0, 1, 0, 1), ab1 = TM_QUADS(a, b, 2, 3, 2, 3);
+  const tm_lanes cd0 = TM_QUADS(c, d, 0, 1, 0, 1), cd1 = TM_QUADS(c, d, 2, 3, 2, 3);
+  w[0] = TM_QUADS(ab0, cd0, 0, 2, 0, 2);
+  w[1] = TM_QUADS(ab0, cd0, 1, 3, 1, 3);
+  w[2] = TM_QUADS(ab1, cd1, 0, 2, 0, 2);
+  w[3] = TM_QUADS(ab1, cd1, 1, 3, 1, 3);
+}
 #endif
 
 #if TM_VECTOR == 64
@@ -78,12 +89,7 @@ TM_FN void tm_transpose_eight(const float *const *r, int k, float *out)
     const float *const *s = r + 8 * g;
     const tm_lanes a = tm_join_eights(s[0] + k, s[4] + k), b = tm_join_eights(s[1] + k, s[5] + k);
     const tm_lanes c = tm_join_eights(s[2] + k, s[6] + k), d = tm_join_eights(s[3] + k, s[7] + k);
-    const tm_lanes ab0 = TM_QUADS(a, b, 0, 1, 0, 1), ab1 = TM_QUADS(a, b, 2, 3, 2, 3);
-    const tm_lanes cd0 = TM_QUADS(c, d, 0, 1, 0, 1), cd1 = TM_QUADS(c, d, 2, 3, 2, 3);
-    w[g][0] = TM_QUADS(ab0, cd0, 0, 2, 0, 2);
-    w[g][1] = TM_QUADS(ab0, cd0, 1, 3, 1, 3);
-    w[g][2] = TM_QUADS(ab1, cd1, 0, 2, 0, 2);
-    w[g][3] = TM_QUADS(ab1, cd1, 1, 3, 1, 3);
+    tm_transpose_quads(a, b, c, d, w[g]);
   }
   for (int c = 0; c < 4; c++) {
     tm_lanes_store(out + c * TM_COLUMN,
@@ -109,12 +115,9 @@ TM_FN void tm_transpose(const float *rec, ptrdiff_t stride, const int *jj, int c
     float *o = out + k * TM_COLUMN;
     const tm_lanes a = tm_join_quads(r, k), b = tm_join_quads(r + 1, k);
     const tm_lanes c = tm_join_quads(r + 2, k), d = tm_join_quads(r + 3, k);
-    const tm_lanes ab0 = TM_QUADS(a, b, 0, 1, 0, 1), ab1 = TM_QUADS(a, b, 2, 3, 2, 3);
-    const tm_lanes cd0 = TM_QUADS(c, d, 0, 1, 0, 1), cd1 = TM_QUADS(c, d, 2, 3, 2, 3);
-    tm_lanes_store(o, TM_QUADS(ab0, cd0, 0, 2, 0, 2));
-    tm_lanes_store(o + TM_COLUMN, TM_QUADS(ab0, cd0, 1, 3, 1, 3));
-    tm_lanes_store(o + 2 * TM_COLUMN, TM_QUADS(ab1, cd1, 0, 2, 0, 2));
-    tm_lanes_store(o + 3 * TM_COLUMN, TM_QUADS(ab1, cd1, 1, 3, 1, 3));
+    tm_lanes column[4];
+    tm_transpose_quads(a, b, c, d, column);
+    for (int p = 0; p < 4; p++) tm_lanes_store(o + p * TM_COLUMN, column[p]);
   }
 #else
   for (int k = 0; k < columns; k++) out[k * TM_COLUMN] = rec[jj[0] * stride + k];
