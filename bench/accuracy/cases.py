@@ -12,7 +12,8 @@ rings_test = module(os.path.join(ROOT, "unittest", "scenes", "test_rings.py"))
 make_bar = module(example("taylor_bar", "make_bar.py")).make_bar
 bar_shape = module(example("taylor_bar", "measure.py")).shape
 heat_error = module(example("two_layer_heat", "measure.py")).error
-LENGTH, RADIUS = 21.4e-3, 7.22e-3    # Taylor bar, converged hexahedra (examples/taylor_bar)
+# Taylor bar: the limit of refined finite elements (examples/taylor_bar/finite_elements.py)
+LENGTH, RADIUS = (1e-3 * x for x in module(example("taylor_bar", "shots.py")).SHOTS["linear"][4])
 
 
 def plane(folder):
@@ -60,7 +61,7 @@ def foot(run):
 
 
 def taylor(settings, measure=foot, quantity="length and radius of the Taylor bar, the larger error",
-           reference="21.4 and 7.22 mm", kind=ELEMENTS, **more):
+           reference="%.4g and %.4g mm" % (1e3 * LENGTH, 1e3 * RADIUS), kind=ELEMENTS, **more):
     """Variables: rings, wall (options of the contact), and those of the script."""
     return Sweep(name="taylor", quantity=quantity, reference=reference, kind=kind, script=bar_script, settings=settings,
                  measure=measure, prepare=bar, **more)
