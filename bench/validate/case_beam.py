@@ -15,9 +15,11 @@ BASE = {"rows": 8}
 COMPARED = {"stiffness": ("over beam theory", 0.03)}
 ROWS = {load: {"variables": {"load": load}, "title": said, "reference": {"stiffness": (1.0, 0.0)}} for load, said in
         (("bend", "bent"), ("pull", "pulled"))}
-SETTINGS = {"rows_4": {"rows": 4}, "rows_8": {}, "rows_16": {"rows": 16}, "linear_4": {"rows": 4, "options": "correction linear"},
+SETTINGS = {"rows_4": {"rows": 4}, "rows_8": {}, "rows_16": {"rows": 16}, "held_4": {"rows": 4, "more": 1}, "held_8": {"more": 1},
+            "held_16": {"rows": 16, "more": 1}, "linear_4": {"rows": 4, "options": "correction linear"},
             "linear_8": {"options": "correction linear"}, "artstress": {"options": "stabilize artstress"}}
-SAID = {"rows_4": "4 rows", "rows_8": "8", "rows_16": "16", "linear_4": "4 rows, *correction linear*", "linear_8": "8 rows, *correction linear*",
+SAID = {"rows_4": "4 rows", "rows_8": "8", "rows_16": "16", "held_4": "4 rows, the first column of the beam held as well", "held_8": "8 rows, the same",
+        "held_16": "16 rows, the same", "linear_4": "4 rows, *correction linear*", "linear_8": "8 rows, *correction linear*",
         "artstress": "8 rows, *stabilize artstress*"}
 MESH, QUICK = ("rows_4", "rows_8", "rows_16"), "rows_4"
 SPACING = {"rows_4": 4, "rows_8": 2, "rows_16": 1}

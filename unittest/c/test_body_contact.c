@@ -17,7 +17,7 @@ static struct {
   double force[3 * MOST], sides[MOST * 2 * TM_BODY_SIDE];
   tm_body_law law[(TYPES + 1) * (TYPES + 1)];
   int side[(TYPES + 1) * (TYPES + 1)];
-  double young[TYPES + 1], half_layer[TYPES + 1], effusivity[TYPES + 1];
+  double effusivity[TYPES + 1];
 } s;
 static tm_rates_args a;
 static tm_body_contact_args b;
@@ -38,8 +38,6 @@ static void begin(int dim)
   b.law = s.law;
   b.side = s.side;
   b.sides = 1;
-  b.young = s.young;
-  b.half_layer = s.half_layer;
   b.effusivity = s.effusivity;
   b.surface = tm_body_surface_make(dim, 2.4);
   b.spacing = 1.0;
@@ -48,10 +46,9 @@ static void begin(int dim)
   b.ahead = s.ahead;
   b.mask = s.mask;
   for (int t = 1; t <= TYPES; t++) {
-    s.young[t] = 100.0;
     s.effusivity[t] = t;
     for (int u = 1; u <= TYPES; u++) {
-      s.law[t * (TYPES + 1) + u].penalty = 1.0;
+      s.law[t * (TYPES + 1) + u].modulus = tm_contact_modulus_of_two(100.0, 100.0);
       s.side[t * (TYPES + 1) + u] = t != u;
     }
   }
@@ -289,7 +286,7 @@ static void flat(void)
     const int tries = 12;
     for (int k = 0; k < tries; k++) {
       begin(dim);
-      s.young[1] = 300.0;    /* PFAC 100 300/400 */
+      for (int p = 0; p < (TYPES + 1) * (TYPES + 1); p++) s.law[p].modulus = tm_contact_modulus_of_two(300.0, 100.0);
       s.law[1 * (TYPES + 1) + 2].friction.value = s.law[2 * (TYPES + 1) + 1].friction.value = 0.3;
       faces(dim, 0.04, k == 0 ? 0.0 : ut_random(-0.5, 0.5), k == 0 ? 0.0 : ut_random(-0.5, 0.5));
       for (int i = 0; i < s.n; i++)

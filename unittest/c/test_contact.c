@@ -8,17 +8,20 @@
 
 static void laws(void)
 {
-  UT_NEAR(tm_contact_stiffness(0.5, 100.0, 300.0, 0.1, 0.1, 1), 0.5 * 75.0 * 0.1, 1e-15);
-  UT_NEAR(tm_contact_stiffness(0.5, 100.0, 1e30, 0.1, 0.1, 1), 0.5 * 100.0 * 0.1, 1e-15);
-  UT_NEAR(tm_contact_stiffness(0.5, 100.0, 0.0, 0.1, 0.1, 1), 0.5 * 100.0 * 0.1, 1e-15);
-  UT_NEAR(tm_contact_stiffness(0.5, 100.0, 0.0, 0.1, 0.1, 0), 0.5 * 100.0, 1e-15);
-  UT_NEAR(tm_contact_modulus(0.5, 100.0, 270.0), 50.0, 1e-15);
-  UT_NEAR(tm_contact_modulus(0.0, 100.0, 270.0), 270.0, 1e-15);
+  UT_NEAR(tm_contact_stiffness(tm_contact_modulus_of_two(50.0, 150.0), 0.1, 0.1, 1), 0.5 * 75.0 * 0.1, 1e-15);
+  UT_NEAR(tm_contact_stiffness(tm_contact_modulus_of_two(50.0, 1e30), 0.1, 0.1, 1), 0.5 * 100.0 * 0.1, 1e-15);
+  UT_NEAR(tm_contact_stiffness(50.0, 0.1, 0.1, 1), 0.5 * 100.0 * 0.1, 1e-15);
+  UT_NEAR(tm_contact_stiffness(50.0, 0.1, 0.1, 0), 0.5 * 100.0, 1e-15);
+  for (int elastic = 0; elastic < 2; elastic++) {
+    UT_NEAR(tm_contact_modulus(0.5, 100.0, 270.0, elastic), 50.0, 1e-15);
+    UT_NEAR(tm_contact_modulus(TM_PENALTY_MATERIAL, 100.0, 270.0, elastic), 270.0, 1e-15);
+    UT_NEAR(tm_contact_modulus(TM_PENALTY_USUAL, 100.0, 270.0, elastic), elastic ? 270.0 : 100.0, 1e-15);
+  }
   /* elastic bodies: under a pressure the compliance of two halves of a spacing, (dp/2)/M each */
   const double M1 = 135.0, M2 = 405.0, dp = 0.1, area = dp * dp, closes = 0.5 * dp / M1 + 0.5 * dp / M2;
   const double one = tm_contact_half_layer(M1), two = tm_contact_half_layer(M2);
-  UT_NEAR(area / tm_contact_stiffness(1.0, one, two, dp, dp, 1), closes, 1e-14);
-  UT_NEAR(area / tm_contact_stiffness(1.0, one, 0.0, dp, dp, 1), 0.5 * dp / M1, 1e-14);
+  UT_NEAR(area / tm_contact_stiffness(tm_contact_modulus_of_two(one, two), dp, dp, 1), closes, 1e-14);
+  UT_NEAR(area / tm_contact_stiffness(one, dp, dp, 1), 0.5 * dp / M1, 1e-14);
 
   UT_NEAR(tm_contact_normal(10.0, 0.1, 2.0, 0.3, 0), 1.6, 1e-15);    /* closing: damping adds */
   UT_NEAR(tm_contact_normal(10.0, 0.1, 2.0, -0.3, 0), 0.4, 1e-15);
@@ -418,7 +421,7 @@ static void sizes(void)
   for (int dim3 = 0; dim3 < 2; dim3++) {
     w.radius = 0.5 * dp;
     w.area = dim3 ? dp * dp : dp;
-    w.stiffness = tm_contact_stiffness(0.7, 110e9, 0.0, dp, dp, dim3);
+    w.stiffness = tm_contact_stiffness(0.7 * 110e9, dp, dp, dim3);
     const tm_contact_law same = tm_contact_law_of_size(&w, dp, dim3);
     UT_TRUE(same.stiffness == w.stiffness && same.area == w.area && same.radius == w.radius);
     for (double edge = 0.1; edge < 3.0; edge *= 1.7) {
@@ -431,9 +434,9 @@ static void sizes(void)
               sqrt(edge) * tm_contact_time_step(w.stiffness, m, z), 1e-14);
     }
     /* bodies: as many more pairs per area as the finer particles are smaller */
-    const double k = tm_contact_stiffness(0.7, 110e9, 70e9, dp, dp, dim3);
-    UT_TRUE(k == 0.7 * 110e9 * 70e9 / (110e9 + 70e9) * (dim3 ? dp : 1.0));
-    UT_NEAR(pow(2.0, dim3 ? 2 : 1) * tm_contact_stiffness(0.7, 110e9, 70e9, dp, 0.5 * dp, dim3), k, 1e-14);
+    const double E = 0.7 * tm_contact_modulus_of_two(110e9, 70e9), k = tm_contact_stiffness(E, dp, dp, dim3);
+    UT_NEAR(k, 0.7 * 110e9 * 70e9 / (110e9 + 70e9) * (dim3 ? dp : 1.0), 1e-15);
+    UT_NEAR(pow(2.0, dim3 ? 2 : 1) * tm_contact_stiffness(E, dp, 0.5 * dp, dim3), k, 1e-14);
   }
 
   floor_scene();

@@ -30,7 +30,7 @@ typedef struct {
   tm_body_law touch_law[(TYPES + 1) * (TYPES + 1)];
   int touch_side[(TYPES + 1) * (TYPES + 1)];
   tm_body_surface body_surface;
-  double conductance[(TYPES + 1) * (TYPES + 1)], young[TYPES + 1], half_layer[TYPES + 1], effusivity[TYPES + 1], mass[TYPES + 1];
+  double conductance[(TYPES + 1) * (TYPES + 1)], effusivity[TYPES + 1], mass[TYPES + 1];
   unsigned char meets[(TYPES + 1) * (TYPES + 1)];
   int type[CLOUD], mask[CLOUD], tag[CLOUD];
   int list[CLOUD * ROOM], length[CLOUD];              /* the host's list */
@@ -225,7 +225,7 @@ STAGE(thermal)
 TM_FN tm_body_contact_args cloud_bodies(cloud *w)
 {
   tm_body_contact_args b;
-  b.law = w->touch_law; b.side = w->touch_side; b.sides = 1; b.young = w->young; b.half_layer = w->half_layer; b.effusivity = w->effusivity;
+  b.law = w->touch_law; b.side = w->touch_side; b.sides = 1; b.effusivity = w->effusivity;
   b.surface = w->body_surface;
   b.spacing = w->spacing;
   b.dt = w->dt; b.after = 0.5 * w->dt;

@@ -111,13 +111,11 @@ void cloud_make(cloud *w, int dim, int kernel, double ratio, unsigned effects, t
   for (int t = 1; t <= TYPES; t++) {
     points_material(t == 1 ? POINTS_PLASTIC : POINTS_JOHNSON_COOK, w->material + t);
     w->mass[t] = w->material[t].rho0 * pow(w->spacing, dim);
-    w->young[t] = w->material[t].young;
-    w->half_layer[t] = 2.7 * w->young[t];
     w->effusivity[t] = 1e4 * t;
     tm_contact_law *law = w->law + t;
     law->active = 1;
     law->radius = 0.5 * w->spacing;
-    law->stiffness = tm_contact_stiffness(0.1, w->young[t], 0.0, w->spacing, w->spacing, dim == 3);
+    law->stiffness = tm_contact_stiffness(0.1 * w->material[t].young, w->spacing, w->spacing, dim == 3);
     law->damping = 0.2;
     law->area = pow(w->spacing, dim - 1);
     law->friction.value = 0.3;
@@ -131,7 +129,8 @@ void cloud_make(cloud *w, int dim, int kernel, double ratio, unsigned effects, t
       w->meets[pair] = a == b ? TM_MEETS_MECHANICAL : TM_MEETS_THERMAL | TM_MEETS_CONTACT;
       w->touch_side[pair] = a != b;
       w->conductance[pair] = a != b ? 2e4 : 0.0;
-      w->touch_law[pair].friction.value = 0.2; w->touch_law[pair].penalty = 0.1; w->touch_law[pair].damping = 0.3;
+      w->touch_law[pair].friction.value = 0.2; w->touch_law[pair].damping = 0.3;
+      w->touch_law[pair].modulus = 0.1 * tm_contact_modulus_of_two(w->material[a].young, w->material[b].young);
     }
   w->body_surface = tm_body_surface_make(dim, tm_kernel_support(kernel) * ratio);
   tm_gradient_table(kernel, dim, w->factor);

@@ -195,7 +195,7 @@ POINT(contact_laws)
   w.radius = 0.5; w.area = 1.0; w.shear = 1.0; w.share = -1.0;
   w.friction.value = 0.3;
   w.tool_effusivity = 2.0; w.conductance = in[9];
-  out[0] = tm_contact_stiffness(0.1, in[0], in[1], 0.5, 0.5, 1);
+  out[0] = tm_contact_stiffness(0.1 * tm_contact_modulus_of_two(in[0], in[1]), 0.5, 0.5, 1);
   out[1] = tm_contact_damping(0.2, in[0], in[1]);
   out[2] = tm_contact_normal(in[0], in[2], in[1], in[3], 0);
   out[3] = tm_contact_friction_limit(&w, in[0], 300, in[1]);

@@ -43,7 +43,7 @@ def on_a_block(checks, dt):
     mesh(folder, "block.stl", "block --size 1 1 0.4 --cells 7 7 3")
     g = 0.05 * OMEGA ** 2 * DX      # weight = 0.05 k dp: static penetration a twentieth of a spacing
     z0 = 0.2 + 0.5 * DX + 0.3 * DX
-    fixes = "fix g all gravity %r vector 0 0 -1\nfix tool all contact/tri file block.stl damping 0" % float(g)
+    fixes = "fix g all gravity %r vector 0 0 -1\nfix tool all contact/tri file block.stl penalty 1 damping 0" % float(g)
     steps = int(12000 / dt)
     script = header(DX) + SCRIPT.format(material=MATERIAL, fixes=fixes, every=1, steps=steps, more="c_z")
     script = script.replace("energy yes", "energy yes dt %r" % (dt / OMEGA))
@@ -71,7 +71,7 @@ def in_a_cube(checks, dt, steps, bound, damping=0.0):
     v = rng.normal(size=(100, 3))
     v *= 0.2 * DX * OMEGA / np.linalg.norm(v, axis=1)[:, None]
     x = rng.uniform(-0.09, 0.09, (100, 3))
-    fixes = "neigh_modify exclude type 1 1\nfix tool all contact/tri file cube.stl flip yes damping %g" % damping
+    fixes = "neigh_modify exclude type 1 1\nfix tool all contact/tri file cube.stl flip yes penalty 1 damping %g" % damping
     fixes += "\ndump d all custom %d cube.dump id x y z vx vy vz\ndump_modify d format float %%.15g" % (steps // 50)
     script = header(DX) + SCRIPT.format(material=MATERIAL, fixes=fixes, every=10, steps=steps, more="")
     script = script.replace("energy yes", "energy yes dt %s" % dt)
@@ -102,7 +102,7 @@ def rebound(checks):
     mesh(folder, "plane.stl", "plane --size 1 1 --cells 3 3")
     for z in (0.05, 0.2, 0.5, 0.9):
         v = -0.1 * DX * OMEGA
-        fixes = "fix tool all contact/tri file plane.stl damping %r" % z
+        fixes = "fix tool all contact/tri file plane.stl penalty 1 damping %r" % z
         script = header(DX) + SCRIPT.format(material=MATERIAL, fixes=fixes, every=1, steps=400, more="")
         script = script.replace("energy yes", "energy yes dt %r" % (0.02 / OMEGA))
         data = particles([(0.1, 0.2, 0.5 * DX + 0.01 * DX)], [(-1, 1)] * 3, v=[(0, 0, v)])

@@ -19,7 +19,7 @@ SCRIPT = """
 pair_coeff 1 1 density 1000 elastic 1e7 0.3 {material}
 fix body all sph/tm temperature 300
 fix g all gravity 10 vector 0 0 -1
-fix tool all contact/tri file {mesh} move 0 0 -0.5 friction 0.3 {heat}
+fix tool all contact/tri file {mesh} move 0 0 -0.5 friction 0.3 penalty 1 {heat}
 thermo_style custom step f_tool[3] f_tool[12] f_tool[10]
 thermo 1000
 run {steps}

@@ -16,7 +16,7 @@ SLIDE = """
 pair_coeff 1 1 {material}
 fix body all sph/tm dt {dt!r}
 fix g all gravity {g!r} vector 0 0 -1
-fix tool all contact/tri file plane.stl damping 1 method {method} overlap allow
+fix tool all contact/tri file plane.stl penalty 1 damping 1 method {method} overlap allow
 compute x all reduce ave x y z
 thermo_style custom step f_tool[3] f_tool[12] c_x[1] c_x[2]
 thermo_modify norm no format float %.12g
@@ -29,7 +29,7 @@ run {steps}
 TURN = """
 pair_coeff 1 1 {material}
 fix body all sph/tm dt {dt!r}
-fix tool all contact/tri file cylinder.stl damping 0 method {method} overlap allow
+fix tool all contact/tri file cylinder.stl penalty 1 damping 0 method {method} overlap allow
 fix_modify tool move rotate 0 0 0 0 1 0 {period!r}
 fix hold all setforce 0 0 0
 thermo_style custom step f_tool[1] f_tool[2] f_tool[3] f_tool[12]

@@ -105,7 +105,7 @@ region top block INF INF {top!r} INF INF INF units box
 group top region top
 fix body all sph/tm temperature {T1} courant 0.4 effects artificial-heat off
 fix_modify body temperature inside {T2}
-fix tool all contact/tri file block.stl move 0 {down!r} 0 overlap allow particles 2 friction {mu!r} damping 0.5
+fix tool all contact/tri file block.stl move 0 {down!r} 0 overlap allow particles 2 friction {mu!r} penalty 1 damping 0.5
 fix hold top setforce 0 0 0
 compute t all sph/tm/atom temperature
 compute T1 work reduce ave c_t

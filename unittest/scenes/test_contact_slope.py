@@ -21,7 +21,7 @@ variable g equal {g}*(time<{ramp})*time/{ramp}+{g}*(time>={ramp})
 fix body all sph/tm
 fix gravity all gravity v_g vector 0 -1 0
 fix slope all contact/tri file plane.stl rotate axis 1 0 0 angle -90 rotate axis 0 0 1 angle -{angle} &
-    friction {mu!r} damping 0.5
+    friction {mu!r} penalty 1 damping 0.5
 compute x all reduce ave x y
 thermo_style custom step time c_x[1] c_x[2] f_slope[1] f_slope[2] f_slope[12] f_slope[13]
 thermo_modify norm no format float %.12g

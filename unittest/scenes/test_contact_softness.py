@@ -29,13 +29,15 @@ def tool(law, dim=3, style="", material="elastic %r %r" % (E, NU)):
 
 def tools(checks):
     flows = "elastic %r %r strength plastic 1e5 1e6" % (E, NU)
-    for name, given, due, soft in (("default", ("",), E * DX, True), ("penalty 3", ("penalty 3",), 3 * E * DX, False),
+    for name, given, due, soft in (("default", ("",), 2 * CONFINED * DX, False), ("penalty 1", ("penalty 1",), E * DX, True),
+                                   ("penalty 3", ("penalty 3",), 3 * E * DX, False),
                                    ("penalty material", ("penalty material",), 2 * CONFINED * DX, False),
                                    ("default, metal that flows", ("", 3, "", flows), E * DX, False),
                                    ("plane strain, penalty material", ("penalty material", 2), 2 * CONFINED, False),
                                    ("plane stress, penalty material", ("penalty material", 2, "plane stress"),
                                     2 * E / (1 - NU ** 2), False),
-                                   ("plane stress, default", ("", 2, "plane stress"), E, True)):
+                                   ("plane stress, penalty 1", ("penalty 1", 2, "plane stress"), E, True),
+                                   ("plane stress, default", ("", 2, "plane stress"), 2 * E / (1 - NU ** 2), False)):
         k, words = tool(*given)
         checks.near("tool, %s: stiffness" % name, k, due, relative=1e-5)
         checks.true("    words in the log: %s" % ("yes" if soft else "no"), words == soft)
@@ -62,7 +64,7 @@ def two_blocks():
 
 def bodies(checks):
     data = {"data.scene": two_blocks()}
-    for law, flow, soft in (("", "", True), ("penalty material", "", False), ("penalty 3", "", False),
+    for law, flow, soft in (("", "", False), ("penalty 1", "", True), ("penalty material", "", False), ("penalty 3", "", False),
                             ("", "strength plastic 1e5 1e6", False)):
         out = run(header(DX) + BODIES.format(law=law, flow=flow) + "run 0\nrun 0\n", files=data).output
         checks.true("bodies, %s: words in the log: %s" % (" ".join((law or "default", flow)), "once" if soft else "no"),
@@ -88,7 +90,7 @@ def restart(checks):
                 "%.17g, %.17g" % (rest.thermo[-1]["KinEng"][-1], whole["KinEng"][-1]))
     checks.true("    without a warning", not rest.warnings(), "; ".join(rest.warnings()))
     linear = "pair_style sph/tm hyperbolic 1.2 spacing %r correction linear\n" % DX + law.split("fix")[0]
-    warned = "; ".join(again(linear, "penalty material").warnings())
+    warned = "; ".join(again(linear, "penalty 1").warnings())
     checks.true("another correction is named", "correction was yes, is linear" in warned,
                 warned)
     checks.true("another penalty of the tool is named", "other values of penalty" in warned, warned)

@@ -121,7 +121,7 @@ def files(checks):
     reference = None
     for what in ("file plate.stl", "file ascii.stl", "file plate.vtk", "file fine.stl", "file unit.stl scale 0.5 0.2 0.6",
                  "file unit.stl move 1 0 0 scale 0.5 0.2 0.6 move -0.5 0 0"):
-        tools = ["fix p all contact/tri %s %s friction 0.2" % (what, place)]
+        tools = ["fix p all contact/tri %s %s friction 0.2 penalty 1" % (what, place)]
         t, end, _ = go(tools, ["f_p[*]"], meshes=(), before=other_files, v=(0.3, 0.0, -1.0), steps=540)
         values = np.array([t["f_p[%d]" % k] for k in range(1, 13) if not 7 <= k <= 9])
         if reference is None:

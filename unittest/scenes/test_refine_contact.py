@@ -8,7 +8,7 @@ DX, SPEED = 1e-3, 20.0
 SCRIPT = """
 pair_coeff      1 1 density 2700 elastic 70e9 0.3
 fix             body all sph/tm energy yes
-fix             plate all contact/tri file plate.stl move 0 -0.001 0 rotate axis 0 0 1 angle {angle}
+fix             plate all contact/tri file plate.stl penalty 1 move 0 -0.001 0 rotate axis 0 0 1 angle {angle}
 variable        pressed atom (step>40)*(step<=80)*(id<={foot})
 variable        back atom (step>80)
 fix             ad all adapt/neigh refine {pattern} alpha 0.5 when v_pressed above 0.5 every 10 &

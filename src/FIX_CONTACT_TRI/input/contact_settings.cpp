@@ -90,7 +90,7 @@ bool ContactSettings::read_law(Keywords &k)
   } else if (k.is("friction/table")) {
     friction = SPHTM_NS::read_friction_table(lmp, k);
   } else if (k.is("friction/shear")) shear = k.share();
-  else if (k.is("penalty")) penalty = k.take("material") ? 0.0 : k.positive();
+  else if (k.is("penalty")) penalty = k.take("material") ? TM_PENALTY_MATERIAL : k.positive();
   else if (k.is("damping")) damping = k.not_negative();
   else if (k.is("approach")) approach = k.yes();
   else if (k.is("method")) f15 = k.second("closest", "f15");

@@ -2,6 +2,7 @@
 #ifndef SPHTM_CONTACT_SETTINGS_H
 #define SPHTM_CONTACT_SETTINGS_H
 
+#include "tm_contact_law.h"
 #include "tm_heat.h"
 #include "tri_tool.h"
 
@@ -25,7 +26,7 @@ struct ContactSettings {
   // contact law
   tm_table friction = {};    // mu(T)
   double shear = 0.0, damping = 0.1;
-  double penalty = 1.0;    // 0: of the material
+  double penalty = TM_PENALTY_USUAL;    // PFAC, see tm_contact_modulus()
   bool approach = false, f15 = false, two_sided = false, overlap_allowed = false;
   bool has_friction() const { return friction.n || friction.value > 0.0; }
   // heat

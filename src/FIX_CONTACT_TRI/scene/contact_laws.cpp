@@ -11,12 +11,12 @@
 namespace SPHTM_NS {
 
 static tm_contact_law make_law(const tm_material &m, const ContactSettings &set, const UnitScale &unit, double dp,
-                               double half_layer, bool dim3)
+                               double modulus, bool dim3)
 {
   tm_contact_law w = {};
   w.active = m.body == TM_BODY_SOLID;
   w.radius = 0.5 * dp;
-  w.stiffness = tm_contact_stiffness(1.0, tm_contact_modulus(set.penalty, m.young, half_layer), 0.0, dp, dp, dim3);
+  w.stiffness = tm_contact_stiffness(modulus, dp, dp, dim3);
   w.damping = set.damping;
   w.area = dim3 ? dp * dp : dp;
   w.friction = set.friction;
@@ -35,7 +35,8 @@ void ContactLaws::make(const ContactSettings &set, const Model &model, double T,
   fastest = 0.0;
   for (int t = 1; t <= model.types(); t++) {
     const tm_material &m = model.materials()[t];
-    tm_contact_law &w = laws[t] = make_law(m, set, model.units(), dp, model.half_layer_modulus(t), dimension == 3);
+    tm_contact_law &w = laws[t] =
+        make_law(m, set, model.units(), dp, model.contact_modulus(t, set.penalty), dimension == 3);
     if (set.body_type) {
       const tm_material &b = model.materials()[set.body_type];
       w.tool_effusivity = tm_effusivity(tm_conductivity(&b, T), b.rho0, tm_capacity(&b, T));

@@ -146,9 +146,8 @@ static std::string heat_in_words(const tm_contact_law &w, const tm_material &m, 
 }
 
 // elastic contact that is softer than the half spacing between centers and surface; half_layer: tm_contact_half_layer()
-static std::string softness_in_words(const tm_material &m, double penalty, double half_layer)
+static std::string softness_in_words(const tm_material &m, double modulus, double half_layer)
 {
-  const double modulus = tm_contact_modulus(penalty, m.young, half_layer);
   if (tm_strength_flow(m.strength) != TM_FLOW_NONE || half_layer < TM_SOFT_CONTACT * modulus) return "";
   return fmt::format("; gives way like {:.2g} spacings of the material, where 0.5 would be right: where few spacings "
                      "touch, 'penalty material' is as stiff as elastic contact is",
@@ -169,7 +168,7 @@ void FixContactTri::report() const
     utils::logmesg(lmp, "contact/tri {}: type {}: stiffness {:.6g}, damping {:.4g} of critical, friction {}{}{}\n", id,
                    t, w.stiffness / model->units().force, w.damping, mu,
                    heat ? heat_in_words(w, m, state->start_temperatures().of_all(), set) : "",
-                   softness_in_words(m, set.penalty, model->half_layer_modulus(t)));
+                   softness_in_words(m, model->contact_modulus(t, set.penalty), model->half_layer_modulus(t)));
   }
 }
 

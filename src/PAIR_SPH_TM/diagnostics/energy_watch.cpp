@@ -12,7 +12,8 @@ void EnergyWatch::begin(const Energies &e, double least_)
   least = least_;
   base += begun ? e.sum - last_sum : e.sum;
   base_unstored += begun ? e.unstored - last_unstored : e.unstored;
-  given += begun ? std::max(e.kinetic - last_kinetic, 0.0) : e.kinetic;
+  // also what is stored where bodies overlap from the start
+  given += begun ? std::max({e.sum - last_sum, e.kinetic - last_kinetic, 0.0}) : std::max(e.sum, e.kinetic);
   begun = true;
   look(e);
 }

@@ -43,7 +43,7 @@ class EnergyWatch {
  private:
   bool begun = false;
   double least = 0.0;
-  double base = 0.0, given = 0.0;    // sum without drift; kinetic energy given at starts
+  double base = 0.0, given = 0.0;    // sum without drift; energy given at starts
   double most_work = 0.0;            // largest work from outside so far
   double last_kinetic = 0.0, last_sum = 0.0;
   double base_unstored = 0.0, last_unstored = 0.0;

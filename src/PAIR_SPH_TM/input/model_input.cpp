@@ -128,7 +128,6 @@ static void read_meeting(LAMMPS *lmp, int narg, char **arg, Model &model)
   const std::string what = arg[2];
   PairLaw law;
   law.meeting = what == "bond" ? BOND : what == "none" ? NONE : what == "heat" ? HEAT_ONLY : CONTACT;
-  law.contact.penalty = 1.0;
   law.contact.damping = 0.2;
   law.conductance = what == "contact" ? -1.0 : 0.0;    // contact: no heat unless asked
   for (int iarg = 3; iarg < narg; iarg += 2) {         // friction/table takes more
@@ -148,8 +147,8 @@ static void read_meeting(LAMMPS *lmp, int narg, char **arg, Model &model)
       else law.contact.shear = k.share();
       iarg = narg - k.rest() - 2;
     } else if (key == "penalty" && law.meeting == CONTACT)
-      law.contact.penalty = strcmp(val, "material") == 0 ? 0.0
-                                                         : positive(lmp, "Pair sph/tm coeff contact penalty", val);
+      law.penalty = strcmp(val, "material") == 0 ? TM_PENALTY_MATERIAL
+                                                 : positive(lmp, "Pair sph/tm coeff contact penalty", val);
     else if (key == "damping" && law.meeting == CONTACT)
       law.contact.damping = not_negative(lmp, "Pair sph/tm coeff contact damping", val);
     else

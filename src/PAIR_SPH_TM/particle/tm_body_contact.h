@@ -33,7 +33,7 @@
 typedef struct {
   tm_table friction; /* mu(T), Coulomb's coefficient, >= 0 */
   tm_real shear;     /* m: friction <= m Y/sqrt(3) A; 0: no such limit */
-  tm_real penalty;   /* PFAC; 0: of the materials */
+  tm_real modulus;   /* E_i E_j/(E_i + E_j) in F15 (10), with PFAC or of the materials: tm_contact_modulus_of_two() */
   tm_real damping;   /* DFAC, share of critical, >= 0 */
 } tm_body_law;
 
@@ -67,8 +67,6 @@ typedef struct {
   const tm_body_law *law;    /* per type pair, index i * (ntypes + 1) + j */
   const int *side;           /* per type pair: which side of i meets j, from 1 on; 0: no contact */
   int sides;                 /* most that a particle has */
-  const tm_real *young;      /* per type */
-  const tm_real *half_layer; /* per type, tm_contact_half_layer() */
   const tm_real *effusivity; /* per type, sqrt(k rho c_p) at the reference temperature */
   tm_body_surface surface;
   tm_real spacing; /* dp of the pair style */
@@ -190,11 +188,7 @@ TM_FN tm_body_other tm_body_find(int i, int side, tm_vec3 vi, const tm_rates_arg
     o.mass += w * rj[tm_part(TM_REC_M)];
     o.apart += w * p.apart;
     o.T += w * tm_body_temperature(j, a, b);
-    const tm_real pfac = b->law[p.law].penalty;
-    const int ti = a->type[i], tj = a->type[j];
-    o.stiffness +=
-        w * tm_contact_stiffness(1.0, tm_contact_modulus(pfac, b->young[ti], b->half_layer[ti]),
-                                 tm_contact_modulus(pfac, b->young[tj], b->half_layer[tj]), b->spacing, edge, dim3);
+    o.stiffness += w * tm_contact_stiffness(b->law[p.law].modulus, b->spacing, edge, dim3);
     o.bj += w * b->effusivity[a->type[j]];
     if (b->ahead) {
       o.end = tm_vec_axpy(o.end, w, tm_body_end(j, b, dim3));

@@ -17,24 +17,32 @@
 
 #include "tm_tensor.h"
 
-/* What takes the place of E in F15 (10): PFAC E, or 2 M where PFAC is 0 (penalty material). A force acts on the center of a
+/* What takes the place of E in F15 (10): PFAC E, or 2 M (penalty material). A force acts on the center of a
    particle, half a spacing inside its surface, and that half is rigid; in an elastic body it gives way by p (dp/2)/M, with M
    the modulus of a layer that is confined sideways. The spring of 2 M dp has just that compliance, so a contact is as stiff as
-   the bodies are; that of PFAC = 1 is 2.7 times as soft (nu = 0.3). */
+   the bodies are; that of PFAC = 1 is 2.7 times as soft (nu = 0.3). What is used if nothing is said: 2 M for a material that
+   is elastic, where the stiffness of the contact counts, and PFAC = 1 for all others. */
+#define TM_PENALTY_MATERIAL 0.0 /* in place of PFAC > 0 */
+#define TM_PENALTY_USUAL -1.0
 TM_FN tm_real tm_contact_half_layer(tm_real M) { return 2.0 * M; }
-TM_FN tm_real tm_contact_modulus(tm_real pfac, tm_real E, tm_real half_layer)
+TM_FN tm_real tm_contact_modulus(tm_real pfac, tm_real E, tm_real half_layer, int elastic)
 {
-  return pfac > 0.0 ? pfac * E : half_layer;
+  if (pfac > 0.0) return pfac * E;
+  return pfac == TM_PENALTY_MATERIAL || elastic ? half_layer : E;
 }
+
+/* Of two bodies that give way one behind the other, with E or what takes its place. */
+TM_FN tm_real tm_contact_modulus_of_two(tm_real Ei, tm_real Ej) { return Ei * Ej / (Ei + Ej); }
 
 /* Elastic contact so many times as soft as half a spacing of the material is worth a word. */
 #define TM_SOFT_CONTACT 1.2
 
-/* F15 (10) for a particle of edge dp in a scene of the given spacing; Ej = 0 stands for a rigid body. */
-TM_FN tm_real tm_contact_stiffness(tm_real pfac, tm_real Ei, tm_real Ej, tm_real spacing, tm_real dp, int dim3)
+/* F15 (10) for a particle of edge dp in a scene of the given spacing; modulus: that of the particle against a rigid body, of
+   two bodies tm_contact_modulus_of_two(). */
+TM_FN tm_real tm_contact_stiffness(tm_real modulus, tm_real spacing, tm_real dp, int dim3)
 {
   const tm_real finer = dp / spacing;
-  return (Ej > 0.0 ? pfac * Ei * Ej / (Ei + Ej) : pfac * Ei) * (dim3 ? spacing * finer * finer : finer);
+  return modulus * (dim3 ? spacing * finer * finer : finer);
 }
 
 /* F15 (11), corrected. */

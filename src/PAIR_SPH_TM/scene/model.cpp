@@ -22,7 +22,7 @@ const char *kernel_name(int kernel)
 Model::Tables::Tables(Backend &loops)
 {
   material.live_in(loops);
-  for (auto *a : {&conductance, &young, &half_layer, &effusivity, &gradient, &share}) a->live_in(loops);
+  for (auto *a : {&conductance, &effusivity, &gradient, &share}) a->live_in(loops);
   law.live_in(loops);
   side.live_in(loops);
 }
@@ -70,14 +70,13 @@ static std::string soft_contacts(const Model &model)
   for (int i = 1; i <= model.types(); i++)
     for (int j = i; j <= model.types(); j++) {
       const PairLaw &l = model.pair_laws()(i, j);
-      if (l.meeting != CONTACT || l.contact.penalty <= 0.0) continue;
+      if (l.meeting != CONTACT) continue;
       double right = 0.0, layers = 0.0;    // compliance per area and spacing
       bool elastic = true;
       for (const int t : {i, j}) {
-        const double half_layer = model.half_layer_modulus(t);
         elastic = elastic && tm_strength_flow(material[t].strength) == TM_FLOW_NONE;
-        right += 1.0 / half_layer;
-        layers += 1.0 / tm_contact_modulus(l.contact.penalty, material[t].young, half_layer);
+        right += 1.0 / model.half_layer_modulus(t);
+        layers += 1.0 / model.contact_modulus(t, l.penalty);
       }
       if (elastic && layers > TM_SOFT_CONTACT * right)
         soft += fmt::format("{}{} and {} ({:.2g} times)", soft.empty() ? "" : ", ", i, j, layers / right);
@@ -130,7 +129,7 @@ void Model::prepare()
 void Model::make_tables(double temperature)
 {
   const int n = atom_types + 1;
-  std::vector<double> conductance(n * n), young(n), half_layer(n), effusivity(n);
+  std::vector<double> conductance(n * n), effusivity(n);
   std::vector<tm_body_law> contact(n * n);
   std::vector<int> side;
   most_sides = laws.contact_sides(side);
@@ -141,11 +140,12 @@ void Model::make_tables(double temperature)
                                            : 0.0;
     conducts = conducts || conductance[k] > 0.0;
     contact[k] = law.contact;
+    if (law.meeting == CONTACT)
+      contact[k].modulus =
+          tm_contact_modulus_of_two(contact_modulus(k / n, law.penalty), contact_modulus(k % n, law.penalty));
   }
   for (int t = 1; t < n; t++) {
     const tm_material &m = material[t];
-    young[t] = m.young;
-    half_layer[t] = half_layer_modulus(t);
     effusivity[t] =
         m.heat ? tm_effusivity(tm_conductivity(&m, temperature), tm_table_at(&m.capacity, temperature), m.rho0) : 0.0;
   }
@@ -153,8 +153,6 @@ void Model::make_tables(double temperature)
   tables.conductance.assign(conductance.data(), conducts ? n * n : 0);
   tables.law.assign(contact.data(), n * n);
   tables.side.assign(side.data(), n * n);
-  tables.young.assign(young.data(), n);
-  tables.half_layer.assign(half_layer.data(), n);
   tables.effusivity.assign(effusivity.data(), n);
   std::vector<double> share(settings.art_balanced && settings.art_eps > 0.0 ? TM_GRADIENT_ENTRIES : 0);
   if (!share.empty()) tm_tensile_table(settings.kernel, domain->dimension, settings.art_n, share.data());
@@ -192,6 +190,12 @@ double Model::half_layer_modulus(int type) const
   return tm_contact_half_layer(confined);
 }
 
+double Model::contact_modulus(int type, double penalty) const
+{
+  const tm_material &m = material[type];
+  return tm_contact_modulus(penalty, m.young, half_layer_modulus(type), m.strength == TM_STRENGTH_ELASTIC);
+}
+
 double Model::largest_conductivity() const
 {
   double k = 0.0;
@@ -208,11 +212,8 @@ double Model::contact_time_step(int t) const
   for (int u = 1; u <= atom_types; u++) {
     const PairLaw &l = laws(t, u);
     if (l.meeting != CONTACT) continue;
-    const auto modulus = [&](int type) {
-      return tm_contact_modulus(l.contact.penalty, material[type].young, half_layer_modulus(type));
-    };
-    const double k =
-        tm_contact_stiffness(1.0, modulus(t), modulus(u), settings.spacing, least_spacing, domain->dimension == 3);
+    const double of_two = tm_contact_modulus_of_two(contact_modulus(t, l.penalty), contact_modulus(u, l.penalty));
+    const double k = tm_contact_stiffness(of_two, settings.spacing, least_spacing, domain->dimension == 3);
     const double mass = pow(least_spacing, domain->dimension) * std::min(material[t].rho0, material[u].rho0) * 0.5;
     least = std::min(least, tm_contact_time_step(k, mass, 0.0));
   }

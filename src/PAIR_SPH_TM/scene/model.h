@@ -78,8 +78,9 @@ class Model : protected LAMMPS_NS::Pointers {
   const std::string &restart_file() const { return file; }    // that was read, or empty
   double particle_mass(int type) const;         // from density and spacing; in 2D of a plate of unit thickness
   double half_layer_modulus(int type) const;    // tm_contact_half_layer()
-  double largest_conductivity() const;          // of all types at all temperatures
-  double contact_time_step(int type) const;     // the largest stable one of the stiffest pair in contact
+  double contact_modulus(int type, double penalty) const;    // tm_contact_modulus()
+  double largest_conductivity() const;                       // of all types at all temperatures
+  double contact_time_step(int type) const;                  // the largest stable one of the stiffest pair in contact
 
   // distance of particles that each have the volume (in 2d the area) of one on the lattice in use; 0: there is none
   static double lattice_spacing(LAMMPS_NS::LAMMPS *);
@@ -87,7 +88,7 @@ class Model : protected LAMMPS_NS::Pointers {
   // by type or type pair, where the loops run
   struct Tables {
     LoopArray<tm_material> material;
-    LoopArray<tm_real> conductance, young, half_layer, effusivity;
+    LoopArray<tm_real> conductance, effusivity;
     LoopArray<tm_real> gradient;    // tm_gradient_table, with particles of different size
     LoopArray<tm_real> share;       // tm_tensile_table, where the artificial stress is balanced
     LoopArray<tm_body_law> law;

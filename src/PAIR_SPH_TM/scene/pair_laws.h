@@ -15,8 +15,9 @@ namespace SPHTM_NS {
 enum Meeting { UNSET = 0, BOND, NONE, CONTACT, HEAT_ONLY };
 struct PairLaw {
   Meeting meeting = UNSET;
-  double conductance = 0.0;    // heat across the interface; 0: perfect
-  tm_body_law contact = {};
+  double conductance = 0.0;             // heat across the interface; 0: perfect
+  double penalty = TM_PENALTY_USUAL;    // PFAC, see tm_contact_modulus()
+  tm_body_law contact = {};             // Model::make_tables() sets the modulus
   bool has_friction() const { return contact.friction.n || contact.friction.value > 0.0; }
 };
 

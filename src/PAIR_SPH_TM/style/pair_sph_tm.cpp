@@ -285,8 +285,6 @@ void PairSPHTM::body_contact(const tm_rates_args &others)
   b.law = tables.law.loop_read();
   b.side = tables.side.loop_read();
   b.sides = model.sides();
-  b.young = tables.young.loop_read();
-  b.half_layer = tables.half_layer.loop_read();
   b.effusivity = tables.effusivity.loop_read();
   b.surface = model.body_surface();
   b.spacing = model.settings_in_use().spacing;
