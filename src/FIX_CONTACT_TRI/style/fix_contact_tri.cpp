@@ -168,7 +168,8 @@ void FixContactTri::report() const
     utils::logmesg(lmp, "contact/tri {}: type {}: stiffness {:.6g}, damping {:.4g} of critical, friction {}{}{}\n", id,
                    t, w.stiffness / model->units().force, w.damping, mu,
                    heat ? heat_in_words(w, m, state->start_temperatures().of_all(), set) : "",
-                   softness_in_words(m, model->contact_modulus(t, set.penalty), model->half_layer_modulus(t)));
+                   softness_in_words(m, model->contact_modulus(t, set.penalty),
+                                     model->contact_modulus(t, TM_PENALTY_MATERIAL)));
   }
 }
 

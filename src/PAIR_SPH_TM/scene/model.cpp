@@ -75,7 +75,7 @@ static std::string soft_contacts(const Model &model)
       bool elastic = true;
       for (const int t : {i, j}) {
         elastic = elastic && tm_strength_flow(material[t].strength) == TM_FLOW_NONE;
-        right += 1.0 / model.half_layer_modulus(t);
+        right += 1.0 / model.contact_modulus(t, TM_PENALTY_MATERIAL);
         layers += 1.0 / model.contact_modulus(t, l.penalty);
       }
       if (elastic && layers > TM_SOFT_CONTACT * right)
@@ -182,18 +182,12 @@ void Model::cover_sizes(double h, double dp)
 
 double Model::particle_mass(int type) const { return material[type].rho0 * pow(settings.spacing, domain->dimension); }
 
-double Model::half_layer_modulus(int type) const
+double Model::contact_modulus(int type, double penalty) const
 {
   const tm_material &m = material[type];
   const double c = tm_eos_sound_speed(&m, m.rho0, 0.0);
   const double confined = settings.plane_stress ? m.young / (1.0 - m.poisson * m.poisson) : m.rho0 * c * c;
-  return tm_contact_half_layer(confined);
-}
-
-double Model::contact_modulus(int type, double penalty) const
-{
-  const tm_material &m = material[type];
-  return tm_contact_modulus(penalty, m.young, half_layer_modulus(type), m.strength == TM_STRENGTH_ELASTIC);
+  return tm_contact_modulus(penalty, m.young, tm_contact_half_layer(confined), m.strength == TM_STRENGTH_ELASTIC);
 }
 
 double Model::largest_conductivity() const

@@ -76,8 +76,7 @@ class Model : protected LAMMPS_NS::Pointers {
   double fastest_heat_rate() const { return heat_rate; }    // of the sizes in use, see tm_lattice.h
   const tm_surface &surface_measure() const { return surface; }
   const std::string &restart_file() const { return file; }    // that was read, or empty
-  double particle_mass(int type) const;         // from density and spacing; in 2D of a plate of unit thickness
-  double half_layer_modulus(int type) const;    // tm_contact_half_layer()
+  double particle_mass(int type) const;    // from density and spacing; in 2D of a plate of unit thickness
   double contact_modulus(int type, double penalty) const;    // tm_contact_modulus()
   double largest_conductivity() const;                       // of all types at all temperatures
   double contact_time_step(int type) const;                  // the largest stable one of the stiffest pair in contact
