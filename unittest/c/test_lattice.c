@@ -76,6 +76,12 @@ int main(void)
   UT_NEAR(tm_surface_flux(0, &a).power, 3.5, 1e-15);
   UT_TRUE(tm_surface_flux(0, &a).area == 0);
   a.mode = TM_FLUX_CONVECTION;
+  for (a.dim3 = 0; a.dim3 < 2; a.dim3++) {    /* half an edge of conduction in series */
+    const double part = 1 / (7 * (1 / 7. + 0.5 * pow(0.5, a.dim3 ? 1 / 3. : 0.5) / 50));
+    UT_NEAR(tm_surface_flux(0, &a).power, -350 * part, 1e-15);
+    UT_NEAR(tm_surface_flux(0, &a).rate, 0.5 * 7 / 20 * part, 1e-15);
+  }
+  heat[TM_REC_K] = 0;    /* does not conduct */
   UT_NEAR(tm_surface_flux(0, &a).power, -350, 1e-15);
   UT_NEAR(tm_surface_flux(0, &a).rate, 0.5 * 7 / 20, 1e-15);
   a.mode = TM_FLUX_RADIATION;
@@ -85,6 +91,11 @@ int main(void)
   UT_NEAR(tm_surface_flux(0, &a).rate, 0.5 * 0.25 * 5.67e-8 * 4 * 400. * 400 * 400 / 20, 1e-13);
   a.emissivity = 0.5;
   UT_NEAR(tm_surface_flux(0, &a).power, 2 * below, 1e-13);
+  /* the surface radiates what comes through half an edge: within the square of the small drop of temperature */
+  heat[TM_REC_K] = 1000;
+  a.dim3 = 1;
+  const double q = tm_surface_flux(0, &a).power / 0.5, surface = 400 + q * 0.5 * cbrt(0.5) / 1000;
+  UT_NEAR(tm_surface_flux(0, &a).power / 0.5, 0.5 * 5.67e-8 * (pow(300, 4) - pow(surface, 4)), 1e-3);
   a.facing = 1;
   a.d = tm_vec(1, 0, 0);   /* n points inwards */
   UT_NEAR(tm_surface_flux(0, &a).area, 0.3, 1e-15);

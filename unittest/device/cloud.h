@@ -297,7 +297,7 @@ STAGE(exchange)
   a.strength = a.mode == TM_FLUX_RADIATION ? 5.67e-8 : 1e4;
   a.T_inf = 400.0;
   a.emissivity = -1.0;
-  a.surface.least = 0.1 / w->spacing; a.surface.scale = 1.5;
+  a.surface.least = 0.1 / w->spacing; a.surface.scale = 1.5; a.dim3 = w->dim == 3;
   a.area_factor = 1.0;
   a.rec = cloud_records(w); a.normal = w->surface;
   a.type = w->type; a.mask = w->mask; a.group = 1;

@@ -48,7 +48,8 @@ void AdaptLists::init()
 // entries of rows become tags: particles are about to get other indices
 void AdaptLists::begin_renumbering()
 {
-  if (lists.has_skin() && !map.in_use() && lists.exist()) map.begin(parts.rows().loop_tags(), parts.owned_and_ghosts());
+  if (lists.has_skin() && !map.in_use() && lists.exist())
+    map.begin(parts.rows().loop_tags(), parts.owned(), parts.owned_and_ghosts());
 }
 
 void AdaptLists::setup_pre_exchange()

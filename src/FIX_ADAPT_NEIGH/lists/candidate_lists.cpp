@@ -28,6 +28,7 @@ void CandidateLists::init(bool with_total_lagrangian)
   const double more = skin > 0.0 ? 1.5 : 2.0;    // than in the lattice
   room_of_row = given_room ? 8 * ((given_room + 7) / 8)
                            : std::min((int) TM_SEARCH_MOST, 8 * (int) ceil(more * lattice / 8.0 + 1.0));
+  room_of_other = room_of_row;
 }
 
 // arrays live where the loops run
@@ -64,14 +65,14 @@ void CandidateLists::renumbered()
   const int n = parts.owned();
   const bool others = cells.take_types();
   cover_radius();
-  if (!total_lagrangian) table.make_room(n, room_of_row);
-  other.make_room(n, others ? room_of_row : 0);
+  if (!total_lagrangian) make_room(n);
+  other.make_room(n, others ? room_of_other : 0);
   const double *x = parts.state().arrays().x;
   if (others) {    // those that may come within the search radius before the particles are renumbered
     const double within = widest + parts.host()->neighbor->skin;
     cells.make_grid(within, x, nullptr, skin > 0.0);
     cells.sort_into_cells(x);
-    search(other, TM_MEETS_THERMAL | TM_MEETS_CONTACT, within, n);
+    search(other, room_of_other, TM_MEETS_THERMAL | TM_MEETS_CONTACT, within, n);
   }
   if (!may_remain()) cells.make_grid(widest, x);
 }
@@ -79,7 +80,7 @@ void CandidateLists::renumbered()
 void CandidateLists::search_all()
 {
   cells.sort_into_cells(parts.state().arrays().x);
-  search(table, TM_MEETS_MECHANICAL, widest, parts.owned());
+  search(table, room_of_row, TM_MEETS_MECHANICAL, widest, parts.owned());
 }
 
 bool CandidateLists::search_moved(bool all_rows)
@@ -111,19 +112,20 @@ bool CandidateLists::search_moved(bool all_rows)
     SearchLoops::of(*backend).count_marked(*backend, cells.grid(), m.marks);
     n = loops->near_moved(*backend, owned, {cells.grid(), dirty.loop_write()}, which.loop_write());
   } else backend->fill(dirty.loop_write(), 1, owned);
-  search(table, TM_MEETS_MECHANICAL, widest + skin, n, all_rows ? nullptr : which.loop_read());
+  search(table, room_of_row, TM_MEETS_MECHANICAL, widest + skin, n, all_rows ? nullptr : which.loop_read());
   good = true;
   return true;
 }
 
-void CandidateLists::search(RowTable &t, int segments, double radius, int n, const int *of)
+// room: of a row of the table
+void CandidateLists::search(RowTable &t, int &room, int segments, double radius, int n, const int *of)
 {
   const int longest = cells.search(t, segments, radius, n, of);
   if (longest <= t.capacity) return;
   if (fixed_room || longest > TM_SEARCH_MOST) stop_on_long_row(t.capacity, longest);
-  room_of_row = std::min((int) TM_SEARCH_MOST, 8 * (int) ceil(1.25 * longest / 8.0));
-  t.make_room(parts.owned(), room_of_row);
-  search(t, segments, radius, parts.owned());
+  room = std::min((int) TM_SEARCH_MOST, 8 * (int) ceil(1.25 * longest / 8.0));
+  t.make_room(parts.owned(), room);
+  search(t, room, segments, radius, parts.owned());
 }
 
 void CandidateLists::stop_on_long_row(int capacity, int longest) const

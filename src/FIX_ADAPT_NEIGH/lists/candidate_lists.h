@@ -19,7 +19,7 @@ class CandidateLists {
   void move_to(Backend &);
   int room() const { return room_of_row; }
   void set_room(int n) { room_of_row = n; }    // of a restart file
-  void make_room(int n) { table.make_room(n, room_of_row); }
+  void make_room(int n) { good = table.make_room(n, room_of_row) && good; }
   bool exist() const { return table.capacity > 0; }
   bool fits(int n) const { return table.particles >= n; }    // there are rows of so many particles
   void forget() { good = false; }                            // all are searched again
@@ -50,7 +50,7 @@ class CandidateLists {
   CellSearch cells;
   RowTable table, other;    // mechanical neighbors; heat-only and contact pairs
   int given_room = 0;       // keyword rows; 0: by the kernel
-  int room_of_row = 0;
+  int room_of_row = 0, room_of_other = 0;
   bool fixed_room = false, total_lagrangian = false;
   double skin_over_radius = -1.0;     // keyword margin; negative: by default
   double widest = 0.0, skin = 0.0;    // the largest search radius; skin: a distance
@@ -62,7 +62,7 @@ class CandidateLists {
   bool own_radii() const;
   double spare() const;
   void cover_radius();
-  void search(RowTable &, int segments, double radius, int n, const int *which = nullptr);
+  void search(RowTable &, int &room, int segments, double radius, int n, const int *which = nullptr);
 };
 
 }    // namespace SPHTM_NS

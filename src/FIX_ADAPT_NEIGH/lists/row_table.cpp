@@ -14,9 +14,9 @@ void RowTable::move_to(Backend &b)
   for (auto &c : count) c.move_to(b);
 }
 
-void RowTable::make_room(int n, int room)
+bool RowTable::make_room(int n, int room)
 {
-  if (n <= particles && room == capacity) return;
+  if (n <= particles && room == capacity) return true;
   const bool keep = room == capacity;
   if (!keep) {
     index.clear();
@@ -29,6 +29,7 @@ void RowTable::make_room(int n, int room)
   for (ptrdiff_t i = 0; i < particles; i++) begin[i] = i / stride * stride * capacity + i % stride;
   first.assign(begin.data(), begin.size());
   for (auto &c : count) c.resize(particles);
+  return keep;
 }
 
 tm_rows RowTable::loop_rows()

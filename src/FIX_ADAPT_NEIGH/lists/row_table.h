@@ -14,7 +14,8 @@ struct RowTable {
   ptrdiff_t stride = 1;
 
   void move_to(Backend &);
-  void make_room(int n, int room);    // keeps rows that are there, where the room is the same
+  // keeps rows that are there, where the room is the same, and answers true; false: they are lost
+  bool make_room(int n, int room);
   ptrdiff_t slots() const { return (particles + stride - 1) / stride * stride * capacity; }
   tm_rows loop_rows();
   tm_rows host_rows();

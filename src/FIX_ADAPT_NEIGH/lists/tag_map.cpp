@@ -13,21 +13,24 @@ void TagMap::move_to(Backend &b)
 int TagMap::append(int entries)
 {
   const int at = on ? n : 0;
+  if (!on) owned_before = 0;
   if (at + entries > (int) tag.size()) tag.resize(2 * (at + entries));
   n = at + entries;
   on = true;
   return at;
 }
 
-void TagMap::begin(const int *loop_tags, int owned_and_ghosts)
+void TagMap::begin(const int *loop_tags, int owned, int owned_and_ghosts)
 {
   append(owned_and_ghosts);
+  owned_before = owned;
   backend->copy(tag.loop_write(), loop_tags, owned_and_ghosts * sizeof(int));
 }
 
 bool TagMap::same_indices(const int *loop_tags, int owned) const
 {
-  return on && n == owned && loops->differing(*backend, owned, {tag.loop_read(), loop_tags}, 0u) == 0;
+  return on && n == owned && owned_before == owned &&
+         loops->differing(*backend, owned, {tag.loop_read(), loop_tags}, 0u) == 0;
 }
 
 void TagMap::locate(tm_tag_map_args &a, int owned_and_ghosts, bool finds_gone)

@@ -13,10 +13,10 @@ class TagMap {
   bool in_use() const { return on; }    // entries of rows are indices into the map
   int entries() const { return n; }
   // particles are about to get other indices: entries are those of now, owned and ghost
-  void begin(const int *loop_tags, int owned_and_ghosts);
+  void begin(const int *loop_tags, int owned, int owned_and_ghosts);
   void end() { on = false; }
   int append(int entries);    // room for so many more; the index of the first
-  // the indices are those of before; particles without images
+  // the indices are those of before, of particles without images that were owned before: ghosts of before have no rows
   bool same_indices(const int *loop_tags, int owned) const;
   const int *host_tags() { return tag.host_read(); }
   int *host_write() { return tag.host_write(); }
@@ -32,7 +32,7 @@ class TagMap {
   mutable LoopArray<int> tag;    // of each entry
   LoopArray<int> first, next;    // as in tm_tag_map_args
   LoopArray<unsigned char> gone;
-  int n = 0;
+  int n = 0, owned_before = 0;
   bool on = false;
 };
 

@@ -35,6 +35,21 @@ void contact(Backend &backend, int n, const tm_contact_args &a, unsigned effects
   for_contact_set(effects, Contact{effects & TM_CT_OUTPUT ? Backend::host() : backend, n, a, effects, result});
 }
 
+void late(Backend &backend, int n, const tm_contact_args &a, unsigned effects, tm_contact_result *result)
+{
+  *result = backend.sum_blocks(
+      n, tm_contact_nothing(),
+      [&a, effects](int begin, int end) {
+        tm_contact_result sum = tm_contact_nothing();
+        for (int i = begin; i < end; i++) {
+          const tm_contact_result one = tm_contact_late(i, &a, effects);
+          tm_contact_sum(&sum, &one);
+        }
+        return sum;
+      },
+      tm_contact_sum);
+}
+
 void divide_heat(Backend &backend, int n, const tm_spread_args &a, unsigned, int *first)
 {
   *first = backend.sum_blocks(

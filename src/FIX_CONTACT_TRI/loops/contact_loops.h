@@ -18,6 +18,8 @@ struct HeatMessage {    // of values heat, those in the list are sent, or n from
 #define CONTACT_LOOPS(LOOP)                                                                       \
   /* effects: of tm_contact_effect; the result is there once the loop is waited for */            \
   LOOP(OWN, contact, void, int n, const tm_contact_args &, unsigned effects, tm_contact_result *) \
+  /* tm_contact_late(); the result is there once the loop is waited for */                        \
+  LOOP(OWN, late, void, int n, const tm_contact_args &, unsigned effects, tm_contact_result *)    \
   LOOP(EACH, move, tm_tool_move_args, tm_tool_move(i, &a))                                        \
   /* the first particle whose heat no other takes, or n, once the loop is waited for */           \
   LOOP(OWN, divide_heat, void, int n, const tm_spread_args &, unsigned effects, int *first)       \

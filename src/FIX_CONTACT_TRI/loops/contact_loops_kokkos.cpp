@@ -107,6 +107,22 @@ void contact(Backend &backend, int n, const tm_contact_args &a, unsigned effects
   for_contact_set(effects, Contact{KokkosParticles(backend, n), a, effects, result});
 }
 
+struct Late {
+  tm_contact_args a;
+  unsigned effects;
+  const int *which;
+  KOKKOS_FUNCTION tm_contact_result operator()(int k) const
+  {
+    return tm_contact_late(which ? which[k] : k, &a, effects);
+  }
+};
+void late(Backend &backend, int n, const tm_contact_args &a, unsigned effects, tm_contact_result *result)
+{
+  const KokkosParticles particles(backend, n);
+  kokkos_sum_later("sph/tm contact late", particles.number, tm_contact_nothing(), Late{a, effects, particles.which},
+                   SumContact(), result);
+}
+
 struct DivideHeat {
   tm_spread_args a;
   int *first;

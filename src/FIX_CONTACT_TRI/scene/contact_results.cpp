@@ -6,14 +6,16 @@ namespace SPHTM_NS {
 
 ContactResults::~ContactResults()
 {
-  if (loops) loops->release_result(result);
+  if (!loops) return;
+  loops->release_result(result);
+  loops->release_result(more);
 }
 
 void ContactResults::live_in(Backend &b)
 {
   if (loops) return;
   loops = &b;
-  result = (tm_contact_result *) loops->allocate_result(sizeof(tm_contact_result));
+  for (auto *r : {&result, &more}) *r = (tm_contact_result *) loops->allocate_result(sizeof(tm_contact_result));
 }
 
 tm_contact_result *ContactResults::begin()
@@ -48,6 +50,15 @@ void ContactResults::add_to(EnergyBalance &energy, double dt, bool tool_particle
   energy.add(EnergyBalance::HEAT_EXCHANGED, dt * sums.conducted);
   energy.add(EnergyBalance::CONTACT_WORK, dt * sums.particle_power);
   energy.add(EnergyBalance::TOOL_WORK, dt * sums.tool_power);
+}
+
+void ContactResults::add_late(EnergyBalance &energy, double dt)
+{
+  loops->wait();
+  energy.add(EnergyBalance::CONTACT_DAMPING, dt * more->damping_power);
+  energy.add(EnergyBalance::FRICTION, dt * more->late_friction);
+  energy.add(EnergyBalance::CONTACT_WORK, dt * more->particle_power);
+  energy.add_spring(more->spring);
 }
 
 const double *ContactResults::over_ranks(MPI_Comm world, const UnitScale &unit, double spacing)

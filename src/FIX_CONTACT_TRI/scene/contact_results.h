@@ -22,8 +22,10 @@ class ContactResults {
   ContactResults(const ContactResults &) = delete;
   ContactResults &operator=(const ContactResults &) = delete;
   void live_in(Backend &);
-  tm_contact_result *begin();    // where the loop of a new step leaves its sums
-  bool finish();                 // waits for it; whether there was one that had not been waited for
+  tm_contact_result *begin();                   // where the loop of a new step leaves its sums
+  tm_contact_result *late() { return more; }    // the same for tm_contact_late()
+  void add_late(EnergyBalance &, double dt);    // waits for it
+  bool finish();                                // waits for it; whether there was one that had not been waited for
   // mass-length-time units: of this rank; over ranks (collective)
   const tm_contact_result &mine() const { return sums; }
   double heat_into_tool(MPI_Comm world) const { return over(world, sums.heat_tool, MPI_SUM); }
@@ -35,7 +37,7 @@ class ContactResults {
 
  private:
   Backend *loops = nullptr;
-  tm_contact_result *result = nullptr;    // of the loop on its way
+  tm_contact_result *result = nullptr, *more = nullptr;    // of the loops on their way
   tm_contact_result sums;
   bool pending = false, reduced = false;
   double totals[SIZE] = {};

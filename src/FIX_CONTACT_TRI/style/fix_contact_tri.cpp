@@ -108,16 +108,20 @@ void FixContactTri::init()
   limit_time_step();    // the first step of the run keeps to it too
 }
 
-// of several, for an energy balance that knows all forces on a particle between them
+// where forces come behind it, for an energy balance that knows all forces on a particle: of other tools, or of other fixes
 void FixContactTri::find_first_tool()
 {
-  FixContactTri *first = nullptr;
-  int tools = 0;
-  for (Fix *fix : modify->get_fix_list())
-    if (auto *tool = dynamic_cast<FixContactTri *>(fix)) {
-      if (tools++ == 0) first = tool;
-    }
-  first_tool = tools > 1 && state->has(TM_FX_LEDGER) ? first : nullptr;
+  FixContactTri *first = nullptr, *last = nullptr;
+  bool others = false;
+  for (int k = 0; k < modify->nfix; k++) {
+    if (auto *tool = dynamic_cast<FixContactTri *>(modify->fix[k])) {
+      last = tool;
+      if (!first) first = tool;
+    } else others = others || (first && (modify->fmask[k] & POST_FORCE));
+  }
+  const bool needed = state->has(TM_FX_LEDGER) && (first != last || others);
+  first_tool = needed ? first : nullptr;
+  corrects_late = needed && others && this == last;
 }
 
 void FixContactTri::limit_time_step()
@@ -311,9 +315,13 @@ void FixContactTri::finish_contact()
 
 void FixContactTri::final_integrate()
 {
-  finish_contact();
   const double dt = state->time_step().now();
   const tm_pose half = motion.pose(state->time_step().ahead(), dt);
+  if (corrects_late)
+    ContactLoops::of(state->loops())
+        .late(state->active().stepping(), atom->nlocal, contact_args(half, false), effects(false), results.late());
+  finish_contact();
+  if (corrects_late) results.add_late(state->energy(), dt);
   motion.end_of_step(dt);
   if (set.body_type) particles.move(half, motion.pose_now());
 }

@@ -70,7 +70,8 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   SPHTM_NS::ContactResults results;
   SPHTM_NS::TriangleValues triangles;
   SPHTM_NS::LoopArray<double> earlier;    // of the first of several tools: what those before did to each particle
-  FixContactTri *first_tool = nullptr;    // of several, with an energy balance
+  FixContactTri *first_tool = nullptr;    // with an energy balance, where forces come behind it
+  bool corrects_late = false;             // the last of these tools, with forces of other fixes behind one of them
   SPHTM_NS::ToolOutput output;
   SPHTM_NS::ToolChecks checks;
   SPHTM_NS::ParticleState *state = nullptr;

@@ -2,7 +2,11 @@
 
    Flux, convection and radiation act on the free surface the particle carries (tm_surface.h), the
    source on its volume. Temperature and surface are those at the half step, so it is of
-   second order in time like all rates. Powers are positive into the particle. */
+   second order in time like all rates. Powers are positive into the particle.
+
+   A particle has the temperature of its center, half an edge e below the surface: heat for convection and radiation comes
+   through k/(e/2) first, so that of a flux q(T) = q0 + q' (T_surface - T) only q0/(1 - q' e/(2k)) goes (for radiation one
+   step of Newton's). */
 #ifndef TM_SURFACE_FLUX_H
 #define TM_SURFACE_FLUX_H
 
@@ -18,6 +22,7 @@ typedef struct {
   tm_real T_inf;      /* temperature of the surroundings */
   tm_real emissivity; /* negative: the material's */
   tm_surface surface;
+  int dim3;
   int facing; /* nonzero: only the area facing d */
   tm_vec3 d;
   tm_real area_factor; /* on the area found, to reach a known total; 1 otherwise */
@@ -66,8 +71,11 @@ TM_FN tm_surface_flux_result tm_surface_flux(int i, const tm_surface_flux_args *
     flux = tm_radiation(a->strength, e, T, a->T_inf);
     slope = 4.0 * a->strength * e * T * T * T;
   }
-  out.power = out.area * flux;
-  out.rate = out.area * slope / (r[tm_part(TM_REC_M)] * tm_capacity(m, T));
+  const tm_real volume = r[tm_part(TM_REC_M)] / r[tm_part(TM_REC_RHO)], edge = a->dim3 ? cbrt(volume) : sqrt(volume);
+  const tm_real k = tm_heat_record(&a->rec, i)[tm_part(TM_REC_K)],
+                part = k > 0.0 ? 1.0 / (1.0 + 0.5 * slope * edge / k) : 1.0;
+  out.power = out.area * part * flux;
+  out.rate = out.area * part * slope / (r[tm_part(TM_REC_M)] * tm_capacity(m, T));
   return out;
 }
 

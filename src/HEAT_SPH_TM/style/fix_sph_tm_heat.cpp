@@ -211,6 +211,7 @@ tm_surface_flux_args FixSPHTMHeat::flux_args()
   }
   a.emissivity = emissivity;
   a.surface = surface;
+  a.dim3 = domain->dimension == 3;
   a.facing = facing;
   a.d = direction;
   a.area_factor = 1.0;
