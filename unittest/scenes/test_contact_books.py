@@ -6,6 +6,7 @@ tools are at 600 K, one of them lumped (its temperature rises with the heat that
  - heat taken by the particles = sum of (friction power [10] - heat into the tool [11]) dt, to round-off;
  - rise of the lumped tool = sum of [11] dt over its capacity, to round-off;
  - plates that close on particles which touch both: the energy book again;
+ - the same where other fixes change forces behind the tools (sph/tm/relax, sph/tm/drive, viscous, setforce) or between them;
  - the energy book: [9] of fix sph/tm constant within 1 % of the energy that was turned over, with a quarter of
    the step within 0.1 %; elastic, and plastic with Johnson and Cook.
 Friction alone against a tool that does not conduct: its heat is divided by effusivity, particle by particle."""
@@ -115,6 +116,39 @@ def closing(checks):
     checks.below("    a quarter of the step", error[1], 5e-4)
 
 
+BEHIND = """
+pair_coeff 1 1 density 1000 elastic 1e7 0.3
+region grip block INF INF 0.035 INF INF INF units box
+group grip region grip
+fix body all sph/tm energy yes
+fix low all contact/tri file plane.stl rotate axis 1 0 0 angle -90 friction 0.3 damping 0.2
+{before}
+fix high all contact/tri file plane.stl rotate axis 1 0 0 angle 90 move 0 0.06 0 friction 0.2 damping 0.1
+{behind}
+fix_modify high move linear 0 -1 0 ramp 1e-4
+thermo_style custom step time f_body[*] f_low[*] f_high[*]
+thermo_modify norm no format float %.17g
+thermo 10
+run 400
+"""
+
+
+def behind(checks):
+    """Fixes that change forces behind a tool, or between two: the sum stays as without them."""
+    folder = new_folder()
+    mesh(folder, "plane.stl", "plane --size 0.6 0.2 --cells 7 3")
+    x = block((6, 6, 6), DX, (-0.03, 0, -0.03))
+    for name, before, after in (("nothing", "", ""), ("sph/tm/relax", "", "fix rest all sph/tm/relax"),
+                                ("viscous between the tools", "fix slow all viscous 2.0", ""), ("viscous", "", "fix slow all viscous 2.0"),
+                                ("a drive", "", "fix pull grip sph/tm/drive NULL -1.0 0.2"), ("held particles", "", "fix hold grip setforce 0 0 0")):
+        script = header(DX) + BEHIND.format(before=before, behind=after)
+        t = run(script, files={"data.scene": particles(x, [(-0.5, 0.5), (-0.1, 0.5), (-0.3, 0.3)])}, folder=folder).thermo[-1]
+        turned = max(abs(t["f_body[8]"]).max(), abs(t["f_body[2]"]).max())
+        checks.above("behind the tools, %s: contacts" % name, t["f_high[12]"].max(), 30)
+        checks.below("    drift of the sum over the energy turned over", abs(t["f_body[9]"] - t["f_body[9]"][0]).max() / turned,
+                     4e-3 if name == "held particles" else 2e-4)
+
+
 def split(checks):
     """One particle slides along a plate: heat by effusivity, or by the share given."""
     k, rho, cp = 120.0, 2700.0, 899.0
@@ -165,6 +199,7 @@ def main():
     t = fly(ELASTIC, 600, cp="table/3 250 700 350 1100 900 1000")
     energy(checks, "c_p(T)", t, 1e-2)
     closing(checks)
+    behind(checks)
     split(checks)
     checks.end()
 
