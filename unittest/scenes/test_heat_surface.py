@@ -1,4 +1,4 @@
-"""Free surface of a body, and its cooling by convection and radiation against the lumped solution."""
+"""Free surface of a body, its cooling by convection and radiation against the lumped solution, and that of a slab against the series."""
 import numpy as np
 
 from sphtm_scene import Checks, run
@@ -56,8 +56,9 @@ for dim in (2, 3):
             exact = 2 * (n * 1e-3) ** (dim - 1)
             checks.near("%dD, %s, %s: flat faces" % (dim, kind, style), result.thermo[0]["f_h[3]"][0], exact,
                         relative=1e-9)
-            checks.near("%dD, %s, %s: power" % (dim, kind, style), result.thermo[0]["f_h"][0], -1000 * 300 * exact,
-                        relative=1e-9)
+            # half a spacing of the material in series with the surface
+            checks.near("%dD, %s, %s: power" % (dim, kind, style), result.thermo[0]["f_h"][0],
+                        -300 * exact / (1 / 1000 + 0.5e-3 / 200), relative=1e-9)
     for n in (10, 20):
         if dim == 3 and n == 20:
             n = 16
@@ -118,6 +119,29 @@ cooled("3D, convection", body(3, n, "fix h all sph/tm/heat convection 600 300 ar
     "run 0", "run 5000"), surface, lambda T: 600 * (T - 300), mcp)
 cooled("2D, convection", body(2, 10, "fix h all sph/tm/heat convection 200 300 area 0.04\n" + COOL).replace(
     "run 0", "run 10000"), 0.04, lambda T: 200 * (T - 300), 2700 * 1e-4 * 900)
+
+
+def slab(n, L=20e-3, h=5000.0, k=50.0, rho=7850.0, cp=486.0):
+    """Mean temperature of a slab of n particles that cools from 500 to 300 K at both faces, and that of the series; Biot number 1."""
+    text = body(2, n, "fix h all sph/tm/heat convection %r 300\n" % h + COOL.replace("500", "1") + "variable left equal time<1.0\n"
+                "fix stop all halt 1 v_left == 0 error continue message no\n", dx=L / n, slab=True, density=rho, k=k, cp=cp,
+                T0=500.0).replace("run 0", "run 1000000")
+    t = run(text).thermo[-1]
+    biot, spread = h * 0.5 * L / k, k / (rho * cp) * t["Time"][-1] / (0.5 * L) ** 2
+    mean = 300.0
+    for j in range(60):    # roots of m tan m = Bi
+        low, high = j * np.pi, (j + 0.5) * np.pi
+        for _ in range(80):
+            m = 0.5 * (low + high)
+            low, high = (low, m) if m * np.tan(m) > biot else (m, high)
+        mean += 200 * 4 * np.sin(m) ** 2 / (m * (2 * m + np.sin(2 * m))) * np.exp(-m * m * spread)
+    return 500 - t["c_T"][-1], 500 - mean
+
+
+for n, allowed in ((10, 0.015), (20, 0.0075), (40, 0.004)):
+    found, due = slab(n)
+    checks.near("slab that conducts (Biot number 1), %d particles: fall of its mean temperature" % n, found, due, relative=allowed)
+
 SIGMA = 5.670374419e-8
 cooled("3D, radiation, the material's emissivity", body(
     3, n, "fix h all sph/tm/heat radiation 300 area %r\n" % surface + COOL, T0=1500.0, cp=90.0, k=20.0).replace(

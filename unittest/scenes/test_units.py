@@ -3,7 +3,8 @@ heat, friction, conductance, a lumped tool, convection and radiation. The same n
 automatic time step. test_reference_rates.py holds the rates themselves in all styles; here it is the card, the tools,
 the heat fixes, the output and what limits the step.
 
-The difference allowed is round-off, grown by 300 steps of plastic contact (1e-9), and where a unit is not a power of
+The difference allowed is round-off, grown by 300 steps of plastic contact (1e-9; of the step 2^-29, since it is cut off to 30 bits in the
+units of the run), and where a unit is not a power of
 ten that of the constants in LAMMPS's tables, of eight digits, grown too (2e-6). Units lj are taken as made of 1 mg, 0.3
 mm and 0.7 us, the constants given inline, and without radiation."""
 import numpy as np
@@ -98,15 +99,16 @@ def press(style, dim, radiation):
 
 
 def hold(checks, title, got, due, allowed):
-    worst, where = 0.0, ""
+    worst, where, step = 0.0, "", abs(got["Dt"] / due["Dt"] - 1).max()
     groups = (("f_tool[1]", "f_tool[2]", "f_tool[3]"), ("f_tool[4]", "f_tool[5]", "f_tool[6]"), ("vx", "vy", "vz"),
               ("x", "y", "z", "f_tool[7]", "f_tool[8]", "f_tool[9]"), [k for k in due if k.startswith("f_body")])
-    for k in due:
+    for k in due.keys() - {"Dt"}:
         like = next((g for g in groups if k in g), (k,))
         scale = max(abs(due[g]).max() for g in like)
         if scale and abs(got[k] - due[k]).max() / scale > worst:
             worst, where = abs(got[k] - due[k]).max() / scale, k
     checks.below("%s: largest difference, of %s" % (title, where), worst, allowed)
+    checks.below("    of the time step", step, max(allowed, 2.0 ** -29 + 1e-12))
 
 
 if __name__ == "__main__":
