@@ -101,10 +101,11 @@ int FixSPHTM::modify_param(int narg, char **arg)
     state.start_temperatures().set_group(group->bitmask[igroup2], T);
     stops.temperatures_were_set();
     if (update->first_update && state.has(TM_FX_EXPANSION) && comm->me == 0)
-      error->warning(FLERR,
-                     "Fix_modify temperature of fix sph/tm {} behind a run: the new temperature makes no thermal strain "
-                     "and no heat; fix sph/tm/heat temperature heats a body so that it expands",
-                     id);
+      error->warning(
+          FLERR,
+          "Fix_modify temperature of fix sph/tm {} behind a run: the new temperature makes no thermal strain "
+          "and no heat; fix sph/tm/heat temperature heats a body so that it expands",
+          id);
     state.need(TM_FX_HEAT, fmt::format("temperature of group {} is set", arg[1]));
     return 3;
   }
