@@ -76,8 +76,9 @@ int main(void)
   UT_NEAR(tm_surface_flux(0, &a).power, 3.5, 1e-15);
   UT_TRUE(tm_surface_flux(0, &a).area == 0);
   a.mode = TM_FLUX_CONVECTION;
-  for (a.dim3 = 0; a.dim3 < 2; a.dim3++) {    /* half an edge of conduction in series */
-    const double part = 1 / (7 * (1 / 7. + 0.5 * pow(0.5, a.dim3 ? 1 / 3. : 0.5) / 50));
+  for (int space = 0; space < 2; space++) {    /* half an edge of conduction in series */
+    const double part = 1 / (7 * (1 / 7. + 0.5 * pow(0.5, space ? 1 / 3. : 0.5) / 50));
+    a.dim3 = space;
     UT_NEAR(tm_surface_flux(0, &a).power, -350 * part, 1e-15);
     UT_NEAR(tm_surface_flux(0, &a).rate, 0.5 * 7 / 20 * part, 1e-15);
   }

@@ -138,9 +138,10 @@ def slab(n, L=20e-3, h=5000.0, k=50.0, rho=7850.0, cp=486.0):
     return 500 - t["c_T"][-1], 500 - mean
 
 
-for n, allowed in ((10, 0.015), (20, 0.0075), (40, 0.004)):
-    found, due = slab(n)
-    checks.near("slab that conducts (Biot number 1), %d particles: fall of its mean temperature" % n, found, due, relative=allowed)
+for count, allowed in ((10, 0.015), (20, 0.0075), (40, 0.004)):
+    found, due = slab(count)
+    checks.near("slab that conducts (Biot number 1), %d particles: fall of its mean temperature" % count, found, due,
+                relative=allowed)
 
 SIGMA = 5.670374419e-8
 cooled("3D, radiation, the material's emissivity", body(
