@@ -39,6 +39,7 @@ enum tm_effect {
   TM_FX_FRACTURE = 1 << 24,         /* count of particles that lose neighbors without damage */
   TM_FX_ACTIVE = 1 << 25,           /* particles at rest away from the active region sleep: tm_active.h */
   TM_FX_FACES = 1 << 26,            /* gradients of second order at free faces, with TM_FX_ONE_PASS: tm_face.h */
+  TM_FX_LAYER = 1 << 27,            /* the half spacing beneath a tool takes part in the strain: tm_contact_layer.h */
   TM_FX_EXPANSION = 1 << 28,        /* thermal expansion; the temperature without thermal strain is a state */
   TM_FX_COMPRESSION_HEAT = 1 << 29, /* compression changes the temperature */
   TM_FX_ARTIFICIAL_HEAT = 1 << 30   /* what artificial terms take out of the motion heats */

@@ -96,6 +96,8 @@ for bad in ("0", "-1", "nan", "inf"):
     wrong("tool penalty " + bad, tool(AWAY + "penalty " + bad), K, "penalty", bad)
 wrong("tool damping -1", tool(AWAY + "damping -1"), K, "damping", "-1")
 wrong("approach perhaps", tool(AWAY + "approach perhaps"), K, "approach", "perhaps")
+wrong("layer soft", tool(AWAY + "layer soft"), K, "layer", "soft")
+wrong("method f15 layer strains", tool(AWAY + "method f15 layer strains"), K, "layer", "f15")
 wrong("method guess", tool(AWAY + "method guess"), K, "method", "closest or f15", "guess")
 wrong("sides three", tool(AWAY + "sides three"), K, "sides", "one or two", "three")
 wrong("tool heat some", tool(AWAY + "heat some"), K, "heat", "perfect or conductance", "some")

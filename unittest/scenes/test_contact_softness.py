@@ -1,6 +1,7 @@
 """The stiffness that a contact gets, and what the log says of one that is softer than elastic material.
 
-Tools: the stiffness in the log is PFAC E dp, with *penalty material* 2 M dp: M = K + 4G/3, in plane stress E/(1 - nu^2). An elastic
+Tools: the stiffness in the log is PFAC E dp, with *penalty material* 2 M dp, where the layer strains 4 M dp: M = K + 4G/3, in plane stress
+E/(1 - nu^2). An elastic
 type whose contact is softer than that gets words; one that yields, or a stiff penalty, does not. The same for two bodies. A restart keeps
 *penalty material* between bodies: the run that goes on ends as the one that was not interrupted. It tells which *correction* and
 which penalty of a tool are not those of before."""
@@ -37,7 +38,11 @@ def tools(checks):
                                    ("plane stress, penalty material", ("penalty material", 2, "plane stress"),
                                     2 * E / (1 - NU ** 2), False),
                                    ("plane stress, penalty 1", ("penalty 1", 2, "plane stress"), E, True),
-                                   ("plane stress, default", ("", 2, "plane stress"), 2 * E / (1 - NU ** 2), False)):
+                                   ("plane stress, default", ("", 2, "plane stress"), 2 * E / (1 - NU ** 2), False),
+                                   ("default, layer strains", ("layer strains",), 4 * CONFINED * DX, False),
+                                   ("penalty 1, layer strains", ("penalty 1 layer strains",), E * DX, True),
+                                   ("metal that flows, penalty material", ("penalty material", 3, "", flows), 4 * CONFINED * DX, False),
+                                   ("the same, layer rigid", ("penalty material layer rigid", 3, "", flows), 2 * CONFINED * DX, False)):
         k, words = tool(*given)
         checks.near("tool, %s: stiffness" % name, k, due, relative=1e-5)
         checks.true("    words in the log: %s" % ("yes" if soft else "no"), words == soft)

@@ -16,7 +16,7 @@ using namespace LAMMPS_NS;
 namespace SPHTM_NS {
 
 static const char *const KEYWORDS =
-    "file, input, scale, move, rotate, friction, friction/table, friction/shear, penalty, damping, "
+    "file, input, scale, move, rotate, friction, friction/table, friction/shear, penalty, layer, damping, "
     "approach, method, sides, heat, temperature, lumped, share, effusivity, material, particles, reference, "
     "vtk, stl, local, flip, merge, smooth, maxsize, overlap";
 
@@ -91,6 +91,7 @@ bool ContactSettings::read_law(Keywords &k)
     friction = SPHTM_NS::read_friction_table(lmp, k);
   } else if (k.is("friction/shear")) shear = k.share();
   else if (k.is("penalty")) penalty = k.take("material") ? TM_PENALTY_MATERIAL : k.positive();
+  else if (k.is("layer")) layer = k.second("rigid", "strains") ? LAYER_STRAINS : LAYER_RIGID;
   else if (k.is("damping")) damping = k.not_negative();
   else if (k.is("approach")) approach = k.yes();
   else if (k.is("method")) f15 = k.second("closest", "f15");
@@ -180,6 +181,8 @@ void ContactSettings::check() const
     error->all(FLERR,
                "Fix contact/tri: give either share or effusivity (or the material that it follows from), not both");
   if (f15 && two_sided) error->all(FLERR, "Fix contact/tri: method f15 has no sides, leave the keyword out");
+  if (f15 && layer == LAYER_STRAINS)
+    error->all(FLERR, "Fix contact/tri: method f15 has rigid layers, leave the keyword layer out");
   if (body_type && (conductance != 0.0 || lumped_capacity > 0.0))
     error->all(FLERR, "Fix contact/tri: with particles the tool's heat is theirs; leave out heat "
                       "and lumped, and set the conductance in pair_coeff");
@@ -196,7 +199,7 @@ std::vector<ContactSettings::Hash> ContactSettings::hashes() const
   const double variable = (double) hash_bytes(temperature_variable.data(), temperature_variable.size());
   const auto of = [](const std::vector<double> &v) { return hash_bytes(v.data(), v.size() * sizeof(double)); };
   // clang-format off
-  return {{"friction", of(mu)}, {"friction/shear", of({shear})}, {"penalty", of({penalty})},
+  return {{"friction", of(mu)}, {"friction/shear", of({shear})}, {"penalty", of({penalty})}, {"layer", of({(double) layer})},
           {"damping", of({damping})}, {"approach", of({(double) approach})}, {"method", of({(double) f15})},
           {"sides", of({(double) two_sided})}, {"heat", of({conductance})}, {"share", of({share})},
           {"effusivity", of({effusivity})}, {"particles", of({(double) body_type})},

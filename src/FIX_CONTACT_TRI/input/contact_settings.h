@@ -26,7 +26,8 @@ struct ContactSettings {
   // contact law
   tm_table friction = {};    // mu(T)
   double shear = 0.0, damping = 0.1;
-  double penalty = TM_PENALTY_USUAL;    // PFAC, see tm_contact_modulus()
+  double penalty = TM_PENALTY_USUAL;                                       // PFAC, see tm_contact_modulus()
+  enum { LAYER_USUAL, LAYER_RIGID, LAYER_STRAINS } layer = LAYER_USUAL;    // tm_contact_layer.h; usual: of what flows
   bool approach = false, f15 = false, two_sided = false, overlap_allowed = false;
   bool has_friction() const { return friction.n || friction.value > 0.0; }
   // heat

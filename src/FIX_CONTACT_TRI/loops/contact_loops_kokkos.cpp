@@ -33,6 +33,7 @@ struct ContactAhead {
     r.late_friction = warp.from(mine.late_friction, step);
     r.depth = warp.from(mine.depth, step);
     r.inner = warp.from(mine.inner, step);
+    r.within = warp.from(mine.within, step);
     r.contacts = warp.from(mine.contacts, step);
     return r;
   }

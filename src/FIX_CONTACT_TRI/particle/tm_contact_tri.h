@@ -17,6 +17,7 @@
 #define TM_CONTACT_TRI_H
 
 #include "tm_contact.h"
+#include "tm_contact_layer.h"
 #include "tm_fields.h"
 #include "tm_material.h"
 #include "tm_motion.h"
@@ -65,6 +66,13 @@ typedef struct tm_contact_args {
   ptrdiff_t temperature_stride;
   tm_real *source; /* power into the particle, added to */
 
+  /* of the layer between centers and surface (tm_contact_layer.h): rows of TM_F_LAYER, or NULL; velocity gradients, in rows of
+     9; from this force point to the next, 0 at set-up, which changes no rows. Needs records */
+  tm_real *layer;
+  const tm_real *gradient;
+  tm_real layer_dt;
+  tm_real tool; /* a number of this tool's own, not 0 */
+
   const tm_real *pstrain; /* rows of TM_F_PSTRAIN, for the flow stress, or NULL */
   tm_real *tool_heat;     /* power into the tool through each particle, set; or NULL */
 
@@ -97,6 +105,7 @@ typedef struct {
   tm_real late_friction;  /* what this tool changes in the friction power of earlier ones */
   tm_real depth;          /* deepest penetration */
   tm_real inner;          /* deepest center behind the surface, 0: none */
+  tm_real within;         /* deepest center within half a spacing of the surface, where the layer is thinner */
   int contacts;
 } tm_contact_result;
 
@@ -105,7 +114,7 @@ TM_FN tm_contact_result tm_contact_nothing(void)
   tm_contact_result r;
   r.force = r.torque = tm_vec(0, 0, 0);
   r.friction_power = r.friction_heat = r.conducted = r.heat_tool = r.spring = 0.0;
-  r.damping_power = r.particle_power = r.tool_power = r.late_friction = r.depth = r.inner = 0.0;
+  r.damping_power = r.particle_power = r.tool_power = r.late_friction = r.depth = r.inner = r.within = 0.0;
   r.contacts = 0;
   return r;
 }
@@ -125,6 +134,7 @@ TM_FN void tm_contact_sum(tm_contact_result *a, const tm_contact_result *b)
   a->late_friction += b->late_friction;
   a->depth = tm_max(a->depth, b->depth);
   a->inner = tm_max(a->inner, b->inner);
+  a->within = tm_max(a->within, b->within);
   a->contacts += b->contacts;
 }
 
@@ -157,7 +167,7 @@ typedef struct {
   tm_vec3 point, normal;          /* on the surface; unit, towards the particle */
   tm_vec3 tool_v;                 /* velocity of the tool there */
   tm_vec3 normal_force, friction; /* on the particle */
-  tm_real fn, delta;              /* normal force, penetration */
+  tm_real fn, delta, closing;     /* normal force, penetration, its rate */
 } tm_contact_point;
 
 /* A particle while its contacts are evaluated. */
@@ -167,6 +177,11 @@ typedef struct {
   tm_vec3 force;     /* all of this step so far */
   tm_real mass, dt, temperature;
   tm_real yield; /* flow stress, 0: not known */
+  /* of the layer at the force point, where this tool has it (row, or NULL): its thickness and strain, the derivative of the
+     thickness, the rate of the strain, and the direction N in which it is taken, N : D */
+  tm_real *layer;
+  tm_real thickness, strain, arm, rate;
+  tm_sym3 direction;
 } tm_contact_body;
 
 TM_FN tm_contact_body tm_contact_load(int i, const tm_contact_args *a, const tm_contact_law *law, unsigned effects)
@@ -182,7 +197,60 @@ TM_FN tm_contact_body tm_contact_load(int i, const tm_contact_args *a, const tm_
   b.temperature = (effects & TM_CT_HEAT) ? a->temperature[i * a->temperature_stride]
                                          : tm_start_temperature(&a->start, a->mask ? a->mask[i] : 0);
   b.yield = a->pstrain ? a->pstrain[tm_row(i, tm_field_columns(TM_F_PSTRAIN)) + tm_column(2)] : 0.0;
+  b.layer = NULL;
+  b.thickness = law->radius;
+  b.strain = b.arm = b.rate = 0.0;
+  b.direction = tm_sym(0, 0, 0, 0, 0, 0);
   return b;
+}
+
+/* The layer of a particle with this tool near, at n places, the nearest first; the particle's other tools find half a spacing.
+   The strain is that along the normals, by weight of the springs. */
+TM_FN void tm_contact_load_layer(int i, const tm_contact_args *a, const tm_touch *touch, int n, tm_contact_body *b)
+{
+  tm_real *row = a->layer + tm_row(i, TM_L_COLUMNS);
+  const tm_real near = row[tm_column(TM_L_NEAR)], r = b->law->radius;
+  if (near > 0.0 && row[tm_column(TM_L_TOOL)] != a->tool) return;
+  b->layer = row;
+  const tm_real start = near > 0.0 ? row[tm_column(TM_L_STRAIN)] : 0.0,
+                thickness = r * tm_layer_stretch(start, &b->arm);
+  tm_real sum = 0.0;
+  for (int k = 0; k < n; k++) {
+    const tm_real w = touch[0].distance < thickness ? tm_max(thickness - touch[k].distance, 0.0) : k == 0;
+    const tm_vec3 normal = tm_mat_mul_vec(a->pose.turn, touch[k].normal);
+    b->direction = tm_sym_axpy(b->direction, w, tm_mat_symmetric(tm_mat_outer(normal, normal)));
+    sum += w;
+  }
+  b->direction = tm_sym_scale(1.0 / sum, b->direction);
+  b->rate = tm_sym_ddot(b->direction, tm_mat_symmetric(tm_mat_from_row(a->gradient + tm_row(i, 9))));
+  b->strain = start + 0.5 * a->layer_dt * b->rate;
+  b->thickness = r * tm_layer_stretch(b->strain, &b->arm);
+  b->arm *= r;
+}
+
+/* Those of n places whose distance is below the thickness of the layer, in front. */
+TM_FN int tm_contact_within(const tm_contact_body *b, int n, tm_touch *touch)
+{
+  int within = 0;
+  for (int k = 0; k < n; k++)
+    if (touch[k].distance < b->thickness) touch[within++] = touch[k];
+  return within;
+}
+
+/* The layer at the end of the step, and the stress that n contacts will have at the next force point. */
+TM_FN void tm_contact_store_layer(int i, const tm_contact_args *a, const tm_contact_body *b, const tm_contact_point *c,
+                                  int n)
+{
+  const tm_real *r = a->record + tm_record(i, TM_REC), k = b->law->stiffness;
+  const tm_real damping = tm_contact_damping(b->law->damping, k, b->mass);
+  tm_real next = 0.0;
+  for (int m = 0; m < n; m++)
+    if (c[m].fn > 0.0) next += tm_max(k * (c[m].delta + a->layer_dt * c[m].closing) + damping * c[m].closing, 0.0);
+  tm_sym_to_row(b->layer + tm_column(TM_L_STRESS),
+                tm_sym_scale(next * b->arm * r[tm_part(TM_REC_RHO)] / r[tm_part(TM_REC_M)], b->direction));
+  b->layer[tm_column(TM_L_STRAIN)] = tm_layer_bounded(b->strain + 0.5 * a->layer_dt * b->rate);
+  b->layer[tm_column(TM_L_NEAR)] = TM_LAYER_NOW;
+  b->layer[tm_column(TM_L_TOOL)] = a->tool;
 }
 
 /* Normal force of a contact, added to the body's force. */
@@ -195,8 +263,9 @@ TM_FN tm_contact_point tm_contact_add_normal(tm_contact_body *b, const tm_touch 
   c.normal = tm_mat_mul_vec(pose->turn, t->normal);
   if (!(effects & TM_CT_3D)) c.normal.z = 0.0;
   c.tool_v = tm_pose_velocity_at(pose, c.point);
-  c.delta = w->radius - t->distance; /* F15 (9) */
-  const tm_real closing = tm_vec_dot(tm_vec_sub(c.tool_v, b->rate_v), c.normal);
+  c.delta = b->thickness - t->distance; /* F15 (9) */
+  const tm_real closing = tm_vec_dot(tm_vec_sub(c.tool_v, b->rate_v), c.normal) + b->arm * b->rate;
+  c.closing = closing;
   c.fn = tm_contact_normal(w->stiffness, c.delta, tm_contact_damping(w->damping, w->stiffness, b->mass), closing,
                            (effects & TM_CT_APPROACH) != 0);
   c.normal_force = tm_vec_scale(c.fn, c.normal); /* F15 (12) */
@@ -241,14 +310,15 @@ TM_FN void tm_contact_tally(int i, const tm_contact_args *a, const tm_contact_bo
   r->force = tm_vec_sub(r->force, F);
   r->torque = tm_vec_sub(r->torque, tm_vec_cross(tm_vec_sub(c->point, a->reference), F));
   r->friction_power += friction_power;
-  r->damping_power += (spring_force - c->fn) * tm_vec_dot(c->normal, slip);
+  r->damping_power += (spring_force - c->fn) * (tm_vec_dot(c->normal, slip) - b->arm * b->rate);
   r->particle_power += tm_vec_dot(F, mean);
   r->tool_power += tm_vec_dot(F, c->tool_v);
   const tm_vec3 end = tm_vec_sub(tm_vec_axpy(b->v, b->dt / b->mass, b->force), c->tool_v);
-  const tm_real left = tm_max(c->delta - a->after * tm_vec_dot(c->normal, end), 0.0);
+  const tm_real left = tm_max(c->delta - a->after * (tm_vec_dot(c->normal, end) - b->arm * b->rate), 0.0);
   r->spring += 0.5 * b->law->stiffness * left * left;
   r->depth = tm_max(r->depth, c->delta);
-  r->inner = tm_max(r->inner, c->delta - b->law->radius);
+  r->inner = tm_max(r->inner, c->delta - b->thickness);
+  r->within = tm_max(r->within, c->delta - b->thickness + b->law->radius);
   r->contacts += c->fn > 0.0;
   if (effects & TM_CT_HEAT) tm_contact_add_heat(i, a, b, friction_power, c->fn, r);
 }
@@ -322,9 +392,11 @@ TM_FN tm_contact_result tm_contact_tri_shared(int i, tm_group group, const tm_co
   const tm_real dp = a->size ? a->size[(ptrdiff_t) i * TM_REC_SIZE + TM_SIZE_DP] : 2.0 * w->radius;
   const tm_vec3 p = tm_pose_to_local(&a->pose, tm_load3(a->x + i * a->x_stride));
   tm_touch touch[TM_TOUCH_MAX];
-  const int n = (effects & TM_CT_F15) ? tm_touch_find_f15(&a->mesh, &a->grid, p, 0.5 * dp, touch)
-                                      : tm_touch_find(&a->mesh, &a->grid, p, 0.5 * dp, a->deep,
-                                                      (effects & TM_CT_TWO_SIDED) != 0, group, touch);
+  const int layer = a->layer && w->layer;
+  const tm_real reach = layer ? TM_LAYER_REACH : 1.0;
+  int n = (effects & TM_CT_F15) ? tm_touch_find_f15(&a->mesh, &a->grid, p, 0.5 * dp, touch)
+                                : tm_touch_find(&a->mesh, &a->grid, p, 0.5 * reach * dp, a->deep,
+                                                (effects & TM_CT_TWO_SIDED) != 0, group, touch);
   if (n == 0 || group.lane > 0) return r;
 
   tm_contact_law own;
@@ -334,7 +406,14 @@ TM_FN tm_contact_result tm_contact_tri_shared(int i, tm_group group, const tm_co
   }
   tm_contact_body b = tm_contact_load(i, a, w, effects);
   tm_contact_point c[TM_TOUCH_MAX];
+  if (layer) {
+    tm_contact_load_layer(i, a, touch, n, &b);
+    if (touch[0].distance >= tm_max(b.thickness, w->radius)) return r; /* not even near */
+    n = tm_contact_within(&b, n, touch);
+  }
   for (int k = 0; k < n; k++) c[k] = tm_contact_add_normal(&b, touch + k, &a->pose, effects);
+  if (b.layer && a->layer_dt > 0.0) tm_contact_store_layer(i, a, &b, c, n);
+  if (n == 0) return r;
   if (effects & TM_CT_FRICTION)
     for (int k = 0; k < n; k++) tm_contact_add_friction(&b, c + k);
 

@@ -17,6 +17,7 @@ typedef struct {
   int active;              /* 0: this type does not touch the surface */
   tm_real radius;          /* dp/2 (length) */
   tm_real stiffness;       /* k (force/length) */
+  int layer;               /* the half spacing beneath the surface takes part in the strain: tm_contact_layer.h */
   tm_real damping;         /* DFAC, share of critical damping, >= 0 */
   tm_real area;            /* area a particle shows to the surface: dp^2, in 2D dp */
   tm_table friction;       /* mu(T), >= 0 */

@@ -2,6 +2,7 @@
 
 #include "contact_settings.h"
 #include "model.h"
+#include "tm_contact_layer.h"
 #include "tm_eos.h"
 #include "tm_time_step.h"
 
@@ -27,6 +28,22 @@ static tm_contact_law make_law(const tm_material &m, const ContactSettings &set,
   return w;
 }
 
+bool layer_strains(const ContactSettings &set, const Model &model, int type)
+{
+  const tm_material &m = model.materials()[type];
+  if (set.f15 || m.body != TM_BODY_SOLID) return false;
+  if (set.layer != ContactSettings::LAYER_USUAL) return set.layer == ContactSettings::LAYER_STRAINS;
+  return tm_strength_flow(m.strength) != TM_FLOW_NONE;
+}
+
+double tool_modulus(const ContactSettings &set, const Model &model, int type, double penalty)
+{
+  const bool elastic = model.materials()[type].strength == TM_STRENGTH_ELASTIC;
+  if (layer_strains(set, model, type) && (penalty == TM_PENALTY_MATERIAL || (penalty < 0.0 && elastic)))
+    return TM_LAYER_PENALTY * model.contact_modulus(type, TM_PENALTY_MATERIAL);
+  return model.contact_modulus(type, penalty);
+}
+
 void ContactLaws::make(const ContactSettings &set, const Model &model, double T, int dimension)
 {
   const double dp = model.settings_in_use().spacing;
@@ -36,7 +53,8 @@ void ContactLaws::make(const ContactSettings &set, const Model &model, double T,
   for (int t = 1; t <= model.types(); t++) {
     const tm_material &m = model.materials()[t];
     tm_contact_law &w = laws[t] =
-        make_law(m, set, model.units(), dp, model.contact_modulus(t, set.penalty), dimension == 3);
+        make_law(m, set, model.units(), dp, tool_modulus(set, model, t, set.penalty), dimension == 3);
+    w.layer = layer_strains(set, model, t);
     if (set.body_type) {
       const tm_material &b = model.materials()[set.body_type];
       w.tool_effusivity = tm_effusivity(tm_conductivity(&b, T), b.rho0, tm_capacity(&b, T));
@@ -57,7 +75,8 @@ void ContactLaws::make(const ContactSettings &set, const Model &model, double T,
                                      tm_conduction_time_step(&m, m.rho0, T, model.settings_in_use().h,
                                                              model.largest_conductivity(), model.fastest_heat_rate())));
     fastest = std::max(fastest, tm_eos_sound_speed(&m, m.rho0, 0.0));
-    const double mass = m.rho0 * pow(dp, dimension);
+    // with a layer the force acts on the next rows too
+    const double mass = m.rho0 * pow(dp, dimension) / (w.layer ? TM_LAYER_MOBILITY : 1.0);
     // 0.35: stability of the half-step prediction, 0.78 without and 0.70 with damping, of 2
     dt_limit = std::min(dt_limit, 0.35 * tm_contact_time_step(w.stiffness, mass, w.damping));
   }

@@ -12,6 +12,11 @@ namespace SPHTM_NS {
 struct ContactSettings;
 class Model;
 
+// whether the half spacing between a tool and the centers of particles of a type takes part in their strain
+bool layer_strains(const ContactSettings &, const Model &, int type);
+// what takes the place of E in F15 (10) against a tool
+double tool_modulus(const ContactSettings &, const Model &, int type, double penalty);
+
 class ContactLaws {
  public:
   void live_in(Backend &loops) { loop_laws.live_in(loops); }

@@ -30,6 +30,7 @@ class ContactResults {
   const tm_contact_result &mine() const { return sums; }
   double heat_into_tool(MPI_Comm world) const { return over(world, sums.heat_tool, MPI_SUM); }
   double depth(MPI_Comm world) const { return over(world, sums.depth, MPI_MAX); }
+  double within(MPI_Comm world) const { return over(world, sums.within, MPI_MAX); }
   // work and heat of a step of length dt; with tool_particles the heat into the tool is heat of particles too
   void add_to(EnergyBalance &, double dt, bool tool_particles) const;
   // collective, where they are not known yet; the depth is over the spacing

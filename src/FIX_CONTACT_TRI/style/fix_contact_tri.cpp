@@ -82,6 +82,9 @@ void FixContactTri::init()
   particles.live_in(lmp, *scene);
   triangles.live_in(state->loops());
   results.live_in(state->loops());
+  for (int t = 1; t <= atom->ntypes; t++)
+    if (layer_strains(set, *model, t))
+      state->need(TM_FX_LAYER, fmt::format("fix contact/tri {}, type {} ({})", id, t, model->material_name(t)));
   earlier.live_in(state->loops());
   checks.empty_group();
   checks.heat(*state);
@@ -106,6 +109,14 @@ void FixContactTri::init()
     if (const auto *of = dynamic_cast<FixContactTri *>(fix)) fillings.push_back(of->set.body_type);
   checks.conductors(*model, fillings);
   limit_time_step();    // the first step of the run keeps to it too
+}
+
+// of an ID, from 1: the same in every run
+static double number_of(const char *id)
+{
+  unsigned number = 1;
+  for (const char *c = id; *c; c++) number = 31u * number + (unsigned char) *c;
+  return number % 1000003u + 1.0;
 }
 
 // where forces come behind it, for an energy balance that knows all forces on a particle: of other tools, or of other fixes
@@ -149,13 +160,14 @@ static std::string heat_in_words(const tm_contact_law &w, const tm_material &m, 
   return fmt::format(", {:.3f} of the friction heat into the particles ({})", tm_contact_share(&w, e), why);
 }
 
-// elastic contact that is softer than the half spacing between centers and surface; half_layer: tm_contact_half_layer()
-static std::string softness_in_words(const tm_material &m, double modulus, double half_layer)
+// elastic contact that is softer than it need be; modulus: what takes the place of E in it, material: that of penalty
+// material, half_layer: tm_contact_half_layer()
+static std::string softness_in_words(const tm_material &m, double modulus, double material, double half_layer)
 {
-  if (tm_strength_flow(m.strength) != TM_FLOW_NONE || half_layer < TM_SOFT_CONTACT * modulus) return "";
-  return fmt::format("; gives way like {:.2g} spacings of the material, where 0.5 would be right: where few spacings "
-                     "touch, 'penalty material' is as stiff as elastic contact is",
-                     0.5 * half_layer / modulus);
+  if (tm_strength_flow(m.strength) != TM_FLOW_NONE || material < TM_SOFT_CONTACT * modulus) return "";
+  return fmt::format("; gives way like {:.2g} spacings of the material: where few spacings touch, 'penalty material', "
+                     "with {:.2g}, is nearer to what elastic contact is",
+                     0.5 * half_layer / modulus, 0.5 * half_layer / material);
 }
 
 void FixContactTri::report() const
@@ -172,7 +184,8 @@ void FixContactTri::report() const
     utils::logmesg(lmp, "contact/tri {}: type {}: stiffness {:.6g}, damping {:.4g} of critical, friction {}{}{}\n", id,
                    t, w.stiffness / model->units().force, w.damping, mu,
                    heat ? heat_in_words(w, m, state->start_temperatures().of_all(), set) : "",
-                   softness_in_words(m, model->contact_modulus(t, set.penalty),
+                   softness_in_words(m, tool_modulus(set, *model, t, set.penalty),
+                                     tool_modulus(set, *model, t, TM_PENALTY_MATERIAL),
                                      model->contact_modulus(t, TM_PENALTY_MATERIAL)));
   }
 }
@@ -187,7 +200,8 @@ void FixContactTri::check_overlap()
   double allowed = OVERLAP_ALLOWED;
   if (overlap_checked) {
     if (!state->history().moved_since_last_run()) return;
-    allowed = OVERLAP_ALLOWED + OVERLAP_GROWS + results.depth(world) / spacing;    // that deep contact has brought them
+    allowed =
+        OVERLAP_ALLOWED + OVERLAP_GROWS + results.within(world) / spacing;    // that deep contact has brought them
   } else if (restored || motion.clock() != 0.0) return;
   const bool closed = tool.mesh().closed && !set.two_sided;
   OverlapCheck(lmp, query(), spacing, allowed)
@@ -271,6 +285,12 @@ tm_contact_args FixContactTri::contact_args(const tm_pose &pose, bool of_triangl
     a.temperature_stride = TM_REC_HEAT;
     a.source = state->heat_source();
     a.tool_heat = set.body_type ? particles.heat_of_contact() : nullptr;
+  }
+  if (state->has(TM_FX_LAYER)) {
+    a.layer = s.field[TM_F_LAYER];
+    a.gradient = scene->results().rate_args().gradient;
+    a.tool = number_of(id);
+    a.layer_dt = state->time_step().ahead() > 0.0 ? a.dt : 0.0;
   }
   if (state->has(TM_FX_PLASTICITY) && set.shear > 0.0) a.pstrain = s.field[TM_F_PSTRAIN];
   if (first_tool) {

@@ -19,7 +19,10 @@
    stress of the particle, xi = zeta (sigma_Mises + <-p>)/(rho c^2): nothing has to be chosen for rubber or for metal.
    Displacements are forgotten with plastic strain, over e = TM_HOURGLASS_STRAIN in uniaxial tension and less where
    pressure keeps particles together (tm_hourglass_memory()), and what they resist with stays below a tenth of the flow stress
-   (tm_hourglass_limit()), so that flow that few particles resolve is hardly hindered.
+   (tm_hourglass_limit()), so that flow that few particles resolve is hardly hindered. That is for shear, in which particles get
+   new neighbors and the neighborhood against which u is measured is gone after a strain of one. In a stretch without spin
+   neighbors stay neighbors, and rows and columns come apart by more than the kernel reaches with nothing but u to keep them
+   even: there the memory is longer and the limit higher, by the share 1 - |W|/|D| (tm_hourglass_stretches()).
    delta damps what alternates in time as well; both vanish with the square of the spacing where fields are smooth.
 
    Own construction; the idea of a penalty on what differs from the linear field is that of Ganzenmueller 2015
@@ -48,10 +51,25 @@
 #define TM_HOURGLASS_ZETA 12.0
 #define TM_HOURGLASS_MOST 4.0
 #define TM_HOURGLASS_DAMPING 0.1
-/* Displacement u of a material that flows: stiffness |u|, which is sqrt(xi) k |u|, stays below TM_HOURGLASS_YIELD Y h. */
-TM_FN tm_vec3 tm_hourglass_limit(tm_vec3 u, tm_real stiffness, tm_real yield, tm_real h)
+/* The same strain, and the same limit less that above, in a stretch without spin. */
+#define TM_HOURGLASS_STRETCH 0.3
+#define TM_HOURGLASS_HOLD 0.3
+
+/* How much a velocity gradient stretches without turning: 0 (simple shear, rotation) to 1. */
+TM_FN tm_real tm_hourglass_stretches(tm_mat3 L)
 {
-  const tm_real resists = stiffness * tm_vec_norm(u), limit = TM_HOURGLASS_YIELD * yield * h;
+  const tm_sym3 D = tm_mat_symmetric(L);
+  const tm_real d2 = tm_sym_ddot(D, D), wx = L.zy - L.yz, wy = L.xz - L.zx, wz = L.yx - L.xy;
+  const tm_real w2 = 0.5 * (wx * wx + wy * wy + wz * wz);
+  return w2 < d2 ? 1.0 - sqrt(w2 / d2) : 0.0;
+}
+
+/* Displacement u of a material that flows: stiffness |u|, which is sqrt(xi) k |u|, stays below TM_HOURGLASS_YIELD Y h, in a
+   stretch TM_HOURGLASS_HOLD Y h more. */
+TM_FN tm_vec3 tm_hourglass_limit(tm_vec3 u, tm_real stiffness, tm_real yield, tm_real h, tm_real stretches)
+{
+  const tm_real resists = stiffness * tm_vec_norm(u);
+  const tm_real limit = (TM_HOURGLASS_YIELD + TM_HOURGLASS_HOLD * stretches) * yield * h;
   return !(yield > 0.0) || resists <= limit ? u : tm_vec_scale(limit / resists, u);
 }
 
@@ -67,11 +85,13 @@ TM_FN tm_real tm_hourglass_stiffness(tm_real xi, tm_sym3 s, tm_real p, tm_real r
 }
 
 /* Plastic strain over which displacements are forgotten, at flow stress and pressure: TM_HOURGLASS_STRAIN times an upper
-   bound of the largest principal stress over the flow stress, between TM_HOURGLASS_MEMORY and 1. */
-TM_FN tm_real tm_hourglass_memory(tm_real yield, tm_real p)
+   bound of the largest principal stress over the flow stress, between TM_HOURGLASS_MEMORY and 1; or TM_HOURGLASS_STRETCH
+   times tm_hourglass_stretches(), where that is more. */
+TM_FN tm_real tm_hourglass_memory(tm_real yield, tm_real p, tm_real stretches)
 {
   const tm_real tension = yield > 0.0 ? (2.0 / 3.0) - p / yield : 1.0;
-  return TM_HOURGLASS_STRAIN * tm_max(tm_min(tension, 1.0), TM_HOURGLASS_MEMORY);
+  return tm_max(TM_HOURGLASS_STRAIN * tm_max(tm_min(tension, 1.0), TM_HOURGLASS_MEMORY),
+                TM_HOURGLASS_STRETCH * stretches);
 }
 
 /* W at the force point, a length: stiffness xi, delay = delta h/c. */

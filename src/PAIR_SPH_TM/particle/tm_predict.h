@@ -6,6 +6,7 @@
 #define TM_PREDICT_H
 
 #include "tm_balance.h"
+#include "tm_contact_layer.h"
 #include "tm_damage.h"
 #include "tm_eos.h"
 #include "tm_heat.h"
@@ -113,7 +114,9 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
   const tm_real rho_sum = rho * lz;
   const tm_real scale = (effects & TM_FX_FORM_F14) ? lz : lz / (rho_sum * rho_sum);
   const tm_sym3 sigma = tm_sym_add_iso(dev, -p);
-  const tm_sym3 P = tm_sym_scale(scale, sigma);
+  tm_sym3 P = tm_sym_scale(scale, sigma);
+  if (s->field[TM_F_LAYER]) /* not thicker in plane stress: the force is that on the whole thickness */
+    P = tm_sym_axpy(P, scale / lz, tm_layer_stress(tm_field_row(s, TM_F_LAYER, i)));
 
   tm_real *r = tm_main_record(&a->rec, i);
   const double *x = s->x + 3 * (ptrdiff_t) i;

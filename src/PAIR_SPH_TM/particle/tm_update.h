@@ -13,6 +13,7 @@
 #define TM_UPDATE_H
 
 #include "tm_balance.h"
+#include "tm_contact_layer.h"
 #include "tm_damage.h"
 #include "tm_eigen.h"
 #include "tm_eos.h"
@@ -212,9 +213,11 @@ TM_FN void tm_update_balsara(int i, const tm_state *s, tm_mat3 L, tm_real sound,
 TM_FN void tm_update_hourglass(int i, const tm_update_args *a, const tm_update_read *in, tm_real xi, const tm_point *q,
                                tm_real rho_c2, tm_mat3 L, tm_real h, int forget)
 {
-  const tm_vec3 u =
-      tm_hourglass_step(in->u, in->u_rate, xi, L, a->dt, q->d_eps / tm_hourglass_memory(q->yield, q->p), forget);
-  tm_hourglass_store(tm_field_row(&a->state, TM_F_HOURGLASS, i), tm_hourglass_limit(u, sqrt(xi) * rho_c2, q->yield, h),
+  const tm_real stretches = tm_hourglass_stretches(L);
+  const tm_vec3 u = tm_hourglass_step(in->u, in->u_rate, xi, L, a->dt,
+                                      q->d_eps / tm_hourglass_memory(q->yield, q->p, stretches), forget);
+  tm_hourglass_store(tm_field_row(&a->state, TM_F_HOURGLASS, i),
+                     tm_hourglass_limit(u, sqrt(xi) * rho_c2, q->yield, h, stretches),
                      forget ? tm_vec(0, 0, 0) : in->u_rate);
 }
 
@@ -310,6 +313,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       pl[tm_column(1)] = q.d_eps * inv_dt;
       pl[tm_column(2)] = q.yield;
     }
+    if (s->field[TM_F_LAYER]) tm_layer_end_of_step(tm_field_row(s, TM_F_LAYER, i));
     const tm_real artificial = a->artificial ? a->dt * tm_update_artificial(i, a, in.artificial, L, effects) : 0.0;
     if (dmg && !failed) {
       const tm_real p = tm_eos_pressure(m, growth * q.rho, energy);

@@ -28,6 +28,7 @@ const Name NAMES[] = {{"viscosity", TM_FX_VISCOSITY},
                       {"smoothing", TM_FX_SMOOTHING},
                       {"hourglass", TM_FX_HOURGLASS},
                       {"fracture", TM_FX_FRACTURE},
+                      {"contact-layer", TM_FX_LAYER},
                       {"expansion", TM_FX_EXPANSION},
                       {"compression-heat", TM_FX_COMPRESSION_HEAT},
                       {"artificial-heat", TM_FX_ARTIFICIAL_HEAT}};
@@ -70,7 +71,8 @@ const std::vector<unsigned> &effects_in_loops()
   static const std::vector<unsigned> bits = [] {
     std::vector<unsigned> some;
     for (const auto &n : NAMES)
-      if (n.bit != TM_FX_BODIES && n.bit != TM_FX_HOURGLASS && n.bit != TM_FX_FRACTURE) some.push_back(n.bit);
+      if (n.bit != TM_FX_BODIES && n.bit != TM_FX_HOURGLASS && n.bit != TM_FX_FRACTURE && n.bit != TM_FX_LAYER)
+        some.push_back(n.bit);
     return some;
   }();
   return bits;

@@ -1,0 +1,73 @@
+/* SPH-TM: the layer between the center of a particle and the surface of a tool that touches it.
+
+   A tool meets the surface of the material, half a spacing outside the centers of the outermost particles. Where that half
+   spacing is rigid, all strain is that of the distance between centers: a body of n rows between two tools deforms by
+   n/(n - 1) of what it should and resists with n/(n - 1) times the force (virtual work of a homogeneous strain). So the
+   layer has the strain of its particle. With the normal n of the surface and x = the integral of n.L n since the particle
+   came near,
+
+     e = r f(x),   r = dp/2,     f(x) = exp(x/(1 + (x/x_0)^4)^(1/4))
+
+   is the distance of the surface from the center, and the penetration is e - d with d that of the tool. f is exp(x), the
+   stretch, until a strain where no row of particles is left as it was, and ends at exp(x_0). The force f_n n of the tool does
+   work on the layer too, which is that of a stress
+
+     T = f_n de/dx/V n (x) n
+
+   added to that of the particle in the momentum sum, V its volume: the sums of the pair forces are the work conjugates of the
+   velocity gradient L, so energy is exact as it is without, and momentum pair by pair. At a plane surface in equilibrium T is
+   half of the stress, as only half of the particle lies between its center and the tool. The thickness is one number, not one
+   for each direction: an edge or a rounding over which a particle slides turns n, and no work goes into that. In a corner
+   of one tool n (x) n is the mean of the walls; of several tools the first has the layer, others find half a spacing.
+
+   The pair forces of a step come before those of the tools: T is that of the next force point, ahead by its rate. Friction acts
+   at the center. Own construction. */
+#ifndef TM_CONTACT_LAYER_H
+#define TM_CONTACT_LAYER_H
+
+#include "tm_fields.h"
+#include "tm_layout.h"
+#include "tm_tensor.h"
+
+/* x_0 in compression and in extension; the thickest layer, over r; bound of x. */
+#define TM_LAYER_LEAST 1.1
+#define TM_LAYER_MOST 0.4
+#define TM_LAYER_REACH 1.5 /* >= exp(TM_LAYER_MOST) */
+#define TM_LAYER_BOUND 2.0
+
+/* What takes the place of E in F15 (10) with penalty material, over 2 M: a spring that gives way like an eighth of a spacing,
+   and limits the time step little. */
+#define TM_LAYER_PENALTY 2.0
+/* Acceleration of the surface by a force on it, over that of a particle: (3/2)^2 + (1/2)^2, the force and -1/2 of it act on the
+   first and the second row of particles. */
+#define TM_LAYER_MOBILITY 2.5
+
+/* Of the column TM_L_NEAR: a tool was near in this step; counted down at its end, 0: forgotten. */
+#define TM_LAYER_NOW 4.0
+
+/* f at the normal strain x, and df/dx. */
+TM_FN tm_real tm_layer_stretch(tm_real x, tm_real *slope)
+{
+  const tm_real q = x / (x < 0.0 ? TM_LAYER_LEAST : TM_LAYER_MOST), q4 = q * q * q * q;
+  const tm_real root = 1.0 / sqrt(sqrt(1.0 + q4)), f = exp(x * root);
+  *slope = f * root / (1.0 + q4);
+  return f;
+}
+
+TM_FN tm_real tm_layer_bounded(tm_real x) { return tm_max(-TM_LAYER_BOUND, tm_min(TM_LAYER_BOUND, x)); }
+
+/* T of the force point that comes, of a row of TM_F_LAYER; 0 where no tool was near in the last step. */
+TM_FN tm_sym3 tm_layer_stress(const tm_real *row)
+{
+  return row[tm_column(TM_L_NEAR)] == TM_LAYER_NOW - 1.0 ? tm_sym_from_row(row + tm_column(TM_L_STRESS))
+                                                         : tm_sym(0, 0, 0, 0, 0, 0);
+}
+
+/* The end of a step: a tool that is no longer near is forgotten after some more. */
+TM_FN void tm_layer_end_of_step(tm_real *row)
+{
+  tm_real *near = row + tm_column(TM_L_NEAR);
+  if (*near > 0.0) *near -= 1.0;
+}
+
+#endif
