@@ -24,7 +24,7 @@ enum { TM_K_MATRIX = 0, TM_K_SPIN = 6, TM_K_SINCE = 9, TM_K_RATE = 10, TM_K_COLU
 enum { TM_FACE_NORMAL = 0, TM_FACE_TURN = 3, TM_FACE_COLUMNS = 6 };
 
 /* columns of the layer */
-enum { TM_L_STRESS = 0, TM_L_STRAIN = 6, TM_L_NEAR = 7, TM_L_TOOL = 8, TM_L_COLUMNS = 9 };
+enum { TM_L_STRESS = 0, TM_L_STRAIN = 6, TM_L_NEAR = 7, TM_L_TOOL = 8, TM_L_AHEAD = 9, TM_L_COLUMNS = 10 };
 
 /*  stress       deviatoric Cauchy stress xx yy zz xy xz yz
     history      rates of the last two steps: v(3) rho(1) s(6), newer first
@@ -45,7 +45,8 @@ enum { TM_L_STRESS = 0, TM_L_STRAIN = 6, TM_L_NEAR = 7, TM_L_TOOL = 8, TM_L_COLU
     face         normal of a free face, and the antisymmetric part of the correction there, see tm_face.h
     unstrained   temperature at which there is no thermal strain
     layer        beneath the surface of a tool, see tm_contact_layer.h: stress of the tool's force at the next force
-                 point; strain since the tool is near; whether it is near; which tool
+                 point; strain since the tool is near; whether it is near; which tool; what
+                 was predicted of the stress along the normal
     active       enum tm_activity: moves, stands at the edge of the active region, or sleeps */
 #define TM_FIELD_TABLE(FIELD)                                        \
   FIELD(TM_F_RHO, "density", 1, 0)                                   \

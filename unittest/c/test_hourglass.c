@@ -272,12 +272,12 @@ static void test_stiffness(void)
   UT_TRUE(tm_hourglass_stiffness(-1.0, pull, -Y / 3.0, 1.0) == TM_HOURGLASS_MOST);
   UT_TRUE(tm_hourglass_stiffness(-1.0, tm_sym(0, 0, 0, 0, 0, 0), 5.0, k) == 0.0);
   UT_TRUE(tm_hourglass_stiffness(0.02, pull, -Y / 3.0, k) == 0.02);
-  UT_NEAR(tm_hourglass_memory(Y, -Y / 3.0, 0.0), TM_HOURGLASS_STRAIN, 1e-14);
-  UT_NEAR(tm_hourglass_memory(Y, 0.0, 0.0), 2.0 / 3.0 * TM_HOURGLASS_STRAIN, 1e-14);
-  UT_NEAR(tm_hourglass_memory(Y, Y, 0.0), TM_HOURGLASS_MEMORY * TM_HOURGLASS_STRAIN, 1e-14);
-  UT_TRUE(tm_hourglass_memory(0.0, 1.0, 0.0) == TM_HOURGLASS_STRAIN);
-  UT_NEAR(tm_hourglass_memory(Y, Y, 0.5), 0.5 * TM_HOURGLASS_STRETCH, 1e-14);
-  UT_NEAR(tm_hourglass_memory(Y, -Y, 0.01), TM_HOURGLASS_STRAIN, 1e-14);
+  UT_NEAR(tm_hourglass_memory(tm_hourglass_tension(Y, -Y / 3.0), 0.0), TM_HOURGLASS_STRAIN, 1e-14);
+  UT_NEAR(tm_hourglass_memory(tm_hourglass_tension(Y, 0.0), 0.0), 2.0 / 3.0 * TM_HOURGLASS_STRAIN, 1e-14);
+  UT_NEAR(tm_hourglass_memory(tm_hourglass_tension(Y, Y), 0.0), TM_HOURGLASS_MEMORY * TM_HOURGLASS_STRAIN, 1e-14);
+  UT_TRUE(tm_hourglass_memory(tm_hourglass_tension(0.0, 1.0), 0.0) == TM_HOURGLASS_STRAIN);
+  UT_NEAR(tm_hourglass_memory(tm_hourglass_tension(Y, Y), 0.5), 0.5 * TM_HOURGLASS_STRETCH, 1e-14);
+  UT_NEAR(tm_hourglass_memory(tm_hourglass_tension(Y, -Y), 0.01), TM_HOURGLASS_STRAIN, 1e-14);
 }
 
 /* 1 in a stretch along any axes, 0 in simple shear and in a rotation, in between 1 - |W|/|D|. */
@@ -288,6 +288,9 @@ static void test_stretches(void)
   UT_TRUE(tm_hourglass_stretches(pull) == 1.0 && tm_hourglass_stretches(pure) == 1.0);
   UT_TRUE(tm_hourglass_stretches(shear) < 1e-15 && tm_hourglass_stretches(turn) == 0.0 && tm_hourglass_stretches(none) == 0.0);
   UT_NEAR(tm_hourglass_stretches(half), 0.5, 1e-14);
+  UT_TRUE(tm_hourglass_pressed(tm_hourglass_tension(3.0, -1.0), pull) == 0.0); /* uniaxial tension */
+  UT_NEAR(tm_hourglass_pressed(tm_hourglass_tension(3.0, 1.0), half), 0.5 * 2.0 / 3.0, 1e-14); /* compression */
+  UT_TRUE(tm_hourglass_pressed(tm_hourglass_tension(3.0, 30.0), pull) == 1.0);
 }
 
 /* What resists plastic flow stays below its share of the flow stress. */

@@ -243,11 +243,17 @@ TM_FN void tm_contact_store_layer(int i, const tm_contact_args *a, const tm_cont
 {
   const tm_real *r = a->record + tm_record(i, TM_REC), k = b->law->stiffness;
   const tm_real damping = tm_contact_damping(b->law->damping, k, b->mass);
-  tm_real next = 0.0;
-  for (int m = 0; m < n; m++)
+  const tm_real per_force = b->arm * r[tm_part(TM_REC_RHO)] / r[tm_part(TM_REC_M)];
+  tm_real next = 0.0, now = 0.0;
+  for (int m = 0; m < n; m++) {
+    now += c[m].fn;
     if (c[m].fn > 0.0) next += tm_max(k * (c[m].delta + a->layer_dt * c[m].closing) + damping * c[m].closing, 0.0);
-  tm_sym_to_row(b->layer + tm_column(TM_L_STRESS),
-                tm_sym_scale(next * b->arm * r[tm_part(TM_REC_RHO)] / r[tm_part(TM_REC_M)], b->direction));
+  }
+  /* what the last prediction lacks is given in the step that comes, so that nothing is missing in the sum */
+  tm_real *ahead = b->layer + tm_column(TM_L_AHEAD);
+  const tm_real owed = now * per_force - (b->layer[tm_column(TM_L_NEAR)] == TM_LAYER_NOW - 1.0 ? *ahead : 0.0);
+  *ahead = next * per_force;
+  tm_sym_to_row(b->layer + tm_column(TM_L_STRESS), tm_sym_scale(*ahead + owed, b->direction));
   b->layer[tm_column(TM_L_STRAIN)] = tm_layer_bounded(b->strain + 0.5 * a->layer_dt * b->rate);
   b->layer[tm_column(TM_L_NEAR)] = TM_LAYER_NOW;
   b->layer[tm_column(TM_L_TOOL)] = a->tool;

@@ -20,8 +20,8 @@
    for each direction: an edge or a rounding over which a particle slides turns n, and no work goes into that. In a corner
    of one tool n (x) n is the mean of the walls; of several tools the first has the layer, others find half a spacing.
 
-   The pair forces of a step come before those of the tools: T is that of the next force point, ahead by its rate. Friction acts
-   at the center. Own construction. */
+   The pair forces of a step come before those of the tools: T is that of the next force point, ahead by its rate, and what the
+   last prediction lacked. Friction acts at the center. Own construction. */
 #ifndef TM_CONTACT_LAYER_H
 #define TM_CONTACT_LAYER_H
 
