@@ -19,11 +19,7 @@
    stress of the particle, xi = zeta (sigma_Mises + <-p>)/(rho c^2): nothing has to be chosen for rubber or for metal.
    Displacements are forgotten with plastic strain, over e = TM_HOURGLASS_STRAIN in uniaxial tension and less where
    pressure keeps particles together (tm_hourglass_memory()), and what they resist with stays below a tenth of the flow stress
-   (tm_hourglass_limit()), so that flow that few particles resolve is hardly hindered. That is for shear, in which particles get
-   new neighbors and the neighborhood against which u is measured is gone after a strain of one. In a stretch without spin
-   neighbors stay neighbors, and rows and columns come apart by more than the kernel reaches with nothing but u to keep them
-   even: where pressure makes such a stretch the memory is longer and the limit higher, by the share 1 - |W|/|D| and by what the
-   stress is away from uniaxial tension (tm_hourglass_pressed()).
+   (tm_hourglass_limit()), so that flow that few particles resolve is hardly hindered.
    delta damps what alternates in time as well; both vanish with the square of the spacing where fields are smooth.
 
    Own construction; the idea of a penalty on what differs from the linear field is that of Ganzenmueller 2015
@@ -52,25 +48,10 @@
 #define TM_HOURGLASS_ZETA 12.0
 #define TM_HOURGLASS_MOST 4.0
 #define TM_HOURGLASS_DAMPING 0.1
-/* The same strain, and the limit beyond that above, in a stretch without spin under pressure. */
-#define TM_HOURGLASS_STRETCH 0.3
-#define TM_HOURGLASS_HOLD 0.3
-
-/* How much a velocity gradient stretches without turning: 0 (simple shear, rotation) to 1. */
-TM_FN tm_real tm_hourglass_stretches(tm_mat3 L)
+/* Displacement u of a material that flows: stiffness |u|, which is sqrt(xi) k |u|, stays below TM_HOURGLASS_YIELD Y h. */
+TM_FN tm_vec3 tm_hourglass_limit(tm_vec3 u, tm_real stiffness, tm_real yield, tm_real h)
 {
-  const tm_sym3 D = tm_mat_symmetric(L);
-  const tm_real d2 = tm_sym_ddot(D, D), wx = L.zy - L.yz, wy = L.xz - L.zx, wz = L.yx - L.xy;
-  const tm_real w2 = 0.5 * (wx * wx + wy * wy + wz * wz);
-  return w2 < d2 ? 1.0 - sqrt(w2 / d2) : 0.0;
-}
-
-/* Displacement u of a material that flows: stiffness |u|, which is sqrt(xi) k |u|, stays below TM_HOURGLASS_YIELD Y h, and
-   TM_HOURGLASS_HOLD Y h more in a stretch under pressure. */
-TM_FN tm_vec3 tm_hourglass_limit(tm_vec3 u, tm_real stiffness, tm_real yield, tm_real h, tm_real pressed)
-{
-  const tm_real resists = stiffness * tm_vec_norm(u);
-  const tm_real limit = (TM_HOURGLASS_YIELD + TM_HOURGLASS_HOLD * pressed) * yield * h;
+  const tm_real resists = stiffness * tm_vec_norm(u), limit = TM_HOURGLASS_YIELD * yield * h;
   return !(yield > 0.0) || resists <= limit ? u : tm_vec_scale(limit / resists, u);
 }
 
@@ -85,22 +66,12 @@ TM_FN tm_real tm_hourglass_stiffness(tm_real xi, tm_sym3 s, tm_real p, tm_real r
   return tm_min(TM_HOURGLASS_MOST, TM_HOURGLASS_ZETA * (tm_sym_mises(s) + tm_max(-p, 0.0)) / rho_c2);
 }
 
-/* How much of the flow is a stretch without spin that pressure makes, 0 to 1: in tension the default memory is enough, and what
-   resists a neck would count as strength. */
-TM_FN tm_real tm_hourglass_pressed(tm_real tension, tm_mat3 L)
+/* Plastic strain over which displacements are forgotten, at flow stress and pressure: TM_HOURGLASS_STRAIN times an upper
+   bound of the largest principal stress over the flow stress, between TM_HOURGLASS_MEMORY and 1. */
+TM_FN tm_real tm_hourglass_memory(tm_real yield, tm_real p)
 {
-  return tm_max(1.0 - tm_max(tension, 0.0), 0.0) * tm_hourglass_stretches(L);
-}
-
-/* Upper bound of the largest principal stress over the flow stress, at a pressure; 1 where nothing flows. */
-TM_FN tm_real tm_hourglass_tension(tm_real yield, tm_real p) { return yield > 0.0 ? (2.0 / 3.0) - p / yield : 1.0; }
-
-/* Plastic strain over which displacements are forgotten: TM_HOURGLASS_STRAIN times the tension, between TM_HOURGLASS_MEMORY
-   and 1; or TM_HOURGLASS_STRETCH times tm_hourglass_pressed(), where that is more. */
-TM_FN tm_real tm_hourglass_memory(tm_real tension, tm_real pressed)
-{
-  return tm_max(TM_HOURGLASS_STRAIN * tm_max(tm_min(tension, 1.0), TM_HOURGLASS_MEMORY),
-                TM_HOURGLASS_STRETCH * pressed);
+  const tm_real tension = yield > 0.0 ? (2.0 / 3.0) - p / yield : 1.0;
+  return TM_HOURGLASS_STRAIN * tm_max(tm_min(tension, 1.0), TM_HOURGLASS_MEMORY);
 }
 
 /* W at the force point, a length: stiffness xi, delay = delta h/c. */

@@ -213,11 +213,9 @@ TM_FN void tm_update_balsara(int i, const tm_state *s, tm_mat3 L, tm_real sound,
 TM_FN void tm_update_hourglass(int i, const tm_update_args *a, const tm_update_read *in, tm_real xi, const tm_point *q,
                                tm_real rho_c2, tm_mat3 L, tm_real h, int forget)
 {
-  const tm_real tension = tm_hourglass_tension(q->yield, q->p), pressed = tm_hourglass_pressed(tension, L);
   const tm_vec3 u =
-      tm_hourglass_step(in->u, in->u_rate, xi, L, a->dt, q->d_eps / tm_hourglass_memory(tension, pressed), forget);
-  tm_hourglass_store(tm_field_row(&a->state, TM_F_HOURGLASS, i),
-                     tm_hourglass_limit(u, sqrt(xi) * rho_c2, q->yield, h, pressed),
+      tm_hourglass_step(in->u, in->u_rate, xi, L, a->dt, q->d_eps / tm_hourglass_memory(q->yield, q->p), forget);
+  tm_hourglass_store(tm_field_row(&a->state, TM_F_HOURGLASS, i), tm_hourglass_limit(u, sqrt(xi) * rho_c2, q->yield, h),
                      forget ? tm_vec(0, 0, 0) : in->u_rate);
 }
 
