@@ -192,7 +192,7 @@ def block_at(raw):
     while True:
         at = raw.index(magic, at + 1)
         values = struct.unpack("<Q", raw[at + 8:at + 16])[0] // 8
-        if values == 64:
+        if values == 66:
             return at, values
 
 
@@ -219,6 +219,7 @@ def restarts():
           tool="damping 0.2 temperature 350")
     again("friction by table", T, "other values of friction;",
           tool=KEYS.replace("friction 0.2", "friction/table 300 0.2 900 0.1"))
+    again("another layer", T, "other values of layer;", tool=KEYS + "layer strains")
     again("sides, method", T, "other values of approach, sides, share;", tool=KEYS + "sides two approach yes share 0.4")
     again("another temperature", T, "other values of temperature;", "350", tool=KEYS.replace("350", "400"))
     prints("restart: the temperature is that of the file",
@@ -230,8 +231,8 @@ def restarts():
     with open(os.path.join(folder, "at.restart"), "rb") as f:
         whole = f.read()
     at, n = block_at(whole)
-    names = {"clock": (0, -1.0), "kind": (34, 7.0), "kind, a fraction": (34, 1.5), "period": (35, 0.0),
-             "ramp": (36, -1.0), "frame": (34 + 19, 2.0)}
+    names = {"clock": (0, -1.0), "kind": (36, 7.0), "kind, a fraction": (36, 1.5), "period": (37, 0.0),
+             "ramp": (38, -1.0), "frame": (36 + 19, 2.0)}
     for name, (k, value) in names.items():
         v = bytearray(whole[at + 24:at + 24 + 8 * n])
         v[8 * k:8 * k + 8] = struct.pack("<d", value)
