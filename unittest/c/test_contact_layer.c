@@ -99,6 +99,38 @@ static void squeezed(double damping)
   UT_TRUE(0);
 }
 
+/* At the bound of the strain the layer stays as it is: its thickness, without work and without stress; and takes up again
+   when the strain turns. The spring keeps what it stores. */
+static void ended(void)
+{
+  floor_scene(100.0, 0.0);
+  const double dt = s.args.dt = s.args.layer_dt = 1e-2, distance = 0.1 * dp;
+  tm_real slope;
+  double depth = 0.0, spring = 0.0;
+  gradient[tm_column(8)] = -0.7;
+  for (int n = 0; n < 400; n++) {
+    ut_put(&s, 0, tm_vec(0.1, 0.1, distance), tm_vec(0, 0, 0));
+    const tm_contact_result r = tm_contact_tri(0, &s.args, TM_CT_3D);
+    const double x = layer[tm_column(TM_L_STRAIN)];
+    tm_layer_end_of_step(layer);
+    UT_TRUE(x >= -TM_LAYER_BOUND );
+    if (n > 300) {
+      UT_TRUE(x < -TM_LAYER_BOUND + 0.7 * dt);
+      UT_NEAR(r.depth, 0.5 * dp * tm_layer_stretch(x, &slope) - distance, 1e-12);
+      UT_TRUE(r.damping_power == 0.0 && tm_layer_stress(layer).zz == 0.0 && s.f[2] > 0.0);
+      if (n > 301) UT_TRUE(r.depth == depth && r.spring == spring);
+      depth = r.depth;
+      spring = r.spring;
+    }
+  }
+  gradient[tm_column(8)] = 0.7;
+  ut_put(&s, 0, tm_vec(0.1, 0.1, distance), tm_vec(0, 0, 0));
+  tm_contact_tri(0, &s.args, TM_CT_3D);
+  UT_TRUE(layer[tm_column(TM_L_STRAIN)] > -TM_LAYER_BOUND + 0.7 * dt - 1e-12);
+  tm_layer_end_of_step(layer);
+  UT_TRUE(tm_layer_stress(layer).zz > 0.0);
+}
+
 /* A second tool in the step finds half a spacing; a tool that is far is forgotten; one that is near without touching is not. */
 static void nearness(void)
 {
@@ -170,6 +202,7 @@ int main(void)
   countdown();
   squeezed(0.0);
   squeezed(3e-7);
+  ended();
   nearness();
   corner();
   return ut_summary();

@@ -40,8 +40,7 @@ with open(os.path.join(FOLDER, "summary.json")) as f:
     row = json.load(f)["cases"]["ti6al4v"]["rows"]["40_um_30"]
 checks.true("a cut", done.returncode == 0, done.stdout.splitlines()[0])
 checks.near("its cutting force, N/mm; 10 um are coarse", row["quantities"]["cutting force"]["value"], 88.4, relative=0.25)
-# 1e-3 with rigid layers; the stress of the layer is ahead of its force by a step, and where particles come and go at the edge that is seen
-checks.below("its energy sum, drift over the work", abs(row["all"]["dx_10"]["drift of the energy sum"][0]), 2e-3)
+checks.below("its energy sum, drift over the work", abs(row["all"]["dx_10"]["drift of the energy sum"][0]), 1e-4)
 with open(os.path.join(FOLDER, "table.rst")) as f:
     checks.true("its table", "40 um, 30 m/min" in f.read())
 answer = os.path.join(FOLDER, "ti6al4v", "40_um_30", "dx_10", "answer.json")

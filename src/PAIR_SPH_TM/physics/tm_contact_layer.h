@@ -54,7 +54,13 @@ TM_FN tm_real tm_layer_stretch(tm_real x, tm_real *slope)
   return f;
 }
 
-TM_FN tm_real tm_layer_bounded(tm_real x) { return tm_max(-TM_LAYER_BOUND, tm_min(TM_LAYER_BOUND, x)); }
+/* Whether x stays within its bound in a step. At the bound f is constant to a hundredth, and stays as it is until the strain
+   turns. */
+TM_FN int tm_layer_goes_on(tm_real x, tm_real step)
+{
+  const tm_real next = x + step;
+  return next >= -TM_LAYER_BOUND && next <= TM_LAYER_BOUND;
+}
 
 /* T of the force point that comes, of a row of TM_F_LAYER; 0 where no tool was near in the last step. */
 TM_FN tm_sym3 tm_layer_stress(const tm_real *row)
