@@ -42,7 +42,8 @@ enum tm_effect {
   TM_FX_LAYER = 1 << 27,            /* the half spacing beneath a tool takes part in the strain: tm_contact_layer.h */
   TM_FX_EXPANSION = 1 << 28,        /* thermal expansion; the temperature without thermal strain is a state */
   TM_FX_COMPRESSION_HEAT = 1 << 29, /* compression changes the temperature */
-  TM_FX_ARTIFICIAL_HEAT = 1 << 30   /* what artificial terms take out of the motion heats */
+  TM_FX_ARTIFICIAL_HEAT = 1 << 30,  /* what artificial terms take out of the motion heats */
+  TM_FX_SHIFTING = -2147483647 - 1  /* 1 << 31 as an int: positions of what flows are kept even, tm_shift.h */
 };
 
 #define TM_FX_RATE_MASK ((unsigned) (TM_FX_3D | TM_FX_VISCOSITY | TM_FX_ARTSTRESS | TM_FX_CONDUCTION | TM_FX_ONE_PASS))

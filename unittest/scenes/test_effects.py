@@ -30,7 +30,7 @@ YIELDS = "strength plastic 400e6 100e6"
 STEEL = "strength johnson/cook 792e6 510e6 0.26 0.014 1.03 298 1793 1"
 HEAT = "heat 38 477 0.9"
 ALL = ("viscosity artstress heat conduction plasticity damage correction faces balsara xsph surface internal-energy bodies energy "
-       "smoothing hourglass fracture contact-layer expansion compression-heat artificial-heat").split()
+       "smoothing hourglass fracture contact-layer shifting expansion compression-heat artificial-heat").split()
 NONE = "viscosity 0 0 hourglass 0 correction no"    # no artificial term
 STEP = "dt 5e-8 "    # the coefficient of the viscosity, on or off, is part of the automatic step
 checks = Checks()

@@ -73,6 +73,8 @@ typedef struct tm_contact_args {
   tm_real layer_dt;
   tm_real tool; /* a number of this tool's own, not 0 */
 
+  tm_real *uneven; /* 3, what shifts a particle (tm_shift.h): 0 for those that the tool touches; or NULL */
+
   const tm_real *pstrain; /* rows of TM_F_PSTRAIN, for the flow stress, or NULL */
   tm_real *tool_heat;     /* power into the tool through each particle, set; or NULL */
 
@@ -419,6 +421,7 @@ TM_FN tm_contact_result tm_contact_tri_shared(int i, tm_group group, const tm_co
     if (touch[0].distance >= tm_max(b.thickness, w->radius)) return r; /* not even near */
     n = tm_contact_within(&b, n, touch);
   }
+  if (a->uneven && n > 0) tm_store3(a->uneven + 3 * (ptrdiff_t) i, tm_vec(0, 0, 0));
   for (int k = 0; k < n; k++) c[k] = tm_contact_add_normal(&b, touch + k, &a->pose, effects);
   if (b.layer && a->layer_dt > 0.0) tm_contact_store_layer(i, a, &b, c, n);
   if (n == 0) return r;

@@ -286,6 +286,7 @@ tm_contact_args FixContactTri::contact_args(const tm_pose &pose, bool of_triangl
     a.source = state->heat_source();
     a.tool_heat = set.body_type ? particles.heat_of_contact() : nullptr;
   }
+  a.uneven = scene->results().rate_args().uneven;
   if (state->has(TM_FX_LAYER)) {
     a.layer = s.field[TM_F_LAYER];
     a.gradient = scene->results().rate_args().gradient;

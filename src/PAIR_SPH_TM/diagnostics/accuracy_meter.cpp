@@ -145,7 +145,7 @@ AccuracyMeter::Rates AccuracyMeter::rates(AuditPatch &p, const tm_records &rec, 
   a.turn = const_cast<double *>(turn);
   a.xsph_v = r.xsph.data();
   a.surface = surface.data();
-  a.artificial = nullptr;
+  a.artificial = a.uneven = nullptr;
   const bool one_pass = (effects & TM_FX_ONE_PASS) != 0, hourglass = !one_pass && (effects & TM_FX_HOURGLASS);
   std::vector<double> hourglass_rate(3 * room), moment(TM_MOMENT_COLUMNS * room), face_next(TM_FACE_COLUMNS * room);
   a.moment = moment.data();

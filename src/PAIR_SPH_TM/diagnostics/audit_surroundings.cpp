@@ -66,6 +66,7 @@ std::vector<AuditSurroundings::Around> AuditSurroundings::of_centers(AuditPatch 
   a.rows = p.rows();
   a.rec = rec;
   a.which = nullptr;
+  a.uneven = nullptr;
   a.effects = effects;
   std::vector<Around> out(n);
   if (needs_corrections(effects)) corrections(p, a, effects, out);

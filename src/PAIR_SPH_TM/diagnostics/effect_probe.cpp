@@ -38,6 +38,7 @@ EffectProbe::EffectProbe(ParticleState &s, StepResults &r, int particles) :
   plain(force, true, 3);
   plain(heat, fx & TM_FX_CONDUCTION, 1);
   plain(xsph_v, fx & TM_FX_XSPH, 3);
+  plain(uneven, fx & TM_FX_SHIFTING, 3);
   plain(surface, fx & TM_FX_SURFACE, 3);
   room(stab, fx & TM_FX_ONE_PASS, TM_REC_STAB, 2);
   plain(moment, fx & TM_FX_ONE_PASS, TM_MOMENT_COLUMNS);
@@ -56,6 +57,7 @@ double EffectProbe::step(unsigned fx)
   r.gradient = gradient.loop_write();
   r.heat = heat.loop_write();
   r.xsph_v = xsph_v.loop_write();
+  r.uneven = fx & TM_FX_SHIFTING ? uneven.loop_write() : nullptr;
   r.surface = surface.loop_write();
   r.artificial = artificial.loop_write();
   r.moment = moment.loop_write();
@@ -75,6 +77,7 @@ double EffectProbe::step(unsigned fx)
     u.state.field[id] = state[id].loop_write();
     loops.copy(u.state.field[id], now.field[id], state[id].bytes());
   }
+  u.uneven = r.uneven;
   u.moment = moment.loop_write();
   u.face_next = face_next.loop_write();
   u.state.x = x.loop_write();

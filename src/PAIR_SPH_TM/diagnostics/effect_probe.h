@@ -27,8 +27,8 @@ class EffectProbe {
   int n;
   LoopArray<double> state[TM_F_COUNT], x, v;    // copies the update changes
   LoopArray<double> main, stress, heat_record, size, hourglass, stab, correction, turn, face_next,
-      moment;                                                              // written by the prediction
-  LoopArray<double> force, gradient, heat, xsph_v, surface, artificial;    // and by the rate pass
+      moment;                                                                      // written by the prediction
+  LoopArray<double> force, gradient, heat, xsph_v, uneven, surface, artificial;    // and by the rate pass
 
   double step(unsigned effects);
 };

@@ -68,6 +68,7 @@ typedef struct {
   tm_real *face_next;      /* TM_FACE_COLUMNS of this force point, with TM_FX_FACES */
   tm_real *moment;         /* TM_MOMENT_COLUMNS of this force point, where the rate pass makes them */
   tm_real *xsph_v;         /* 3, with XSPH */
+  tm_real *uneven;         /* 3, sum V_j gradW with shifting; else NULL */
   tm_real *hourglass_rate; /* 3, with the hourglass control: tm_hourglass.h */
   tm_real *surface;        /* 3, with surface */
   tm_real *artificial;     /* heating by artificial terms, power, or NULL */

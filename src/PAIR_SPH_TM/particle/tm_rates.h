@@ -347,10 +347,11 @@ TM_FN void tm_rates_store_stabilized(int i, const tm_rates_args *a, const tm_rat
   const tm_sym3 M = tm_sym_scale(per_rho, tm_sym_load(sum + TM_SUM_MOMENT));
   const tm_vec3 gd = tm_vec_scale(length, tm_load3(sum + TM_SUM_GD));
   tm_real *moment = a->moment + (ptrdiff_t) i * TM_MOMENT_COLUMNS;
+  const tm_vec3 g = tm_vec_scale(per_rho / (length * length), gd); /* sum V_j gradW */
   tm_real face;
+  if (a->uneven) tm_store3(a->uneven + 3 * (ptrdiff_t) i, g);
   if (t->faces) {
     tm_vec3 turn, normal;
-    const tm_vec3 g = tm_vec_scale(per_rho / (length * length), gd);
     tm_sym_store(moment, tm_rates_face(t, own, s, M, per_rho, g, tm_rates_h(i, a), &face, &turn, &normal));
     tm_store3(a->face_next + (ptrdiff_t) i * TM_FACE_COLUMNS + TM_FACE_NORMAL, normal);
     tm_store3(a->face_next + (ptrdiff_t) i * TM_FACE_COLUMNS + TM_FACE_TURN, turn);

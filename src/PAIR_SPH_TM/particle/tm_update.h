@@ -19,6 +19,7 @@
 #include "tm_eos.h"
 #include "tm_heat.h"
 #include "tm_residual.h"
+#include "tm_shift.h"
 #include "tm_stored_energy.h"
 #include "tm_strength.h"
 #include "tm_update_args.h"
@@ -208,6 +209,19 @@ TM_FN void tm_update_balsara(int i, const tm_state *s, tm_mat3 L, tm_real sound,
   *tm_field_row(s, TM_F_BALSARA, i) = tm_balsara(tm_mat_trace(L), tm_vec_norm(curl), sound, h);
 }
 
+/* Position of a particle that has flowed in this step; returns the way. */
+TM_FN tm_real tm_update_shift(int i, const tm_update_args *a, tm_real h, tm_real eps_p, tm_real d_eps, int dim3)
+{
+  const tm_state *s = &a->state;
+  if (!(s->mask[i] & a->group) || s->mask[i] & a->held) return 0.0;
+  const tm_vec3 dx = tm_shift(tm_load3(a->uneven + 3 * (ptrdiff_t) i), h, eps_p, d_eps);
+  double *x = s->x + 3 * (ptrdiff_t) i;
+  x[0] += dx.x;
+  x[1] += dx.y;
+  if (dim3) x[2] += dx.z;
+  return tm_vec_norm(dx);
+}
+
 /* Displacement of hourglass control for the next force point; xi: its stiffness, q: at the end of the step, rho_c2: at the
    force point. */
 TM_FN void tm_update_hourglass(int i, const tm_update_args *a, const tm_update_read *in, tm_real xi, const tm_point *q,
@@ -249,7 +263,8 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
   tm_update_read in = tm_update_read_of(i, a, solid, effects);
 
   const tm_vec3 acc = s->mask[i] & a->group ? tm_update_motion(i, a, &in, effects, &out) : tm_vec(0, 0, 0);
-  out.speed2 = tm_vec_dot(in.v, in.v);
+  const tm_real v2 = tm_vec_dot(in.v, in.v);
+  out.speed2 = v2;
 
   if (solid) {
     tm_real *lz = (effects & TM_FX_PLANE_STRESS) ? tm_field_row(s, TM_F_THICKNESS, i) : NULL;
@@ -311,6 +326,10 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       pl[tm_column(1)] = q.d_eps * inv_dt;
       pl[tm_column(2)] = q.yield;
     }
+    if (a->uneven && q.d_eps > 0.0 && !failed) {
+      const tm_real speed = sqrt(v2) + 2.0 * inv_dt * tm_update_shift(i, a, h, eps_p, q.d_eps, dim3);
+      out.speed2 = speed * speed;
+    }
     if (s->field[TM_F_LAYER]) tm_layer_end_of_step(tm_field_row(s, TM_F_LAYER, i));
     const tm_real artificial = a->artificial ? a->dt * tm_update_artificial(i, a, in.artificial, L, effects) : 0.0;
     if (dmg && !failed) {
@@ -342,7 +361,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
 
     out.dt[TM_DT_SOUND] = tm_sound_time_step(h, sound, a->visc_alpha, xi, effects);
     const tm_real others = eps_p + q.d_eps + (e ? *e : 0.0) + (dmg ? dmg[0] + dmg[tm_column(1)] : 0.0);
-    out.status = tm_update_status(a, m, &q, out.speed2, sound, others, failed);
+    out.status = tm_update_status(a, m, &q, v2, sound, others, failed);
     in.rho = q.rho;
   } else if (effects & TM_FX_HEAT) {
     out.heat = tm_update_temperature(i, a, &in, m, m->rho0, 0.0, 1.0, 0.0, effects).heat;

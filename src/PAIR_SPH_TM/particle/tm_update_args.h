@@ -28,11 +28,13 @@ typedef struct {
   const tm_real *face_next;  /* TM_FACE_COLUMNS of the force point, with TM_FX_FACES */
   const tm_real *moment;     /* TM_MOMENT_COLUMNS of the force point, with one pass */
   const tm_real *correction; /* and the one that was predicted for it and used */
+  const tm_real *uneven;     /* 3, sum V_j gradW of the force point with shifting, 0 of what is touched; else NULL */
   const tm_real *share;      /* of the balanced artificial stress, see tm_predict.h */
   tm_real ratio;
   const double *force_internal; /* force of the pair style alone, with the ledger */
   tm_real *source;              /* heat given to the particle by contact and fluxes (power); emptied */
   int group;                    /* x and v are integrated for these */
+  int held;                     /* groups that other fixes move or hold: not shifted */
   tm_real dt, visc_alpha;
   tm_real hourglass;        /* xi of hourglass control, below 0: from the stress */
   tm_real h;                /* smoothing length of all, where particles have none of their own */
@@ -49,7 +51,7 @@ typedef struct {
   int particle;   /* whose status it is */
   int melted;     /* the first particle above its melting temperature, or INT_MAX */
   tm_real dt[3];  /* limits by sound, force, conduction (without safety factor) */
-  tm_real speed2; /* square of the largest speed */
+  tm_real speed2; /* square of the largest speed; a way in the second half of the step counts as one of that half */
   /* energies of the step, with the ledger. stress_work: of the stress that acted, sigma(n+1/2) : L; failure: what was
      stored in a particle that failed; thermal_pressure: work of the part of the pressure that heat makes; compression:
      stored energy that compression turns into heat;

@@ -29,6 +29,7 @@ const Name NAMES[] = {{"viscosity", TM_FX_VISCOSITY},
                       {"hourglass", TM_FX_HOURGLASS},
                       {"fracture", TM_FX_FRACTURE},
                       {"contact-layer", TM_FX_LAYER},
+                      {"shifting", unsigned(TM_FX_SHIFTING)},
                       {"expansion", TM_FX_EXPANSION},
                       {"compression-heat", TM_FX_COMPRESSION_HEAT},
                       {"artificial-heat", TM_FX_ARTIFICIAL_HEAT}};
@@ -87,7 +88,7 @@ struct Reasons {
   std::map<unsigned, std::string> why;
   bool every_pair_stored;
   bool mechanics = false, solid = false, flows = false, softens = false, shock = false;
-  std::string why_no_faces = {};
+  std::string why_no_faces = {}, why_no_shifting = {};
   std::string conducts = {}, expands = {}, compresses = {};    // the first material that does, or heats by compression
 
   void on(unsigned bit, const std::string &reason) { why.emplace(bit, reason); }
@@ -96,6 +97,7 @@ struct Reasons {
   void materials();
   void contacts();
   void faces();
+  void shifting(bool one_pass);
   void settings();
   void shocks();
   void conversions();
@@ -189,6 +191,16 @@ void Reasons::faces()
     why_no_faces = "material flows; thin parts bend too softly, pair_style correction second mends that";
   if (set.faces == FACES_NEVER) why_no_faces = "pair_style correction linear";
 }
+
+// of updated-Lagrangian pairs: those that are kept know where they were
+void Reasons::shifting(bool one_pass)
+{
+  if (!flows || !has(TM_FX_PLASTICITY)) return;
+  if (!one_pass)
+    why_no_shifting = "needs gradient correction and hourglass control in one pass, and no lists that keep pairs";
+  else if (has(TM_FX_SMOOTHING)) why_no_shifting = "particles have sizes of their own";
+  else on(unsigned(TM_FX_SHIFTING), "material flows");
+}
 }    // namespace
 
 // --- the plan ---------------------------------------------------------------------------------
@@ -239,13 +251,22 @@ void EffectPlan::derive(const Model &model, int dimension)
   if (!r.has(TM_FX_VISCOSITY)) r.why.erase(TM_FX_BALSARA);
   heat_reason = r.has(TM_FX_HEAT) ? r.why[TM_FX_HEAT] : "";
 
+  const bool one_pass =
+      r.has(TM_FX_CORRECTION) && r.has(TM_FX_HOURGLASS) && !r.has(TM_FX_ARTSTRESS) && !separate_passes;
+  r.why.erase(unsigned(TM_FX_SHIFTING));
+  r.shifting(one_pass);
+  if ((forced_on & TM_FX_SHIFTING) && !r.has(unsigned(TM_FX_SHIFTING)))
+    contradiction =
+        "shifting needs a material that flows, gradient correction and hourglass control in one pass, particles of "
+        "one size, and no lists of fix adapt/neigh that keep pairs";
+  if (forced_off & TM_FX_SHIFTING) r.why.erase(unsigned(TM_FX_SHIFTING));
+
   effects = (dimension == 3 ? unsigned(TM_FX_3D) : 0u) | ((unsigned) set.kernel << TM_FX_KERNEL_SHIFT);
   if (set.form_f14) effects |= TM_FX_FORM_F14;
   if (set.plane_stress) effects |= TM_FX_PLANE_STRESS;
   if (set.mixed) effects |= TM_FX_MIXED;
   for (const auto &w : r.why) effects |= w.first;
-  if ((effects & TM_FX_CORRECTION) && (effects & TM_FX_HOURGLASS) && !(effects & TM_FX_ARTSTRESS) && !separate_passes)
-    effects |= TM_FX_ONE_PASS;
+  if (one_pass) effects |= TM_FX_ONE_PASS;
   if ((effects & TM_FX_FACES) && !(effects & TM_FX_ONE_PASS)) {
     if (forced_on & TM_FX_FACES)
       contradiction =
@@ -255,7 +276,7 @@ void EffectPlan::derive(const Model &model, int dimension)
     r.why.erase(TM_FX_FACES);
     why_no_faces = "lists keep pairs; thin parts bend too softly";
   }
-  write_report(r.why, why_no_faces);
+  write_report(r.why, {{TM_FX_FACES, why_no_faces}, {unsigned(TM_FX_SHIFTING), r.why_no_shifting}});
 }
 
 // forced off, but a material or a fix has a use for it
@@ -271,7 +292,8 @@ void EffectPlan::warn(const std::map<unsigned, std::string> &why, bool softens)
                        "temperature stays uniform");
 }
 
-void EffectPlan::write_report(const std::map<unsigned, std::string> &why, const std::string &why_no_faces)
+void EffectPlan::write_report(const std::map<unsigned, std::string> &why,
+                              const std::map<unsigned, std::string> &why_not)
 {
   report.clear();
   for (const auto &n : NAMES) {
@@ -280,7 +302,7 @@ void EffectPlan::write_report(const std::map<unsigned, std::string> &why, const 
     line.resize(32, ' ');
     if (it != why.end()) line += "on   " + it->second;
     else if (forced_off & n.bit) line += "off  forced off in fix sph/tm";
-    else if (n.bit == TM_FX_FACES && !why_no_faces.empty()) line += "off  " + why_no_faces;
+    else if (why_not.count(n.bit) && !why_not.at(n.bit).empty()) line += "off  " + why_not.at(n.bit);
     else line += "off  nothing in the scene calls for it";
     report.push_back(line);
   }

@@ -51,7 +51,7 @@ class EffectPlan {
   unsigned forced_on = 0, forced_off = 0, asked_for = 0;
   std::vector<std::pair<unsigned, std::string>> asked;
   void warn(const std::map<unsigned, std::string> &why, bool softens);
-  void write_report(const std::map<unsigned, std::string> &why, const std::string &why_no_faces);
+  void write_report(const std::map<unsigned, std::string> &why, const std::map<unsigned, std::string> &why_not);
 };
 
 }    // namespace SPHTM_NS

@@ -5,6 +5,10 @@
 #include "step_results.h"
 
 #include "domain.h"
+#include "fix.h"
+#include "modify.h"
+
+#include <cstring>
 
 using namespace LAMMPS_NS;
 
@@ -26,6 +30,16 @@ tm_drift_args drift_args(ParticleState &state, const Domain &box)
   return a;
 }
 
+int held_groups(Modify &fixes)
+{
+  static const char *const styles[] = {"sph/tm/drive", "setforce", "move", "rigid"};
+  int groups = 0;
+  for (const Fix *f : fixes.get_fix_list())
+    for (const char *style : styles)
+      if (!strncmp(f->style, style, strlen(style))) groups |= f->groupbit;
+  return groups;
+}
+
 tm_update_args update_args(ParticleState &state, StepResults &results)
 {
   Model &model = state.model();
@@ -37,6 +51,8 @@ tm_update_args update_args(ParticleState &state, StepResults &results)
   a.gradient = rates.gradient;
   a.heat = rates.heat;
   a.xsph_v = rates.xsph_v;
+  a.uneven = rates.uneven;
+  a.held = 0;
   a.hourglass_rate = rates.hourglass_rate;
   a.artificial = rates.artificial;
   a.moment = rates.moment;

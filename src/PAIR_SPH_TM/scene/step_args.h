@@ -7,7 +7,8 @@
 
 namespace LAMMPS_NS {
 class Domain;
-}
+class Modify;
+}    // namespace LAMMPS_NS
 
 namespace SPHTM_NS {
 
@@ -15,8 +16,10 @@ class ParticleState;
 class StepResults;
 
 tm_drift_args drift_args(ParticleState &, const LAMMPS_NS::Domain &);
-// limits of what goes on (hottest, densest) are infinite, and nothing watches for melting
+// limits of what goes on (hottest, densest) are infinite, nothing watches for melting, and no groups are held
 tm_update_args update_args(ParticleState &, StepResults &);
+// groups whose particles another fix moves or holds: their positions are its own, and are not shifted
+int held_groups(LAMMPS_NS::Modify &);
 
 }    // namespace SPHTM_NS
 

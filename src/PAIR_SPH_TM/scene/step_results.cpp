@@ -23,8 +23,8 @@ StepResults::StepResults(LAMMPS *lmp, Backend &where, Model &m) :
   rec_stab.live_in(where, TM_REC_STAB, 2);
   gradient.live_in(where, 9);
   for (auto *a :
-       {&rec_heat, &rec_correction, &rec_size, &rec_hourglass, &heat, &correction, &xsph_v, &hourglass_rate, &moment,
-        &turn, &face_next, &surface, &artificial, &near_count, &tally, &sides, &ahead, &force_internal})
+       {&rec_heat, &rec_correction, &rec_size, &rec_hourglass, &heat, &correction, &xsph_v, &uneven, &hourglass_rate,
+        &moment, &turn, &face_next, &surface, &artificial, &near_count, &tally, &sides, &ahead, &force_internal})
     a->live_in(where);
   single_main.live_in(where, TM_REC, 4);
   single_more.live_in(where, TM_MORE, 4);
@@ -34,8 +34,8 @@ StepResults::StepResults(LAMMPS *lmp, Backend &where, Model &m) :
     a->call("records");
   for (auto *a : {&single_main, &single_more, &single_stab, &single_correction, &single_size})
     a->call("records in single");
-  for (auto *a : {&gradient, &heat, &correction, &xsph_v, &hourglass_rate, &moment, &turn, &face_next, &surface,
-                  &artificial, &force_internal})
+  for (auto *a : {&gradient, &heat, &correction, &xsph_v, &uneven, &hourglass_rate, &moment, &turn, &face_next,
+                  &surface, &artificial, &force_internal})
     a->call("rates");
 }
 
@@ -58,6 +58,7 @@ void StepResults::resize(const ParticleState &state)
   heat.make_room(state.has(TM_FX_CONDUCTION), own);
   correction.make_room(state.has(TM_FX_CORRECTION), own * 6);
   xsph_v.make_room(state.has(TM_FX_XSPH), own * 3);
+  uneven.make_room(state.has(TM_FX_SHIFTING), own * 3);
   hourglass_rate.make_room(state.has(TM_FX_HOURGLASS), own * 3);
   surface.make_room(state.has(TM_FX_SURFACE), own * 3);
   sides.make_room(state.has(TM_FX_BODIES), all * TM_BODY_SIDE * model.sides());
@@ -154,6 +155,7 @@ tm_rates_args &StepResults::fill_args(ParticleState &state, const tm_state &s)
   args.heat = heat.loop_write();
   args.correction = correction.loop_write();
   args.xsph_v = xsph_v.loop_write();
+  args.uneven = uneven.loop_write();
   args.hourglass_rate = hourglass_rate.loop_write();
   args.moment = moment.loop_write();
   args.turn = turn.loop_write();
@@ -296,6 +298,7 @@ std::map<unsigned, double> StepResults::bytes_by_effect(unsigned effects) const
   bytes[TM_FX_FACES] = turn.bytes() + face_next.bytes();
   bytes[TM_FX_SMOOTHING] = rec_size.bytes();
   bytes[TM_FX_XSPH] = xsph_v.bytes();
+  bytes[TM_FX_SHIFTING] = uneven.bytes();
   bytes[TM_FX_HOURGLASS] = rec_hourglass.bytes() + hourglass_rate.bytes();
   bytes[TM_FX_SURFACE] = surface.bytes();
   bytes[TM_FX_BODIES] = sides.bytes() + ahead.bytes();

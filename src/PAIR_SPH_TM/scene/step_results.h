@@ -75,7 +75,8 @@ class StepResults : protected LAMMPS_NS::Pointers {
   Model &model;
   LoopArray<tm_real> rec_main, rec_stress, rec_heat, rec_correction, rec_size, rec_hourglass, rec_stab;
   LoopArray<float> single_main, single_more, single_correction, single_size, single_stab;    // mixed precision
-  LoopArray<tm_real> gradient, heat, correction, xsph_v, hourglass_rate, moment, turn, face_next, surface, artificial;
+  LoopArray<tm_real> gradient, heat, correction, xsph_v, uneven, hourglass_rate, moment, turn, face_next, surface,
+      artificial;
   LoopArray<tm_real> near_count, tally, sides, ahead;
   LoopArray<double> force_internal;
   tm_records rec = {};

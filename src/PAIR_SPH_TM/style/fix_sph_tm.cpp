@@ -185,6 +185,7 @@ void FixSPHTM::final_integrate()
   const tm_update_result sum = [this] {
     const auto timed = state.clock().timed(RunClock::UPDATE);
     tm_update_args args = update_args(state, scene->results());
+    args.held = held_groups(*modify);
     stops.limit(args);
     state.active().hold(args.state.force);
     return PairLoops::of(state.loops()).update(state.active().stepping(), atom->nlocal, args, state.effects());
