@@ -19,6 +19,7 @@ typedef struct {
       face[TM_FACE_COLUMNS * MOST];
 } results;
 static results one, apart;
+static double uneven[3 * MOST];
 static tm_rates_args args;
 
 static double *rec(int i) { return main_ + (ptrdiff_t) i * TM_REC; }
@@ -83,6 +84,7 @@ static void results_of(results *r)
   args.artificial = r->artificial;
   args.hourglass_rate = r->rate;
   args.moment = r->moment;
+  args.uneven = uneven;
   args.face_next = r->face;
 }
 
@@ -176,6 +178,7 @@ static void test_normal(void)
           S[3 * d + k] += w * (rj[TM_REC_V + d] - ri[TM_REC_V + d]) * D[k];
         }
     }
+    for (int k = 0; k < 3; k++) UT_WITHIN(uneven[3 * i + k], sum[k], 1e-12);
     const tm_vec3 want = tm_face_normal(tm_vec(sum[0], sum[1], sum[2]), args.h, dim - trace);
     UT_WITHIN(b[0], want.x, 1e-12);
     UT_WITHIN(b[1], want.y, 1e-12);

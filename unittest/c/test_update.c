@@ -279,8 +279,41 @@ static void limits(void)
   UT_NEAR(tm_decay_time_step(4.0), 0.125, 1e-15);
 }
 
+/* Metal that flows moves by tm_shift() too, and the way counts as speed; not what another fix holds, is not of the group, is
+   elastic or has failed. Velocity and stress are as without. */
+static void shifting(void)
+{
+  static double uneven[3 * UT_ROOM];
+  const tm_vec3 g = tm_vec(0.03, -0.02, 0.01);
+  for (int k = 0; k < 6; k++) {
+    tm_update_args a = arrange();
+    double *x = p.state.x, *eps = p.field[TM_F_PSTRAIN];
+    tm_store3(uneven, g);
+    p.material[1].yield = k == 4 ? 1e9 : 10.0;
+    eps[0] = 0.5;
+    gradient[tm_column(1)] = 2.0;
+    p.state.v[0] = 7.0;
+    const tm_vec3 at = tm_load3(x);
+    a.uneven = k == 0 ? NULL : uneven;
+    a.held = k == 2 ? 1 : 2;
+    if (k == 3) a.group = 4;
+    const unsigned damage = k == 5 ? (unsigned) TM_FX_DAMAGE : 0u;
+    if (damage) p.field[TM_F_DAMAGE][tm_column(1)] = 1.0;
+    const tm_update_result r = tm_update(0, &a, ALL | damage);
+    const double d_eps = eps[0] - 0.5, way = k == 3 ? 0.0 : 0.5 * DT * 7.0;
+    const tm_vec3 want = k == 1 ? tm_shift(g, a.h, 0.5, d_eps) : tm_vec(0, 0, 0);
+    UT_TRUE(k >= 4 ? d_eps == 0.0 : d_eps > 1e-4);
+    UT_NEAR(x[0] - at.x, way + want.x, 1e-12);
+    UT_NEAR(x[1] - at.y, want.y, 1e-12);
+    UT_NEAR(x[2] - at.z, want.z, 1e-12);
+    UT_NEAR(sqrt(r.speed2), 7.0 + 2.0 / DT * tm_vec_norm(want), 1e-12);
+    UT_TRUE(p.state.v[0] == 7.0 && (k != 1 || want.x < 0.0));
+  }
+}
+
 int main(void)
 {
+  shifting();
   motion();
   density();
   elastic();

@@ -51,7 +51,7 @@ typedef struct {
   double rec_correction[TM_REC_CORRECTION * CLOUD], rec_size[TM_REC_SIZE * CLOUD];
   double reference[TM_R_COLUMNS * CLOUD], unstrained[CLOUD], turned[TM_K_COLUMNS * CLOUD], moment[TM_MOMENT_COLUMNS * CLOUD];
   double face[TM_FACE_COLUMNS * CLOUD], turn[3 * CLOUD], face_next[TM_FACE_COLUMNS * CLOUD];
-  double gradient[9 * CLOUD], heat[CLOUD], correction[6 * CLOUD], xsph_v[3 * CLOUD], surface[3 * CLOUD];
+  double gradient[9 * CLOUD], heat[CLOUD], correction[6 * CLOUD], xsph_v[3 * CLOUD], surface[3 * CLOUD], uneven[3 * CLOUD];
   double artificial[CLOUD], near[CLOUD], body_sides[TM_BODY_SIDE * CLOUD], body_ahead[TM_AHEAD * CLOUD], tally[TM_TALLY * CLOUD], tool_heat[CLOUD];
   double result[POINTS_MOST * CLOUD];                 /* what the function returned */
 } cloud;
@@ -65,7 +65,7 @@ typedef struct {
   ARRAY(rec_hourglass, TM_REC_HOURGLASS) ARRAY(hourglass_rate, 3) ARRAY(rec_stab, TM_REC_STAB)                       \
   ARRAY(reference, TM_R_COLUMNS) ARRAY(unstrained, 1) ARRAY(turned, TM_K_COLUMNS) ARRAY(moment, TM_MOMENT_COLUMNS)                   \
   ARRAY(face, TM_FACE_COLUMNS) ARRAY(turn, 3) ARRAY(face_next, TM_FACE_COLUMNS)                                       \
-  ARRAY(gradient, 9) ARRAY(heat, 1) ARRAY(correction, 6) ARRAY(xsph_v, 3) ARRAY(surface, 3) ARRAY(artificial, 1)     \
+  ARRAY(gradient, 9) ARRAY(heat, 1) ARRAY(correction, 6) ARRAY(xsph_v, 3) ARRAY(uneven, 3) ARRAY(surface, 3) ARRAY(artificial, 1)     \
   ARRAY(near, 1) ARRAY(tally, TM_TALLY) ARRAY(tool_heat, 1) ARRAY(body_sides, TM_BODY_SIDE) ARRAY(body_ahead, TM_AHEAD) \
   ARRAY(result, POINTS_MOST)
 
@@ -137,6 +137,7 @@ TM_FN tm_rates_args cloud_rates(cloud *w)
   a.gradient = w->gradient; a.heat = w->heat; a.correction = w->correction;
   a.hourglass_rate = w->hourglass_rate; a.moment = w->moment; a.which = NULL;
   a.turn = w->turn; a.face_next = w->face_next;
+  a.uneven = (w->effects & TM_FX_ONE_PASS) ? w->uneven : NULL;
   a.xsph_v = w->xsph_v; a.surface = w->surface; a.artificial = w->artificial;
   return a;
 }
@@ -148,6 +149,7 @@ TM_FN tm_update_args cloud_update(cloud *w)
   a.gradient = w->gradient; a.heat = w->heat; a.xsph_v = w->xsph_v; a.artificial = w->artificial;
   a.hourglass_rate = w->hourglass_rate; a.hourglass = (w->effects & TM_FX_ONE_PASS) ? -1.0 : 0.1;
   a.moment = w->moment; a.correction = w->correction; a.face_next = w->face_next;
+  a.uneven = (w->effects & TM_FX_ONE_PASS) ? w->uneven : NULL; a.held = 2;
   a.force_internal = w->force_internal;
   a.source = w->source;
   a.group = 1;
