@@ -77,7 +77,7 @@ TM_FN tm_state cloud_state(cloud *w)
   s.field[TM_F_DAMAGE] = w->damage; s.field[TM_F_BALSARA] = w->balsara; s.field[TM_F_XSPH] = w->xsph;
   s.field[TM_F_THICKNESS] = w->thickness; s.field[TM_F_SIZE] = w->size; s.field[TM_F_HOURGLASS] = w->hourglass;
   s.field[TM_F_FRACTURE] = w->reference; s.field[TM_F_UNSTRAINED] = w->unstrained;
-  s.field[TM_F_CORRECTION] = w->turned; s.field[TM_F_FACE] = w->face;
+  s.field[TM_F_CORRECTION] = w->turned; s.field[TM_F_FACE] = w->face; s.field[TM_F_LAYER] = NULL;
   s.x = w->x; s.v = w->v; s.force = w->force;
   s.type = w->type; s.mask = w->mask;
   s.material = w->material;

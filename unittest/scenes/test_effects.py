@@ -73,20 +73,20 @@ elastic = scene("strength elastic")
 plastic = scene(YIELDS)
 johnson_cook = scene(STEEL + " " + HEAT)
 expect("elastic", elastic, plain | {"faces"})
-lines = expect("plastic", plastic, plain | {"plasticity"})
+lines = expect("plastic", plastic, plain | {"plasticity", "shifting"})
 checks.true("plastic: the reason names the type", "type 1" in lines["plasticity"][1], lines["plasticity"][1])
 checks.true("plastic: the line of faces says what that means", "material flows" in lines["faces"][1] and "correction second" in lines["faces"][1],
             lines["faces"][1])
-expect("plastic, heat constants", scene(YIELDS + " " + HEAT), plain | {"plasticity"} | heated)
-expect("plastic, heat constants, chi 0", scene(YIELDS + " heat 38 477 0"), plain | {"plasticity"})
-expect("Johnson-Cook, no heat constants", scene(STEEL), plain | {"plasticity"})
-lines = expect("Johnson-Cook", johnson_cook, plain | {"plasticity"} | heated)
+expect("plastic, heat constants", scene(YIELDS + " " + HEAT), plain | {"plasticity", "shifting"} | heated)
+expect("plastic, heat constants, chi 0", scene(YIELDS + " heat 38 477 0"), plain | {"plasticity", "shifting"})
+expect("Johnson-Cook, no heat constants", scene(STEEL), plain | {"plasticity", "shifting"})
+lines = expect("Johnson-Cook", johnson_cook, plain | {"plasticity", "shifting"} | heated)
 checks.true("Johnson-Cook: the reason of heat", "plastic work" in lines["heat"][1], lines["heat"][1])
-expect("no conductivity", scene(STEEL + " heat 0 477 0.9"), plain | {"plasticity", "heat", "artificial-heat"})
+expect("no conductivity", scene(STEEL + " heat 0 477 0.9"), plain | {"plasticity", "shifting", "heat", "artificial-heat"})
 expect("damage, shock", scene(STEEL + " eos shock 4570 1.49 1.9 damage strain 1.0"),
-       plain | {"plasticity", "damage", "internal-energy"})
+       plain | {"plasticity", "shifting", "damage", "internal-energy"})
 expect("thermal expansion", scene(YIELDS + " expansion 1.2e-5 " + HEAT),
-       plain | {"plasticity", "expansion", "compression-heat"} | heated)
+       plain | {"plasticity", "shifting", "expansion", "compression-heat"} | heated)
 expect("shock, heat constants", scene("strength elastic eos shock 4570 1.49 1.9 " + HEAT),
        plain | {"faces", "internal-energy", "compression-heat"} | heated)
 expect("heat, artificial stress", scene(YIELDS + " " + HEAT, "stabilize artstress"),

@@ -106,7 +106,7 @@ way = np.hypot(t["v_cx"] - t["v_cx"][0] - 100 * t["Time"], t["v_cy"] - t["v_cy"]
 checks.below("its center of mass, off its path, spacings", way.max() / 1e-3, 1e-2)
 checks.below("its sum of energies, change over the kinetic energy", np.ptp(t["f_body[9]"]) / t["f_body[1]"][0], 1e-3)
 
-for style, more, word in (("stabilize artstress", "", "needs gradient correction"), ("", "fix l all adapt/neigh asph psi\n", "sizes of their own"),
+for style, more, word in (("stabilize artstress", "", "needs gradient correction"),
                           ("", "fix l all adapt/neigh threshold inf\n", "no lists that keep pairs")):
     r = run(BLOCK.format(style=style, effects="", more=SUMS + more) + "run 0\n")
     line = [w for w in r.output.splitlines() if "effect shifting" in w]

@@ -198,7 +198,6 @@ void Reasons::shifting(bool one_pass)
   if (!flows || !has(TM_FX_PLASTICITY)) return;
   if (!one_pass)
     why_no_shifting = "needs gradient correction and hourglass control in one pass, and no lists that keep pairs";
-  else if (has(TM_FX_SMOOTHING)) why_no_shifting = "particles have sizes of their own";
   else on(unsigned(TM_FX_SHIFTING), "material flows");
 }
 }    // namespace
@@ -257,8 +256,8 @@ void EffectPlan::derive(const Model &model, int dimension)
   r.shifting(one_pass);
   if ((forced_on & TM_FX_SHIFTING) && !r.has(unsigned(TM_FX_SHIFTING)))
     contradiction =
-        "shifting needs a material that flows, gradient correction and hourglass control in one pass, particles of "
-        "one size, and no lists of fix adapt/neigh that keep pairs";
+        "shifting needs a material that flows, gradient correction and hourglass control in one pass, and no "
+        "lists of fix adapt/neigh that keep pairs";
   if (forced_off & TM_FX_SHIFTING) r.why.erase(unsigned(TM_FX_SHIFTING));
 
   effects = (dimension == 3 ? unsigned(TM_FX_3D) : 0u) | ((unsigned) set.kernel << TM_FX_KERNEL_SHIFT);
