@@ -20,7 +20,7 @@ static tm_vec3 uneven(int kernel, int dim, double h, double sx, double sy, tm_ve
   return g;
 }
 
-static double way(tm_vec3 g, double h, double eps, double d_eps) { return tm_vec_norm(tm_shift(g, h, eps, d_eps)); }
+static double way(tm_vec3 g, double h, double eps, double d_eps) { return tm_vec_norm(tm_shift(g, h, eps, d_eps, 1.0)); }
 
 static void closed_form(void)
 {
@@ -28,9 +28,13 @@ static void closed_form(void)
   const tm_vec3 g = tm_vec(0.06, -0.08, 0.0); /* h |g| = 0.12 */
   UT_NEAR(way(g, h, 1.0, d), TM_SHIFT_RATE * d * 0.7 * h * 0.12, 1e-12);
   UT_NEAR(way(g, h, 0.3, d), 0.5 * way(g, h, 1.0, d), 1e-12);
-  const tm_vec3 dx = tm_shift(g, h, 0.5, d); /* down the gradient */
+  const tm_vec3 dx = tm_shift(g, h, 0.5, d, 1.0); /* down the gradient */
   UT_NEAR(dx.x / dx.y, -0.75, 1e-12);
   UT_TRUE(dx.x < 0.0 && dx.z == 0.0);
+  UT_NEAR(tm_shift(g, h, 0.5, d, 0.25).x, 0.25 * dx.x, 1e-12);
+  UT_TRUE(tm_shift_share(30.0, 5.0) == 1.0 && tm_shift_share(30.0, 0.0) == 1.0); /* pressure */
+  UT_NEAR(tm_shift_share(30.0, -5.0), 0.5, 1e-12);
+  UT_TRUE(tm_shift_share(30.0, -10.0) <= 1e-12 && tm_shift_share(30.0, -50.0) == 0.0); /* uniaxial tension, and more */
   UT_TRUE(way(g, h, TM_SHIFT_BEGINS, d) == 0.0 && way(g, h, 0.1, d) == 0.0);
   UT_TRUE(way(g, h, 1.0, 0.0) == 0.0 && way(tm_vec(0, 0, 0), h, 1.0, d) == 0.0);
   UT_TRUE(way(tm_vec_scale(3.4, g), h, 1.0, d) == 0.0); /* at a surface */
@@ -49,7 +53,7 @@ static void lattices(int kernel, int dim, double h)
   UT_TRUE(way(uneven(kernel, dim, h, 1, 1, site, 1.5), h, 1.0, 1e-3) < 2e-3); /* beneath it: at most twice the strain, in h */
   tm_vec3 p = tm_vec(0.15, -0.1, dim == 3 ? 0.1 : 0.0);
   for (double eps = 0.4; eps < 1.0; eps += 1e-3) {
-    const tm_vec3 dx = tm_shift(uneven(kernel, dim, h, 1, 1, p, 1e300), h, eps, 1e-3);
+    const tm_vec3 dx = tm_shift(uneven(kernel, dim, h, 1, 1, p, 1e300), h, eps, 1e-3, 1.0);
     UT_TRUE(tm_vec_dot(dx, p) <= 0.0);
     p = tm_vec_add(p, dx);
   }
@@ -72,7 +76,7 @@ static void gap(void)
         if (r < 2 * h) g = tm_vec_axpy(g, V * norm * tm_kernel_slope(TM_KERNEL_HYPERBOLIC, r / h) / r, d);
       }
     UT_TRUE(fabs(g.y) < 1e-12);
-    off += tm_shift(g, h, eps, 1e-3).x;
+    off += tm_shift(g, h, eps, 1e-3, 1.0).x;
   }
   UT_TRUE(off > 0.1 && off < 0.6); /* of 0.55, a quarter of the distance of the rows; 0.001 at the start */
 }

@@ -301,7 +301,7 @@ static void shifting(void)
     if (damage) p.field[TM_F_DAMAGE][tm_column(1)] = 1.0;
     const tm_update_result r = tm_update(0, &a, ALL | damage);
     const double d_eps = eps[0] - 0.5, way = k == 3 ? 0.0 : 0.5 * DT * 7.0;
-    const tm_vec3 want = k == 1 ? tm_shift(g, a.h, 0.5, d_eps) : tm_vec(0, 0, 0);
+    const tm_vec3 want = k == 1 ? tm_shift(g, a.h, 0.5, d_eps, 1.0) : tm_vec(0, 0, 0);
     UT_TRUE(k >= 4 ? d_eps == 0.0 : d_eps > 1e-4);
     UT_NEAR(x[0] - at.x, way + want.x, 1e-12);
     UT_NEAR(x[1] - at.y, want.y, 1e-12);

@@ -5,12 +5,15 @@
    of their concentration C = sum V_j W (Lind et al. 2012, doi 10.1016/j.jcp.2011.10.027). Here the plastic strain of the
    step stands for the time, so that what does not flow is never moved:
 
-     dx_i = -beta h^2 d eps_p  t(eps_p) c(h |g|) g,   g = grad C = sum V_j gradW_ij
+     dx_i = -beta h^2 d eps_p  t(eps_p) c(h |g|) s(p) g,   g = grad C = sum V_j gradW_ij
 
    g is 0 in a regular lattice, stretched too. t rises from 0 to 1 between the plastic strains TM_SHIFT_BEGINS and
    TM_SHIFT_WHOLE: below, spacings are near enough to what they were. c = 1 - h |g|/TM_SHIFT_FACE falls to 0 towards surfaces,
    where h |g| is 0.57 to 0.66 (tm_face.h): what is at a surface stays there. What a tool or another body touches, and what other
    fixes move, is not shifted: springs of contacts keep their energy.
+
+   s = 1 + 3 p/Y, between 0 and 1, is 0 from uniaxial tension on, p = -Y/3: there a pattern in the positions grows (tensile instability),
+   and a lattice that stays as it is holds longest: a strip that is drawn through a die parted after two thirds of the way with s = 1.
 
    Velocities and the state of a particle go along with it: momentum and the sum of energies are exact as without. Positions move
    by O(h) over a strain of 1, so with refinement this vanishes. The angular momentum changes by sum m dx x v: by 0.2 % in a block
@@ -34,13 +37,17 @@
 /* Most in one step, over h. */
 #define TM_SHIFT_MOST 0.02
 
-/* dx of a particle with g (1/length) and smoothing length h, in a step in which the plastic strain grew by d_eps from eps_p. */
-TM_FN tm_vec3 tm_shift(tm_vec3 g, tm_real h, tm_real eps_p, tm_real d_eps)
+/* s of flow stress > 0 and pressure. */
+TM_FN tm_real tm_shift_share(tm_real yield, tm_real p) { return tm_max(0.0, tm_min(1.0, 1.0 + 3.0 * p / yield)); }
+
+/* dx of a particle with g (1/length) and smoothing length h, in a step in which the plastic strain grew by d_eps from eps_p; share:
+   s. */
+TM_FN tm_vec3 tm_shift(tm_vec3 g, tm_real h, tm_real eps_p, tm_real d_eps, tm_real share)
 {
   const tm_real size = h * tm_vec_norm(g);
   if (!(eps_p > TM_SHIFT_BEGINS && size > 0.0 && size < TM_SHIFT_FACE)) return tm_vec(0, 0, 0);
   const tm_real strained = tm_min((eps_p - TM_SHIFT_BEGINS) / (TM_SHIFT_WHOLE - TM_SHIFT_BEGINS), 1.0);
-  const tm_real way = TM_SHIFT_RATE * d_eps * strained * (1.0 - size / TM_SHIFT_FACE) * size;
+  const tm_real way = TM_SHIFT_RATE * share * d_eps * strained * (1.0 - size / TM_SHIFT_FACE) * size;
   return tm_vec_scale(-tm_min(way, TM_SHIFT_MOST) * h * h / size, g);
 }
 
