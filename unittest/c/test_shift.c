@@ -33,6 +33,7 @@ static void closed_form(void)
   UT_TRUE(dx.x < 0.0 && dx.z == 0.0);
   UT_NEAR(tm_shift(g, h, 0.5, d, 0.25).x, 0.25 * dx.x, 1e-12);
   UT_TRUE(tm_shift_share(30.0, 5.0) == 1.0 && tm_shift_share(30.0, 0.0) == 1.0); /* pressure */
+  UT_TRUE(tm_shift_share(0.0, 0.0) == 1.0 && tm_shift_share(0.0, 2.0) == 1.0 && tm_shift_share(0.0, -2.0) == 0.0); /* molten */
   UT_NEAR(tm_shift_share(30.0, -5.0), 0.5, 1e-12);
   UT_TRUE(tm_shift_share(30.0, -10.0) <= 1e-12 && tm_shift_share(30.0, -50.0) == 0.0); /* uniaxial tension, and more */
   UT_TRUE(way(g, h, TM_SHIFT_BEGINS, d) == 0.0 && way(g, h, 0.1, d) == 0.0);

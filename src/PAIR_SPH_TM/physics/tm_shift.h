@@ -37,8 +37,12 @@
 /* Most in one step, over h. */
 #define TM_SHIFT_MOST 0.02
 
-/* s of flow stress > 0 and pressure. */
-TM_FN tm_real tm_shift_share(tm_real yield, tm_real p) { return tm_max(0.0, tm_min(1.0, 1.0 + 3.0 * p / yield)); }
+/* s of flow stress and pressure; without a flow stress (molten) 1 under pressure, 0 in tension. */
+TM_FN tm_real tm_shift_share(tm_real yield, tm_real p)
+{
+  if (!(yield > 0.0)) return p < 0.0 ? 0.0 : 1.0;
+  return tm_max(0.0, tm_min(1.0, 1.0 + 3.0 * p / yield));
+}
 
 /* dx of a particle with g (1/length) and smoothing length h, in a step in which the plastic strain grew by d_eps from eps_p; share:
    s. */
