@@ -13,10 +13,10 @@ enum { MOST = 400, ROOM = 300 };
 static int n, dim, faces, row[MOST * ROOM], length[MOST];
 static ptrdiff_t first[MOST];
 static tm_real TM_ALIGNED main_[MOST * TM_REC], stab[MOST * TM_REC_STAB], hourglass[MOST * TM_REC_HOURGLASS];
-static tm_real PK[MOST * TM_REC_CORRECTION], K[6 * MOST], turn[3 * MOST];
+static tm_real PK[MOST * TM_REC_CORRECTION], K[6 * MOST], turn[3 * MOST], TM_ALIGNED heat[MOST * TM_REC_HEAT];
 typedef struct {
   double force[3 * MOST], gradient[9 * MOST], artificial[MOST], rate[3 * MOST], moment[TM_MOMENT_COLUMNS * MOST],
-      face[TM_FACE_COLUMNS * MOST];
+      face[TM_FACE_COLUMNS * MOST], heat[MOST], xsph[3 * MOST], surface[3 * MOST];
 } results;
 static results one, apart;
 static double uneven[3 * MOST];
@@ -86,6 +86,9 @@ static void results_of(results *r)
   args.moment = r->moment;
   args.uneven = uneven;
   args.face_next = r->face;
+  args.heat = r->heat;
+  args.xsph_v = r->xsph;
+  args.surface = r->surface;
 }
 
 /* Particles at free faces and all others in calls of their own, as a GPU has them; effects and whose are literals. */
@@ -303,6 +306,36 @@ static void test_alternating(void)
   for (int k = 0; k < 9; k++) UT_WITHIN(one.gradient[9 * middle + k], 0, 1e-12);
 }
 
+/* Effects tested at run time by the loop that tests a few, as by the one that tests all. */
+#define SOME (TM_FX_CONDUCTION | TM_FX_BALSARA | TM_FX_XSPH | TM_FX_SURFACE)
+static void test_some(unsigned on)
+{
+  args.effects = TM_FX_VISCOSITY | TM_FX_ONE_PASS | TM_FX_CORRECTION | TM_FX_HOURGLASS | on;
+  args.rec.heat = heat;
+  args.xsph = 0.1;
+  for (int i = 0; i < n; i++) {
+    rec(i)[TM_REC_BALSARA] = (on & TM_FX_BALSARA) ? ut_random(0, 1) : 1.0;
+    heat[i * TM_REC_HEAT + TM_REC_T] = ut_random(300, 900);
+    heat[i * TM_REC_HEAT + TM_REC_K] = ut_random(10, 30);
+  }
+  results_of(&one);
+  for (int i = 0; i < n; i++)
+    if (dim == 3) tm_rates(i, &args, TM_FX_3D | TM_FX_VISCOSITY | TM_FX_ONE_PASS | TM_FX_EXTENDED | SOME);
+    else tm_rates(i, &args, TM_FX_VISCOSITY | TM_FX_ONE_PASS | TM_FX_EXTENDED | SOME);
+  results_of(&apart);
+  for (int i = 0; i < n; i++)
+    if (dim == 3) tm_rates(i, &args, TM_FX_3D | TM_FX_ONE_PASS | TM_FX_EXTENDED);
+    else tm_rates(i, &args, TM_FX_ONE_PASS | TM_FX_EXTENDED);
+  const double *a = (const double *) &one, *b = (const double *) &apart;
+  for (size_t k = 0; k < sizeof one / sizeof *a; k++) UT_NEAR(a[k], b[k], 1e-13);
+  double sum[3] = {0, 0, 0};
+  for (int i = 0; i < n; i++)
+    sum[0] += fabs(one.heat[i]), sum[1] += fabs(one.xsph[3 * i]), sum[2] += fabs(one.surface[3 * i]);
+  UT_TRUE((sum[0] > 0) == !!(on & TM_FX_CONDUCTION));
+  UT_TRUE((sum[1] > 0) == !!(on & TM_FX_XSPH));
+  UT_TRUE((sum[2] > 0) == !!(on & TM_FX_SURFACE));
+}
+
 int main(void)
 {
   UT_TRUE(tm_residual_velocity(0.0, tm_vec(1, 1, 1), tm_vec(1, 1, 1), tm_mat_identity()).x == 0.0);
@@ -317,6 +350,12 @@ int main(void)
       test_momentum();
       test_linear();
     }
+    faces = 0;
+    make(d, d == 2 ? 16 : 6, 0.15);
+    run();
+    for (unsigned effect = 1u << 3; effect <= 1u << 9; effect <<= 1)
+      if (effect & SOME) test_some(effect);
+    test_some(SOME);
   }
   test_second_order();
   test_alternating();

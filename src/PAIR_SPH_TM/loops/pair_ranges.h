@@ -69,8 +69,8 @@ void hourglass(int begin, int end, const tm_rates_args *args, unsigned effects)
 }
 
 // few instructions of prediction and update depend on these: tested at run time, by loops for scenes that have one of them
-constexpr unsigned TESTED = TM_FX_CORRECTION | TM_FX_ARTSTRESS | TM_FX_HOURGLASS | TM_FX_ONE_PASS | TM_FX_EXPANSION |
-                            TM_FX_COMPRESSION_HEAT | TM_FX_ARTIFICIAL_HEAT;
+constexpr unsigned TESTED = TM_FX_CORRECTION | TM_FX_ARTSTRESS | TM_FX_HOURGLASS | TM_FX_ONE_PASS | TM_FX_BALSARA |
+                            TM_FX_XSPH | TM_FX_EXPANSION | TM_FX_COMPRESSION_HEAT | TM_FX_ARTIFICIAL_HEAT;
 
 // in chunks, so that the records are still in the cache for the artificial stress
 template <unsigned SET, unsigned ASK> void predict_set(int begin, int end, const tm_predict_args *args, unsigned given)
