@@ -3,7 +3,7 @@
    Particle functions take these bits as their last argument. The launchers pass literals, so
    that an effect which is off leaves no branch, no load and no array in the machine code. The
    bits of TM_FX_RATE_MASK are literal in every rate loop; those of TM_FX_EXTENDED_MASK are
-   tested at run time inside the "extended" instantiations, and are
+   tested at run time inside the one "extended" instantiation per kernel and dimension, and are
    absent from all the others. With viscosity, smoothing alone and faces alone have loops of their own (effect_sets.h). */
 #ifndef TM_EFFECTS_H
 #define TM_EFFECTS_H
@@ -15,8 +15,7 @@ enum tm_effect {
   TM_FX_VISCOSITY = 1 << 1,  /* Monaghan artificial viscosity */
   TM_FX_ARTSTRESS = 1 << 2,  /* artificial stress against the tensile instability */
   TM_FX_CONDUCTION = 1 << 3, /* heat conduction between particles */
-  TM_FX_EXTENDED =
-      1 << 4, /* this instantiation reads bits at run time: all, or if it has some of the mask below, its own */
+  TM_FX_EXTENDED = 1 << 4,   /* this instantiation reads the bits below at run time */
 
   TM_FX_FORM_F14 = 1 << 5,   /* momentum form F14 (6) instead of F15 (4) */
   TM_FX_CORRECTION = 1 << 6, /* kernel-gradient correction */

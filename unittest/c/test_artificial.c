@@ -122,6 +122,6 @@ int main(void)
   UT_NEAR(tm_balsara(1, -3, 0, 0.01), 0.25, 1e-14);
   UT_TRUE(tm_balsara(0, 0, 5, 0.01) == 0);
   /* m_j/rho_mean W is symmetric for equal masses */
-  UT_NEAR(tm_xsph_pair(2, 4, 0.5), 0.25, 1e-15);
+  UT_NEAR(tm_xsph_pair(2, 1.0 / 8, 0.5), 0.25, 1e-15);
   return ut_summary();
 }

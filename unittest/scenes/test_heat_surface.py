@@ -59,6 +59,12 @@ for dim in (2, 3):
             # half a spacing of the material in series with the surface
             checks.near("%dD, %s, %s: power" % (dim, kind, style), result.thermo[0]["f_h"][0],
                         -300 * exact / (1 / 1000 + 0.5e-3 / 200), relative=1e-9)
+    # half of another density, bonded: no surface in between
+    two = body(dim, 12, AREA.format(""), slab=True, kind="solid").replace("create_box 1", "create_box 2").replace(
+        "pair_coeff 1 1 density 2700.0", "region half block 0 6e-3 INF INF INF INF units box\nset region half type 2\n"
+        "pair_coeff 2 2 density 7800 elastic 200e9 0.3 heat 40 450 0 emissivity 0.5\npair_coeff 1 1 density 2700.0")
+    checks.near("%dD: flat faces, bonded to another density" % dim, run(two).thermo[0]["f_h[3]"][0],
+                2 * (12 * 1e-3) ** (dim - 1), relative=1e-9)
     for n in (10, 20):
         if dim == 3 and n == 20:
             n = 16

@@ -1,10 +1,9 @@
 /* SPH-TM: the sets of effects that loops are instantiated for, on the host and with Kokkos alike.
 
    Rate pass: literal are the bits of TM_FX_RATE_MASK and the kernel; with TM_FX_EXTENDED all other effects are tested
-   at run time, on the host once for each chunk of neighbors, so that what is on costs its arithmetic. The default stabilization
-   (one pass) has a loop that tests RATE_SOME alone: the sums at free faces and of particles with sizes of their own, which
-   the other one has room for, cost a GPU a third of its threads. All sets exist for all kernels in double on the host. In single,
-   and on a GPU, the kernels but the default one have only the sets that test them all, so that the compiler is done in minutes.
+   at run time, on the host once for each chunk of neighbors, so that what is on costs its arithmetic. With one pass, the default,
+   Balsara's switch and XSPH have loops of their own. All sets exist for all kernels in double on the host. In single, and on a
+   GPU, the kernels but the default one have only the set that tests them all, so that the compiler is done in minutes.
 
    Prediction and update: scenes without the rare effects have loops for just their set; with one of those the rare ones
    are tested at run time. */
@@ -18,12 +17,10 @@ namespace SPHTM_NS {
 
 // kernel (5) x dimension (2) x {viscosity, artificial stress, conduction} (8) + extended (1)
 // + smoothing and viscosity x {artificial stress, conduction} (4)
-// + one pass: viscosity x {conduction, smoothing} (4) + extended (1) + viscosity and faces (1) + some extended (1)
-constexpr int RATE_SETS_PER_KERNEL = 2 * 20;
+// + one pass: viscosity x {conduction, smoothing} (4) + extended (1) + viscosity and faces (1)
+//   + Balsara, alone and with XSPH, x {conduction} (4)
+constexpr int RATE_SETS_PER_KERNEL = 2 * 23;
 constexpr int RATE_SETS = TM_KERNEL_COUNT * RATE_SETS_PER_KERNEL;
-
-// what the loop of one pass with some effects tests at run time
-constexpr unsigned RATE_SOME = TM_FX_CONDUCTION | TM_FX_BALSARA | TM_FX_XSPH | TM_FX_SURFACE;
 
 static constexpr unsigned rate_set(int index)
 {
@@ -31,8 +28,12 @@ static constexpr unsigned rate_set(int index)
   const unsigned rest = index % RATE_SETS_PER_KERNEL;
   const unsigned set = rest / 2;
   unsigned effects = (kernel << TM_FX_KERNEL_SHIFT) | ((rest & 1u) ? unsigned(TM_FX_3D) : 0u);
-  if (set == 19)
-    return effects | unsigned(TM_FX_ONE_PASS) | unsigned(TM_FX_VISCOSITY) | unsigned(TM_FX_EXTENDED) | RATE_SOME;
+  if (set > 18) {    // of a particle without the switch it is 1
+    effects |= unsigned(TM_FX_ONE_PASS) | unsigned(TM_FX_VISCOSITY) | unsigned(TM_FX_BALSARA);
+    if ((set - 19) & 1u) effects |= unsigned(TM_FX_CONDUCTION);
+    if ((set - 19) & 2u) effects |= unsigned(TM_FX_XSPH);
+    return effects;
+  }
   if (set == 18) return effects | unsigned(TM_FX_ONE_PASS) | unsigned(TM_FX_VISCOSITY) | unsigned(TM_FX_FACES);
   if (set == 17) return effects | unsigned(TM_FX_ONE_PASS) | unsigned(TM_FX_EXTENDED);
   if (set > 12) {
@@ -63,9 +64,11 @@ static constexpr int rate_set_index(unsigned effects)
   constexpr unsigned rare =
       (TM_FX_EXTENDED_MASK | unsigned(TM_FX_ARTSTRESS)) & ~(unsigned(TM_FX_SMOOTHING) | unsigned(TM_FX_CORRECTION));
   constexpr unsigned varied = unsigned(TM_FX_VISCOSITY) | unsigned(TM_FX_CONDUCTION) | unsigned(TM_FX_SMOOTHING);
+  constexpr unsigned switches = unsigned(TM_FX_CONDUCTION) | unsigned(TM_FX_BALSARA) | unsigned(TM_FX_XSPH);
   const unsigned asked = effects & (rare | varied);
   if ((effects & TM_FX_ONE_PASS) && asked == (unsigned(TM_FX_FACES) | unsigned(TM_FX_VISCOSITY))) set = 18;
-  else if ((effects & TM_FX_ONE_PASS) && (asked & rare) && (asked & ~RATE_SOME) == unsigned(TM_FX_VISCOSITY)) set = 19;
+  else if ((effects & TM_FX_ONE_PASS) && (asked & rare) && (asked & ~switches) == unsigned(TM_FX_VISCOSITY))
+    set = 19 + ((effects & TM_FX_CONDUCTION) ? 1 : 0) + ((effects & TM_FX_XSPH) ? 2 : 0);
   else if (effects & TM_FX_ONE_PASS)
     set = (effects & rare) || !(effects & TM_FX_VISCOSITY)
               ? 17

@@ -103,8 +103,13 @@ TM_FN tm_tally_result tm_tally_nothing(void)
 struct PairLoops {
   SPHTM_LOOP_POINTERS(PAIR_LOOPS)
 
-  void rates(Backend &b, int n, const tm_rates_args &a, unsigned effects) const
+  void rates(Backend &b, int n, const tm_rates_args &args, unsigned effects) const
   {
+    tm_rates_args a = args;
+    if (a.surface_of_pass && effects & TM_FX_ONE_PASS) {    // no sum of pairs
+      effects &= ~unsigned(TM_FX_SURFACE);
+      a.effects &= ~unsigned(TM_FX_SURFACE);
+    }
     (effects & TM_FX_MIXED ? rates_in_single : rates_in_double)(b, n, a, effects);
   }
   static bool has_single(const Backend &b, int kernel) { return b.shared() || kernel == TM_KERNEL_HYPERBOLIC; }

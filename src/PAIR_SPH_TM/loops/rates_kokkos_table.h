@@ -23,7 +23,7 @@ constexpr bool RATES_IN_DOUBLE = sizeof(tm_pair) == sizeof(double);
 constexpr int RATE_THREADS = RATES_IN_DOUBLE ? 64 : 128;
 constexpr int rate_blocks(unsigned effects, int whose)
 {
-  if ((effects & TM_FX_EXTENDED) && !(effects & RATE_SOME)) return 1;
+  if (effects & TM_FX_EXTENDED) return 1;
   if ((effects & TM_FX_FACES) && (whose != TM_RATES_INSIDE || !RATES_IN_DOUBLE)) return 4;
   return !RATES_IN_DOUBLE ? 5 : is_3d(effects) ? 6 : 8;
 }

@@ -71,7 +71,8 @@ typedef struct {
   tm_real *uneven;         /* 3, sum V_j gradW with shifting; else NULL */
   tm_real *hourglass_rate; /* 3, with the hourglass control: tm_hourglass.h */
   tm_real *surface;        /* 3, with surface */
-  tm_real *artificial;     /* heating by artificial terms, power, or NULL */
+  int surface_of_pass; /* nonzero: neighbors have the density of the particle; with one pass surface is a sum it has */
+  tm_real *artificial; /* heating by artificial terms, power, or NULL */
 } tm_rates_args;
 
 /* The records in the precision of pair arithmetic, and its units in those of the run (tm_single.h). */

@@ -7,7 +7,8 @@
    heat                rho c_p dT_i/dt = sum_j m_j/rho_j 4 k_i k_j/(k_i + k_j) (T_i - T_j) W'/r
                                                                               F15 (6)
    XSPH                dx_i = eps sum_j m_j/rho_mean (v_j - v_i) W
-   surface             n_i = sum_j m_j/rho_j gradW; area of the surface = 2 V_i |n_i|
+   surface             n_i = sum_j m_j/rho_j gradW; area of the surface = 2 V_i |n_i|; with one pass, where bonded
+                       materials have one density, m_j/rho_i, of the moment's sums
 
    With gradient correction (F15 form only) gradW is gradW K_i in L and in the term of P_i, and
    gradW K_j in that of P_j; K comes from tm_moment.h. With one pass the term of P_i is P_i K_i times the sum of
@@ -218,6 +219,7 @@ TM_FN void tm_rates_add(const tm_chunk *c, const tm_rates_terms *t, const tm_rat
     tm_sum_vec_add(&s->gd, m_gradw);
     tm_sum_vec_add(&s->gv, tm_lanes_scale(slope, v));
     if (t->conduction && !t->extended) s->heat += tm_values_load(col[TM_COL_CONDUCTED], l); /* F15 (6) */
+    if (t->xsph && !t->extended) tm_pair_xsph(&s->xsph, tm_values_load(col[TM_COL_SMOOTH], l), v);
     return;
   }
   tm_lanes_vec artificial = {zero, zero, zero};
@@ -276,7 +278,7 @@ TM_FN void tm_rates_add_rare(const tm_chunk *c, const tm_rates_terms *t, const t
   const int dim3 = t->dim3, lanes = c->lanes;
   if (t->extended && t->conduction) /* F15 (6) */
     for (int l = 0; l < lanes; l += TM_LANES) s->heat += tm_values_load(col[TM_COL_CONDUCTED], l);
-  if (t->xsph)
+  if (t->extended && t->xsph)
     for (int l = 0; l < lanes; l += TM_LANES)
       tm_pair_xsph(&s->xsph, tm_values_load(col[TM_COL_SMOOTH], l),
                    tm_pair_difference(own->r + TM_REC_V, col + TM_REC_V, l, dim3));
@@ -350,6 +352,7 @@ TM_FN void tm_rates_store_stabilized(int i, const tm_rates_args *a, const tm_rat
   const tm_vec3 g = tm_vec_scale(per_rho / (length * length), gd); /* sum V_j gradW */
   tm_real face;
   if (a->uneven) tm_store3(a->uneven + 3 * (ptrdiff_t) i, g);
+  if (a->surface_of_pass && a->surface) tm_store3(a->surface + 3 * (ptrdiff_t) i, g);
   if (t->faces) {
     tm_vec3 turn, normal;
     tm_sym_store(moment, tm_rates_face(t, own, s, M, per_rho, g, tm_rates_h(i, a), &face, &turn, &normal));

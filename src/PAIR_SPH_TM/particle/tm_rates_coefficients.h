@@ -21,7 +21,7 @@ enum {
   TM_COL_CONDUCTED,                         /* power per volume into i */
   TM_COL_PER_RHO,                           /* 1/rho_j */
   TM_COL_SMOOTH,                            /* m_j/rho_mean W */
-  TM_COL_SOUND,                             /* sound speed, with one pass where there may be faces */
+  TM_COL_SOUND,                             /* sound speed, with one pass in the extended instantiation or with faces */
   TM_COL_Q,                                 /* r/h, and W'/r: of loops that test effects at run time */
   TM_COL_G,
   TM_COLUMNS
@@ -35,17 +35,12 @@ typedef struct {
   int kernel, dim3, viscosity, artstress, conduction, form_f14, correction, balsara, xsph, surface, sizes, one_pass,
       faces;
   int extended;
-  int may_face; /* a literal: with faces, or tested at run time */
-  int whose;    /* enum tm_rates_whose, with faces */
+  int whose; /* enum tm_rates_whose, with faces */
 } tm_rates_terms;
 
-/* effects: of the instantiation, run_time: of the scene. An extended instantiation tests all, or where it has some of
-   TM_FX_EXTENDED_MASK those of its effects alone. */
 TM_FN tm_rates_terms tm_rates_terms_of(unsigned effects, unsigned run_time)
 {
-  const unsigned tested = (effects & TM_FX_EXTENDED_MASK) ? effects : ~0u;
-  const unsigned all =
-      TM_FX_PRESENT & ((effects & TM_FX_EXTENDED) ? (effects & TM_FX_3D) | (run_time & tested) : effects);
+  const unsigned all = TM_FX_PRESENT & ((effects & TM_FX_EXTENDED) ? (effects & TM_FX_3D) | run_time : effects);
   tm_rates_terms t;
   t.extended = (effects & TM_FX_EXTENDED) != 0;
   t.whose = 0;
@@ -57,7 +52,6 @@ TM_FN tm_rates_terms tm_rates_terms_of(unsigned effects, unsigned run_time)
   t.form_f14 = (all & TM_FX_FORM_F14) != 0;
   t.one_pass = (effects & TM_FX_ONE_PASS) != 0;
   t.faces = t.one_pass && (all & TM_FX_FACES) != 0;
-  t.may_face = t.faces || (t.extended && (tested & TM_FX_FACES) != 0);
   t.correction = !t.one_pass && (all & TM_FX_CORRECTION) != 0;
   t.balsara = (all & TM_FX_BALSARA) != 0;
   t.xsph = (all & TM_FX_XSPH) != 0;
@@ -92,7 +86,7 @@ enum { TM_STAB_LATE = 8 };
 /* Columns of the record of one pass that a loop reads. */
 TM_FN int tm_rates_stab_fetched(const tm_rates_terms *t)
 {
-  return t->may_face ? (int) TM_REC_STAB : (int) TM_STAB_FETCHED;
+  return t->extended || t->faces ? (int) TM_REC_STAB : (int) TM_STAB_FETCHED;
 }
 
 TM_FN void tm_rates_load(int i, const tm_rates_args *a, const tm_rates_terms *t, const tm_pair_records *rec,
@@ -165,9 +159,9 @@ TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, con
   const tm_pair_size p = tm_chunk_pair_size(c, t->sizes, col + TM_COL_SIZE, l, &own->norm_of_one, t->dim3);
   const tm_pair r2 = dx * dx + dy * dy + dz * dz, r = tm_pair_root(r2), q = r * p.inv_h;
   const tm_pair mj = col[TM_REC_M][tm_at(l)], rhoj = col[TM_REC_RHO][tm_at(l)];
-  const tm_pair *c_of = !t->one_pass  ? col[TM_REC_C]
-                        : t->may_face ? col[TM_COL_SOUND]
-                                      : col[(int) TM_COL_STAB + TM_STAB_C];
+  const tm_pair *c_of = !t->one_pass              ? col[TM_REC_C]
+                        : t->extended || t->faces ? col[TM_COL_SOUND]
+                                                  : col[(int) TM_COL_STAB + TM_STAB_C];
   tm_pair inv_r, inv_rho_sum;
   if (t->viscosity) {
     const tm_pair vx = own->r[4] - col[4][tm_at(l)], vy = own->r[5] - col[5][tm_at(l)];
@@ -175,7 +169,9 @@ TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, con
     const tm_pair pi = tm_viscosity_pair(own->visc_alpha, own->visc_beta, p.h, vx * dx + vy * dy + vz * dz, r2, r,
                                          TM_PAIR(0.5) * (own->sound + c_of[tm_at(l)]), own->r[TM_REC_RHO] + rhoj,
                                          &inv_r, &inv_rho_sum);
-    col[TM_COL_VISCOUS][tm_at(l)] = pi;
+    const tm_pair shear =
+        t->balsara && !t->extended ? TM_PAIR(0.5) * (own->r[TM_REC_BALSARA] + col[TM_REC_BALSARA][tm_at(l)]) : 1;
+    col[TM_COL_VISCOUS][tm_at(l)] = shear * pi;
   } else {
     inv_r = tm_pair_inverse(r);
     inv_rho_sum = t->one_pass ? tm_pair_inverse(own->r[TM_REC_RHO] + rhoj) : 0;
@@ -193,6 +189,8 @@ TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, con
   }
   if (t->artstress) col[TM_COL_TENSILE][tm_at(l)] = tm_power_int(tm_kernel_shape(t->kernel, q) * p.inv_w, own->art_n);
   if (t->conduction) col[TM_COL_CONDUCTED][tm_at(l)] = tm_rates_conducted(own, col, l, g);
+  if (t->xsph && !t->extended)
+    col[TM_COL_SMOOTH][tm_at(l)] = tm_xsph_pair(mj, inv_rho_sum, p.norm * tm_kernel_shape(t->kernel, q));
 }
 TM_FN void tm_rates_sound_loop(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own, tm_values *col)
 {
@@ -233,7 +231,7 @@ TM_FN void tm_rates_smooth_loop(const tm_chunk *c, const tm_rates_terms *t, cons
     const tm_pair_size p = tm_chunk_pair_size(c, t->sizes, col + TM_COL_SIZE, l, &own->norm_of_one, t->dim3);
     const tm_pair shape = tm_kernel_shape(t->kernel, col[TM_COL_Q][tm_at(l)]), rhoj = col[TM_REC_RHO][tm_at(l)];
     col[TM_COL_SMOOTH][tm_at(l)] =
-        tm_xsph_pair(col[TM_REC_M][tm_at(l)], TM_PAIR(0.5) * (own->r[TM_REC_RHO] + rhoj), p.norm * shape);
+        tm_xsph_pair(col[TM_REC_M][tm_at(l)], tm_pair_inverse(own->r[TM_REC_RHO] + rhoj), p.norm * shape);
   }
 }
 
@@ -243,7 +241,7 @@ TM_FN void tm_rates_rare_coefficients(const tm_chunk *c, const tm_rates_terms *t
                                       tm_values *col)
 {
   const int lanes = c->lanes;
-  if (t->balsara) {
+  if (t->extended && t->balsara) {
     TM_SIMD
     for (int l = 0; l < lanes; l++)
       col[TM_COL_VISCOUS][tm_at(l)] *= TM_PAIR(0.5) * (own->r[TM_REC_BALSARA] + col[TM_REC_BALSARA][tm_at(l)]);
@@ -261,11 +259,11 @@ TM_FN void tm_rates_rare_coefficients(const tm_chunk *c, const tm_rates_terms *t
   if (t->sizes) {
     u.sizes = 1;
     if (t->extended && t->artstress) tm_rates_tensile_loop(c, &u, own, col);
-    if (t->xsph) tm_rates_smooth_loop(c, &u, own, col);
+    if (t->extended && t->xsph) tm_rates_smooth_loop(c, &u, own, col);
   } else {
     u.sizes = 0;
     if (t->extended && t->artstress) tm_rates_tensile_loop(c, &u, own, col);
-    if (t->xsph) tm_rates_smooth_loop(c, &u, own, col);
+    if (t->extended && t->xsph) tm_rates_smooth_loop(c, &u, own, col);
   }
 }
 
@@ -275,7 +273,7 @@ TM_FN void tm_rates_all_coefficients(const tm_chunk *c, const tm_rates_terms *t,
                                      tm_values *col)
 {
   tm_rates_terms u = *t;
-  if (t->one_pass && t->may_face) tm_rates_sound_loop(c, t, own, col);
+  if (t->one_pass && (t->extended || t->faces)) tm_rates_sound_loop(c, t, own, col);
   if (!t->extended) tm_rates_coefficient_loop(c, t, own, col);
   else {
     u.viscosity = 1; /* with factors of 0 where it is off */

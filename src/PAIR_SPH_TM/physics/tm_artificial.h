@@ -50,8 +50,8 @@ TM_FN tm_real tm_balsara(tm_real div, tm_real curl, tm_real c, tm_real h)
   return d / (d + fabs(curl) + 1e-4 * c / h);
 }
 
-/* [hot] Weight of v_j - v_i in the XSPH velocity of i, F14: m_j/rho_mean W. */
-TM_FN tm_pair tm_xsph_pair(tm_pair mass_j, tm_pair rho_mean, tm_pair w) { return mass_j * w / rho_mean; }
+/* [hot] Weight of v_j - v_i in the XSPH velocity of i, F14: m_j/rho_mean W; inv_rho_sum: 1/(rho_i + rho_j). */
+TM_FN tm_pair tm_xsph_pair(tm_pair mass_j, tm_pair inv_rho_sum, tm_pair w) { return 2 * mass_j * inv_rho_sum * w; }
 
 /* [hot] f^n, n = 0..15. */
 TM_FN tm_pair tm_power_int(tm_pair f, int n)

@@ -44,6 +44,14 @@ bool PairLaws::has_friction() const
                      [](const PairLaw &l) { return l.meeting == CONTACT && l.has_friction(); });
 }
 
+bool PairLaws::of_one_density(const tm_material *material) const
+{
+  for (int i = 1; i < n; i++)
+    for (int j = i + 1; j < n; j++)
+      if ((*this)(i, j).meeting == BOND && material[i].rho0 != material[j].rho0) return false;
+  return true;
+}
+
 int PairLaws::contact_sides(std::vector<int> &side) const
 {
   std::vector<int> body(n);    // the lowest type that a type is bonded to, in a chain

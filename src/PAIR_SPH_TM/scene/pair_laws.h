@@ -31,8 +31,9 @@ class PairLaws {
   std::vector<std::pair<int, int>> complete(const tm_material *);
 
   bool has_contact() const;
-  bool has_friction() const;    // of bodies
-  bool has_thermal() const;     // that exchange heat and take no part in mechanics together
+  bool has_friction() const;                         // of bodies
+  bool has_thermal() const;                          // that exchange heat and take no part in mechanics together
+  bool of_one_density(const tm_material *) const;    // solids that are bonded
   // of types that may touch others: which side of i meets j, by type pair, from 1 on (0: no contact). Types that are
   // bonded are one body and meet on one side; returns the most sides of a type
   int contact_sides(std::vector<int> &) const;

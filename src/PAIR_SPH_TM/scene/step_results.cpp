@@ -161,6 +161,7 @@ tm_rates_args &StepResults::fill_args(ParticleState &state, const tm_state &s)
   args.turn = turn.loop_write();
   args.face_next = face_next.loop_write();
   args.surface = surface.loop_write();
+  args.surface_of_pass = model.pair_laws().of_one_density(model.materials());
   args.artificial = artificial.loop_write();
   return args;
 }
