@@ -49,9 +49,9 @@ EffectProbe::EffectProbe(ParticleState &s, StepResults &r, int particles) :
 }
 
 // seconds of one step of the sample with these effects, from the same state every time
-double EffectProbe::step(unsigned fx)
+double EffectProbe::step(const Arguments &of, unsigned fx)
 {
-  tm_rates_args r = results.rate_args();
+  tm_rates_args r = of.rates;
   r.effects = fx;
   r.force = force.loop_write();
   r.gradient = gradient.loop_write();
@@ -64,14 +64,14 @@ double EffectProbe::step(unsigned fx)
   r.turn = turn.loop_write();
   r.face_next = face_next.loop_write();
 
-  const tm_state now = particles_state.arrays();
-  tm_predict_args p = results.predict_args(particles_state, now);
+  const tm_state &now = of.state;
+  tm_predict_args p = of.predict;
   p.rec = {main.loop_write(), stress.loop_write(),    heat_record.loop_write(), nullptr,
            size.loop_write(), hourglass.loop_write(), stab.loop_write(),        (fx & TM_FX_FACES) != 0};
   p.correction = correction.loop_write();
   p.turn = turn.loop_write();
 
-  tm_update_args u = update_args(particles_state, results);
+  tm_update_args u = of.update;
   for (int id = 0; id < TM_F_COUNT; id++) {
     if (state[id].empty()) continue;
     u.state.field[id] = state[id].loop_write();
@@ -114,8 +114,11 @@ std::map<unsigned, double> EffectProbe::shares(int rounds)
     sets[bit] = {with, without};
     least[with] = least[without] = 1e300;
   }
+  const tm_state now = particles_state.arrays();
+  const Arguments of = {now, results.rate_args(), results.predict_args(particles_state, now),
+                        update_args(particles_state, results)};
   for (int k = 0; k < rounds; k++)
-    for (auto &l : least) l.second = std::min(l.second, step(l.first));
+    for (auto &l : least) l.second = std::min(l.second, step(of, l.first));
   std::map<unsigned, double> share;
   for (const auto &s : sets) share[s.first] = (least[s.second.first] - least[s.second.second]) / least[all];
   return share;

@@ -3,9 +3,11 @@
 #ifndef SPHTM_EFFECT_PROBE_H
 #define SPHTM_EFFECT_PROBE_H
 
-#include "tm_fields.h"
 #include "loop_array.h"
 #include "tm_fields.h"
+#include "tm_predict.h"
+#include "tm_rates.h"
+#include "tm_update.h"
 
 #include <map>
 
@@ -30,7 +32,13 @@ class EffectProbe {
       moment;                                                                      // written by the prediction
   LoopArray<double> force, gradient, heat, xsph_v, uneven, surface, artificial;    // and by the rate pass
 
-  double step(unsigned effects);
+  struct Arguments {    // of the particles themselves; to ask for them again can copy all from the host
+    tm_state state;
+    tm_rates_args rates;
+    tm_predict_args predict;
+    tm_update_args update;
+  };
+  double step(const Arguments &, unsigned effects);
 };
 
 }    // namespace SPHTM_NS
