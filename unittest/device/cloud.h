@@ -114,7 +114,7 @@ TM_FN tm_rates_args cloud_rates(cloud *w)
 {
   tm_rates_args a;
   const tm_real support = tm_kernel_support(w->kernel), radius = support * w->h;
-  memset(&a.single, 0, sizeof a.single);
+  memset(&a, 0, sizeof a);
   a.support2 = support * support;
   a.norm_of_one = tm_kernel_norm(w->kernel, w->dim, 1.0);
   a.rows.index = w->index; a.rows.first = w->first; a.rows.stride = w->slice;
@@ -139,6 +139,7 @@ TM_FN tm_rates_args cloud_rates(cloud *w)
   a.turn = w->turn; a.face_next = w->face_next;
   a.uneven = (w->effects & TM_FX_ONE_PASS) ? w->uneven : NULL;
   a.xsph_v = w->xsph_v; a.surface = w->surface; a.artificial = w->artificial;
+  a.surface_of_pass = (w->effects & (TM_FX_ONE_PASS | TM_FX_SURFACE)) == TM_FX_ONE_PASS;
   return a;
 }
 TM_FN tm_update_args cloud_update(cloud *w)
