@@ -43,7 +43,7 @@ LOGS = {
     "log.tensile_cylinder": ("tensile_cylinder", "in.tensile_cylinder", {"faster": 4}, "", "./measure.py; ./plot.py"),
     "log.tool_heat": ("tool_heat", "in.tool_heat", {}, "", ""),
     "log.tool_heat_lumped": ("tool_heat", "in.tool_heat", {"tool": "lumped"}, "", ""),
-    "log.turning": ("turning", "in.turning", {}, "", "./plot.py"),
+    "log.turning": ("turning", "in.turning", {}, '"$SPHTM_LMP" -nocite -in in.orthogonal -log none', "./plot.py"),
     "log.orthogonal": ("turning", "in.orthogonal", {}, "", ""),
     "log.two_layer_heat": ("two_layer_heat", "in.two_layer_heat", {}, "", "./measure.py; ./plot.py"),
 }
