@@ -85,6 +85,10 @@ ROWS = [
     ("block of metal that hardens, upset without friction, 40 rows: force at 10, 30, 50 % of the height over the closed form", "validate.upset",
      "{values/block/force_at_10_%:.3f}, {values/block/force_at_30_%:.3f}, {values/block/force_at_50_%:.3f}", "1, 1, 1",
      "derived, closed form; with 20 rows 0.981 at 50 %", "met"),
+    ("cylinder of perfectly plastic metal, upset with friction 0, 0.1 and 0.3, 20 rows: force at 30, at 50 % of the height over the closed form or the slab method",
+     "validate.cylinder", "{values/mu_0/force_at_30_%:.3f}, {values/mu_0/force_at_50_%:.3f}; {values/mu_0.1/force_at_30_%:.3f}, {values/mu_0.1/force_at_50_%:.3f}; "
+     "{values/mu_0.3/force_at_30_%:.3f}, {values/mu_0.3/force_at_50_%:.3f}", "1; 1, about; less, barrels", "derived, closed form and slab method; kept pairs give 0.88 with 0.3 at 30 %",
+     "met, met, missed"),
     ("elastic cantilever at rest: stiffness with 16 particles over the height in bending, in tension; mean error of both with 4, 8, 16",
      "validate.beam", "{values/bend/stiffness:.3f}, {values/pull/stiffness:.3f}; {rows_4/stiffness/mean:+.1f}, {rows_8/stiffness/mean:+.1f}, "
      "{rows_16/stiffness/mean:+.1f} %", "1", "closed form, Timoshenko; from the face of the held "
