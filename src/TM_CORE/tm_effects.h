@@ -4,7 +4,8 @@
    that an effect which is off leaves no branch, no load and no array in the machine code. The
    bits of TM_FX_RATE_MASK are literal in every rate loop; those of TM_FX_EXTENDED_MASK are
    tested at run time inside the one "extended" instantiation per kernel and dimension, and are
-   absent from all the others. With viscosity, smoothing alone and faces alone have loops of their own (effect_sets.h). */
+   absent from all the others. With viscosity, smoothing alone, faces alone, Balsara's switch and XSPH have loops of their
+   own (effect_sets.h). */
 #ifndef TM_EFFECTS_H
 #define TM_EFFECTS_H
 

@@ -270,7 +270,7 @@ TM_FN void tm_rates_add_forms(const tm_chunk *c, const tm_rates_terms *t, const 
   } else tm_rates_add_loop(c, &u, own, col, s);
 }
 
-/* Sums of effects that no loop has as literals, and with the extended instantiation that of conduction. */
+/* With the extended instantiation: sums of the effects that it tests, each in a loop of its own. */
 TM_FN void tm_rates_add_rare(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own, tm_values *col,
                              tm_rates_sums *s)
 {

@@ -235,8 +235,7 @@ TM_FN void tm_rates_smooth_loop(const tm_chunk *c, const tm_rates_terms *t, cons
   }
 }
 
-/* Coefficients of effects that no loop has as literals, each in a loop of its own, and with the extended instantiation those
-   of conduction and of the artificial stress. */
+/* With the extended instantiation: coefficients of the effects that it tests, each in a loop of its own. */
 TM_FN void tm_rates_rare_coefficients(const tm_chunk *c, const tm_rates_terms *t, const tm_rates_own *own,
                                       tm_values *col)
 {
