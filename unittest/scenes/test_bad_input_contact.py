@@ -96,6 +96,7 @@ for bad in ("0", "-1", "nan", "inf"):
     wrong("tool penalty " + bad, tool(AWAY + "penalty " + bad), K, "penalty", bad)
 wrong("tool damping -1", tool(AWAY + "damping -1"), K, "damping", "-1")
 wrong("approach perhaps", tool(AWAY + "approach perhaps"), K, "approach", "perhaps")
+wrong("approach yes layer strains", tool(AWAY + "approach yes layer strains"), "Fix contact/tri", "approach yes", "layer strains")
 wrong("layer soft", tool(AWAY + "layer soft"), K, "layer", "soft")
 wrong("method f15 layer strains", tool(AWAY + "method f15 layer strains"), K, "layer", "f15")
 wrong("method guess", tool(AWAY + "method guess"), K, "method", "closest or f15", "guess")

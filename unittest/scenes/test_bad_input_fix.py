@@ -56,7 +56,7 @@ fine("active", fix("active region work speed 1"))
 wrong("energy perhaps", fix("energy perhaps"), "perhaps")
 wrong("unknown effect", fix("effects rupture on"), F, "rupture", "damage")
 wrong("effect without value", fix("effects heat"), F, "effects", "2 values")
-wrong("effect perhaps", fix("effects heat perhaps"), "perhaps")
+wrong("effect perhaps", fix("effects heat perhaps"), F, "effects heat must be on or off", "perhaps")
 wrong("effect on and off", fix("effects heat on effects heat off"), F, "heat", "on and off")
 wrong("conduction without heat", fix("effects conduction on"), F, "conduction", "heat is off")
 wrong("correction forced on with form f14", dict(style("hyperbolic 1.2 spacing 1e-3 form f14"),

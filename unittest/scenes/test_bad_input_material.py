@@ -5,6 +5,10 @@ S = "sph/tm"
 C = "sph/tm coeff"
 
 fine("two types with materials", dict(TWO, more="pair_coeff 2 2 " + GOOD))
+fine("all types, then one with another density, and again",
+     dict(TWO, **dict(coeff(GOOD), more="pair_coeff * * " + GOOD + "\npair_coeff 2 2 density 7800 elastic 210e9 0.3\npair_coeff 2 2 " + GOOD)))
+warned("a mass of the script", dict(TWO, more="pair_coeff 2 2 " + GOOD + "\nmass 2 1.0\npair_coeff 2 2 density 7800 elastic 210e9 0.3"),
+       "mass of type 2 is 1", "the mass is kept")
 fine("material from a card", coeff("cards.sphtm one"), files={"cards.sphtm": CARD})
 
 # --- pair_coeff: constants ----------------------------------------------------------------------------------

@@ -94,6 +94,7 @@ expect("heat, artificial stress", scene(YIELDS + " " + HEAT, "stabilize artstres
 expect("all settings",
        scene("strength elastic", "balsara yes xsph 0.1 artstress 0.3 4 correction yes hourglass auto", "energy yes"),
        plain | {"artstress", "balsara", "xsph", "energy"})
+checks.true("energy yes, then no: off", not effects(scene("strength elastic", fix="energy yes energy no"))["energy"][0])
 for options in "stabilize artstress", "artstress 0.3 4", "form f14":
     expect(options, scene("strength elastic", options), old)
 expect("nothing artificial", scene("strength elastic", NONE), {"fracture"})

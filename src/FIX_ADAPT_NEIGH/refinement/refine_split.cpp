@@ -44,13 +44,20 @@ std::vector<double> RefineSplit::places(int i)
     radius[k] = reach * pow(in.pattern.mass[k], 1.0 / in.pattern.dim);
     farthest = std::max(farthest, radius[k] + tm_vec_norm(tm_split_place(place.data(), k)));
   }
+  // the surface of the nearest tool is where the layer of the parent has it, and those of the children have the same strain
+  tm_real layer = 1.0, slope;
+  const int of_layer = cloud.column(TM_F_LAYER);
+  if (of_layer >= 0 && cloud.row(i)[of_layer + TM_L_NEAR] > 0.0)
+    layer = tm_layer_stretch(cloud.row(i)[of_layer + TM_L_STRAIN], &slope);
   std::vector<ContactProbe::Surface> surface;
   for (ContactProbe *tool : parts.scene().contact_probes()) tool->touched(i, h * farthest, surface);
   std::sort(surface.begin(), surface.end(), [](const auto &a, const auto &b) { return a.distance < b.distance; });
   for (size_t s = 0; s < surface.size(); s++) {
     const tm_vec3 normal = surface[s].normal;
     if (s == 0) tm_split_turn(place.data(), n, normal);
-    const double factor = tm_split_factor(place.data(), radius.data(), n, normal, reach);
+    std::vector<double> out(radius);
+    for (double &r : out) r *= s == 0 ? layer : 1.0;
+    const double factor = tm_split_factor(place.data(), out.data(), n, normal, s == 0 ? reach * layer : reach);
     // the nearest surface keeps its distance from the outermost children; others are not to be reached by more
     if (s == 0 || factor < 1.0) tm_split_scale(place.data(), n, normal, factor);
   }

@@ -183,6 +183,9 @@ void ContactSettings::check() const
   if (f15 && two_sided) error->all(FLERR, "Fix contact/tri: method f15 has no sides, leave the keyword out");
   if (f15 && layer == LAYER_STRAINS)
     error->all(FLERR, "Fix contact/tri: method f15 has rigid layers, leave the keyword layer out");
+  if (approach && layer == LAYER_STRAINS)
+    error->all(FLERR, "Fix contact/tri: approach yes has rigid layers, since the work of a layer that strains would "
+                      "not come back where its force is dropped; leave out layer strains, or approach yes");
   if (body_type && (conductance != 0.0 || lumped_capacity > 0.0))
     error->all(FLERR, "Fix contact/tri: with particles the tool's heat is theirs; leave out heat "
                       "and lumped, and set the conductance in pair_coeff");

@@ -73,7 +73,9 @@ typedef struct tm_contact_args {
   tm_real layer_dt;
   tm_real tool; /* a number of this tool's own, not 0 */
 
-  tm_real *uneven; /* 3, what shifts a particle (tm_shift.h): 0 for those that the tool touches; or NULL */
+  /* 3 each, what moves a particle apart from its velocity: tm_shift.h and XSPH. Those that the tool touches it leaves where the
+     work of the tool is that of their velocity; or NULL */
+  tm_real *uneven, *xsph_v;
 
   const tm_real *pstrain; /* rows of TM_F_PSTRAIN, for the flow stress, or NULL */
   tm_real *tool_heat;     /* power into the tool through each particle, set; or NULL */
@@ -422,6 +424,7 @@ TM_FN tm_contact_result tm_contact_tri_shared(int i, tm_group group, const tm_co
     n = tm_contact_within(&b, n, touch);
   }
   if (a->uneven && n > 0) tm_store3(a->uneven + 3 * (ptrdiff_t) i, tm_vec(0, 0, 0));
+  if (a->xsph_v && n > 0) tm_store3(a->xsph_v + 3 * (ptrdiff_t) i, tm_vec(0, 0, 0));
   for (int k = 0; k < n; k++) c[k] = tm_contact_add_normal(&b, touch + k, &a->pose, effects);
   if (b.layer && a->layer_dt > 0.0) tm_contact_store_layer(i, a, &b, c, n);
   if (n == 0) return r;

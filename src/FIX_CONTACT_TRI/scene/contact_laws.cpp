@@ -33,7 +33,7 @@ bool layer_strains(const ContactSettings &set, const Model &model, int type)
   const tm_material &m = model.materials()[type];
   if (set.f15 || m.body != TM_BODY_SOLID) return false;
   if (set.layer != ContactSettings::LAYER_USUAL) return set.layer == ContactSettings::LAYER_STRAINS;
-  return tm_strength_flow(m.strength) != TM_FLOW_NONE;
+  return !set.approach && tm_strength_flow(m.strength) != TM_FLOW_NONE;
 }
 
 double tool_modulus(const ContactSettings &set, const Model &model, int type, double penalty)
@@ -79,6 +79,9 @@ void ContactLaws::make(const ContactSettings &set, const Model &model, double T,
     const double mass = m.rho0 * pow(dp, dimension) / (w.layer ? TM_LAYER_MOBILITY : 1.0);
     // 0.35: stability of the half-step prediction, 0.78 without and 0.70 with damping, of 2
     dt_limit = std::min(dt_limit, 0.35 * tm_contact_time_step(w.stiffness, mass, w.damping));
+    if (w.layer && w.damping > 0.0)
+      dt_limit = std::min(dt_limit, TM_LAYER_DAMPED * m.rho0 * pow(dp, dimension) /
+                                        tm_contact_damping(w.damping, w.stiffness, m.rho0 * pow(dp, dimension)));
   }
   loop_laws.assign(laws.data(), laws.size());
 }

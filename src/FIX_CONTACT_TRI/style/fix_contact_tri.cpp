@@ -287,6 +287,7 @@ tm_contact_args FixContactTri::contact_args(const tm_pose &pose, bool of_triangl
     a.tool_heat = set.body_type ? particles.heat_of_contact() : nullptr;
   }
   a.uneven = scene->results().rate_args().uneven;
+  a.xsph_v = scene->results().rate_args().xsph_v;
   if (state->has(TM_FX_LAYER)) {
     a.layer = s.field[TM_F_LAYER];
     a.gradient = scene->results().rate_args().gradient;

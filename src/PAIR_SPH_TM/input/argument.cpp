@@ -57,14 +57,14 @@ int integer_within(LAMMPS *lmp, const std::string &what, const char *text, int l
   return (int) v;
 }
 
-bool yes_no(LAMMPS *lmp, const std::string &what, const char *text)
+bool yes_no(LAMMPS *lmp, const std::string &what, const char *text, const char *choice)
 {
   const std::string word = text;
   for (const char *yes : {"yes", "on", "true"})
     if (word == yes) return true;
   for (const char *no : {"no", "off", "false"})
     if (word == no) return false;
-  lmp->error->all(FLERR, "{} must be yes or no, got {}", what, text);
+  lmp->error->all(FLERR, "{} must be {}, got {}", what, choice, text);
   return false;
 }
 

@@ -18,7 +18,7 @@ double not_negative(LAMMPS_NS::LAMMPS *lmp, const std::string &what, const char 
 // above lo, at most hi
 double number_within(LAMMPS_NS::LAMMPS *lmp, const std::string &what, const char *text, double lo, double hi);
 int integer_within(LAMMPS_NS::LAMMPS *lmp, const std::string &what, const char *text, int lo, int hi);
-bool yes_no(LAMMPS_NS::LAMMPS *lmp, const std::string &what, const char *text);
+bool yes_no(LAMMPS_NS::LAMMPS *lmp, const std::string &what, const char *text, const char *choice = "yes or no");
 
 // The keywords of a style, their options and their values, read from left to right; an option stands behind its
 // keyword. part names one of several values.
@@ -45,6 +45,7 @@ class Keywords {
   double within(double lo, double hi, const char *part = "") { return number_within(lmp, what(part), value(), lo, hi); }
   int integer(int lo, int hi, const char *part = "") { return integer_within(lmp, what(part), value(), lo, hi); }
   bool yes(const char *part = "") { return yes_no(lmp, what(part), value()); }
+  bool on(const char *part = "") { return yes_no(lmp, what(part), value(), "on or off"); }
   bool second(const char *one, const char *two);    // of these words: one false, two true
   std::string what(const std::string &part = "") const;
 

@@ -198,8 +198,10 @@ void read_coefficients(LAMMPS *lmp, int narg, char **arg, Model &model)
     for (int j = std::max(jlo, i); j <= jhi; j++) {
       count++;
       if (i != j) continue;
+      // a mass that follows from the material given before is not the script's own
+      const bool own = atom->mass_setflag && atom->mass_setflag[i] && atom->mass[i] != model.particle_mass(i);
       model.set_material(i, m, material_title(narg - 2, arg + 2));
-      if (!atom->rmass_flag && !atom->mass_setflag[i]) atom->set_mass(FLERR, i, model.particle_mass(i));
+      if (!atom->rmass_flag && !own) atom->set_mass(FLERR, i, model.particle_mass(i));
     }
   if (count == 0) error->all(FLERR, "Pair sph/tm coeff: no type pair in {} {}", arg[0], arg[1]);
 }

@@ -39,7 +39,7 @@ static void read_effect(LAMMPS *lmp, Keywords &k, EffectPlan &plan)
   const char *name = k.value();
   const unsigned bit = effect_by_name(name);
   if (!bit) lmp->error->all(FLERR, "Unknown fix sph/tm effect {}: known are {}", name, effect_names());
-  plan.force(bit, k.yes(name));
+  plan.force(bit, k.on(name));
 }
 
 // what fix_modify can change too
@@ -65,15 +65,15 @@ bool FixSPHTM::read_setting(Keywords &k)
 
 void FixSPHTM::read_keywords(Keywords &&k)
 {
+  bool balance = false;
   while (k.next()) {
     if (k.is("temperature")) state.start_temperatures().set_all(k.positive());
     else if (read_setting(k)) continue;
     else if (k.is("time/scale")) scene->set_time_scale(k.positive());
     else if (k.is("active")) state.active().read(k);
     else if (k.is("state")) begin_anew = k.second("keep", "new");
-    else if (k.is("energy")) {
-      if (k.yes()) state.effect_plan().force(TM_FX_LEDGER, true);
-    } else if (k.is("table")) {
+    else if (k.is("energy")) balance = k.yes();
+    else if (k.is("table")) {
       const bool wait = k.take("wait");
       table.want(wait || k.yes(), wait);
     } else if (k.is("audit")) {
@@ -87,6 +87,7 @@ void FixSPHTM::read_keywords(Keywords &&k)
                 "energy/drift, lost, state, time/scale, active, table, "
                 "audit, effects");
   }
+  if (balance) state.effect_plan().force(TM_FX_LEDGER, true);
   if (const unsigned both = state.effect_plan().contradicting())
     error->all(FLERR, "Fix sph/tm: effect {} is forced both on and off", effect_name(both));
 }
