@@ -1,4 +1,4 @@
-"""A block of metal that hardens, upset to 0.4 of its height between smooth plates, in plane strain. The flow is homogeneous: force and width
+"""A block of metal that hardens, upset to half of its height between smooth plates, in plane strain. The flow is homogeneous: force and width
 have closed forms, F = 2/sqrt(3) (Y + H e) W0 H0/h with e = 2/sqrt(3) ln(H0/h).
 
 What was chosen: Y = H = 400 MPa, twice as wide as high, plates at 5 m/s each; the default, kept pairs and a wider kernel. Means over 2 % of the
@@ -16,7 +16,7 @@ FOLDER = os.path.dirname(os.path.abspath(__file__))
 SCRIPT = os.path.join(FOLDER, "in.upset")
 BASE = {"rows": 20}
 HEIGHT, WIDTH, Y, HARDER = 10e-3, 20e-3, 400e6, 400e6
-REDUCTIONS = (10, 20, 30, 40, 50, 60)
+REDUCTIONS = (10, 20, 30, 40, 50)
 FORCES = {"force at %d %%" % r: r for r in REDUCTIONS}
 COMPARED = dict({q: ("over the closed form", 0.05) for q in FORCES}, **{"width at 50 %": ("over the closed form", 0.03)})
 ROWS = {"block": {"variables": {}, "title": "block", "reference": {q: (1.0, 0.0) for q in COMPARED}}}
