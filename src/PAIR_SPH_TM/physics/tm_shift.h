@@ -21,7 +21,9 @@
    anyway, so this costs 3 numbers per particle.
 
    beta from 4 to 10 was tried: gaps in a pressed block close from 4 on, and less artificial work is done in chips with 10
-   than with 4. Own construction but for C. */
+   than with 4. From 25 on blocks can be pressed to 0.38 of their height, force within 3 %, where with 6 half of it is lost beyond half of
+   the height. But what is shifted across a shear zone takes its momentum and its strength there: with 25 a milling cutter needs 16 %
+   more force (examples/peripheral_milling, 20 um), a slip-line cut 4 % more. Own construction but for C. */
 #ifndef TM_SHIFT_H
 #define TM_SHIFT_H
 
