@@ -68,7 +68,7 @@ def over(reduction, force, lo, hi):
 
 def presses(checks):
     for name, dim, rows, bound, rigid in (("plane strain, 10 rows", 2, 10, 0.015, 0.08), ("plane strain, 6 rows", 2, 6, 0.02, 0.15),
-                                        ("cube, 6 rows", 3, 6, 0.03, 0.12)):
+                                          ("cube, 6 rows", 3, 6, 0.03, 0.12)):
         size = {} if dim == 2 else {"H": 10e-3, "W": 10e-3}
         reduction, force, drift = upset(dim, rows, True, **size)
         checks.near("metal, %s: force at 8 to 12 %% of the height over the closed form" % name, over(reduction, force, 0.08, 0.12), 1.0,
