@@ -31,6 +31,7 @@ thermo_style    custom step time {torn} c_lost c_failed
 """
 DUMP = "dump d all custom 1 out.dump id x y z c_p[*]\ndump_modify d sort id format float %.17g\nrun 0 post no\n"
 SOFT = "strength plastic 100e6 50e6"
+BARE = "hourglass 0"
 
 
 def bar(style="", material=SOFT, fix="", pull=40, steps=6000, more="", torn="f_body[15]", **a):
@@ -43,7 +44,7 @@ def said(r):
 
 counts = []
 for ranks in 1, 2:
-    r = bar(ranks=ranks)
+    r = bar(style=BARE, ranks=ranks)
     t, frame = r.thermo[0], r.dump("out.dump")[-1]
     counts.append((t["f_body[15]"][-1], said(r)[:1]))
     name = "tears, %d ranks: " % ranks
@@ -58,14 +59,14 @@ for ranks in 1, 2:
     checks.note(name + "first at step, places x (mm)", "%s, %s" % (end and end.group(2), np.round(1e3 * np.sort(frame["x"][near]), 1)))
 checks.true("the same on 2 ranks", counts[0] == counts[1], "%s" % counts)
 
-r = bar(more="run 3000\nwrite_restart half.restart\n", steps=3000)
+r = bar(style=BARE, more="run 3000\nwrite_restart half.restart\n", steps=3000)
 again = run("read_restart half.restart\ngroup left id 1\ngroup right id 1\nfix body all sph/tm\n"
             "fix pull right sph/tm/drive 40 0 0\nfix hold left sph/tm/drive 0 0 0\n"
             "thermo_style custom step f_body[15]\nrun 0\n", folder=r.folder, expect_error=True)
 checks.true("restart: the number is kept", again.thermo and again.thermo[0]["f_body[15]"][0] == r.thermo[0]["f_body[15]"][-1],
             again.errors())
 
-r = bar(fix="effects fracture off", torn="dt")
+r = bar(style=BARE, fix="effects fracture off", torn="dt")
 checks.true("off: nothing is said or marked", not said(r) and r.thermo[0]["c_lost"][-1] == 0 and
             "numerical fracture" not in r.output)
 r = bar(fix="effects fracture off", expect_error=True)
