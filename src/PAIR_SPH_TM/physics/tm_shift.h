@@ -20,15 +20,16 @@
    f = 1 - W:W/D:D, at least 0, with the spin W and the rate of strain D: in simple shear, where it is 0, rows pass each other and
    meet new neighbors, and what were moved across a shear zone would take its strength there.
 
-   b bounds the way to a few h over a strain of 1, b = 2 (1 + 10 s) with s the share of tension (tm_tension_share()): coarse chips
-   are too strong without (examples/peripheral_milling at 40 um: 126 instead of 111 N/mm), and necks need more.
+   b bounds the way to a few h over a strain of 1, b = 2 (1 + 10 s) with s the share of tension (tm_tension_share()): a coarse cut loses
+   the dependence of its force on the thickness of the chip without (test_peripheral_milling.py), and necks need more.
 
    Velocities and the state of a particle go along with it: momentum and the sum of energies are exact as without. Positions move
    by O(h) over a strain of 1, so with refinement this vanishes. The angular momentum changes by sum m dx x v (test_shifting.py).
    g is a sum that the rate pass has anyway, so this costs 3 numbers per particle.
 
-   beta: a block of 20 rows that is pressed to 0.38 of its height (case_upset.py) holds its force within 5 % with 50, within 2 % with
-   100; necks (case_weldox.py) fail numerically with 50, by damage with 100. Own construction but for C. */
+   beta: without the bound a block of 20 rows that is pressed to 0.38 of its height (case_upset.py) holds its force within 5 % with 50,
+   within 2 % with 100, and within 5.5 % with the bound; necks (case_weldox.py) fail numerically with 50, by damage with 100. Own
+   construction but for C. */
 #ifndef TM_SHIFT_H
 #define TM_SHIFT_H
 
