@@ -75,13 +75,13 @@ static void run(void)
 {
   memset(force, 0, sizeof force);
   memset(artificial, 0, sizeof artificial);
-#define RUN(KERNEL)                                                                                             \
-  case TM_KERNEL_##KERNEL:                                                                                      \
-    for (int i = 0; i < n; i++) {                                                                               \
-      const unsigned k = (unsigned) TM_KERNEL_##KERNEL << TM_FX_KERNEL_SHIFT;                                   \
-      if (dim == 3) tm_hourglass(i, &args, k | (unsigned) TM_FX_3D);                                            \
-      else tm_hourglass(i, &args, k);                                                                           \
-    }                                                                                                           \
+#define RUN(KERNEL)                                                           \
+  case TM_KERNEL_##KERNEL:                                                    \
+    for (int i = 0; i < n; i++) {                                             \
+      const unsigned k = (unsigned) TM_KERNEL_##KERNEL << TM_FX_KERNEL_SHIFT; \
+      if (dim == 3) tm_hourglass(i, &args, k | (unsigned) TM_FX_3D);          \
+      else tm_hourglass(i, &args, k);                                         \
+    }                                                                         \
     break
   switch (kernel) {
     RUN(HYPERBOLIC);
@@ -148,7 +148,8 @@ static void test_against_sums(int sizes)
       const double hi = 1.0 / size[i * TM_REC_SIZE], hj = 1.0 / size[j * TM_REC_SIZE];
       const double h = sizes ? sqrt(hi * hj) : args.h, r = sqrt(r2), q = r / h;
       if (q >= tm_kernel_support(kernel)) continue;
-      const double factor = sizes ? 0.5 * (size[i * TM_REC_SIZE + TM_SIZE_FACTOR] + size[j * TM_REC_SIZE + TM_SIZE_FACTOR]) : 1.0;
+      const double factor =
+          sizes ? 0.5 * (size[i * TM_REC_SIZE + TM_SIZE_FACTOR] + size[j * TM_REC_SIZE + TM_SIZE_FACTOR]) : 1.0;
       const double slope = factor * tm_kernel_norm(kernel, dim, h) / h * tm_kernel_slope(kernel, q);
       const double k = tm_min(g(i)[3], g(j)[3]);
       for (int d = 0; d < 3; d++) {
@@ -181,7 +182,7 @@ static void test_momentum(void)
     UT_WITHIN(p[d], 0, 1e-12);
     UT_WITHIN(l[d], 0, 1e-11);
   }
-  UT_NEAR(power, -0.5 * heating, 1e-11);    /* force_unit */
+  UT_NEAR(power, -0.5 * heating, 1e-11); /* force_unit */
 }
 
 /* any linear field, at the surface too */
@@ -267,11 +268,14 @@ static void test_stiffness(void)
 {
   const double Y = 3.0, k = 1e4;
   const tm_sym3 pull = tm_sym(2.0 / 3.0 * Y, -Y / 3.0, -Y / 3.0, 0, 0, 0); /* deviator of uniaxial stress Y */
-  UT_NEAR(tm_hourglass_stiffness(-1.0, pull, -Y / 3.0, k), TM_HOURGLASS_ZETA * 4.0 / 3.0 * Y / k, 1e-14);
-  UT_NEAR(tm_hourglass_stiffness(-1.0, tm_sym_scale(-1.0, pull), Y / 3.0, k), TM_HOURGLASS_ZETA * Y / k, 1e-14);
-  UT_TRUE(tm_hourglass_stiffness(-1.0, pull, -Y / 3.0, 1.0) == TM_HOURGLASS_MOST);
-  UT_TRUE(tm_hourglass_stiffness(-1.0, tm_sym(0, 0, 0, 0, 0, 0), 5.0, k) == 0.0);
-  UT_TRUE(tm_hourglass_stiffness(0.02, pull, -Y / 3.0, k) == 0.02);
+  UT_NEAR(tm_hourglass_stiffness(-1.0, pull, -Y / 3.0, k, 0.0), TM_HOURGLASS_ZETA * 4.0 / 3.0 * Y / k, 1e-14);
+  UT_NEAR(tm_hourglass_stiffness(-1.0, tm_sym_scale(-1.0, pull), Y / 3.0, k, 1.0), TM_HOURGLASS_ZETA * Y / k, 1e-14);
+  UT_TRUE(tm_hourglass_stiffness(-1.0, pull, -Y / 3.0, 1.0, 0.0) == TM_HOURGLASS_MOST);
+  UT_TRUE(tm_hourglass_stiffness(-1.0, tm_sym(0, 0, 0, 0, 0, 0), 5.0, k, 1.0) == 0.0);
+  UT_TRUE(tm_hourglass_stiffness(0.02, pull, -Y / 3.0, k, 0.0) == 0.02);
+  UT_NEAR(tm_hourglass_stiffness(-1.0, pull, -Y / 3.0, k, 0.275), TM_HOURGLASS_ZETA * 8.0 / 3.0 * Y / k,
+          1e-14); /* half drawn */
+  UT_NEAR(tm_hourglass_stiffness(-1.0, pull, -Y, k, 0.9), TM_HOURGLASS_ZETA * 6.0 * Y / k, 1e-14);
   UT_NEAR(tm_hourglass_memory(Y, -Y / 3.0), TM_HOURGLASS_STRAIN, 1e-14);
   UT_NEAR(tm_hourglass_memory(Y, 0.0), 2.0 / 3.0 * TM_HOURGLASS_STRAIN, 1e-14);
   UT_NEAR(tm_hourglass_memory(Y, Y), TM_HOURGLASS_MEMORY * TM_HOURGLASS_STRAIN, 1e-14);
@@ -282,14 +286,16 @@ static void test_stiffness(void)
 static void test_limit(void)
 {
   const double Y = 3.0, h = 0.5, stiffness = 20.0, most = TM_HOURGLASS_YIELD * Y * h / stiffness;
-  tm_vec3 u = tm_hourglass_limit(tm_vec(0.6 * most, 0, 0.6 * most), stiffness, Y, h);
+  tm_vec3 u = tm_hourglass_limit(tm_vec(0.6 * most, 0, 0.6 * most), stiffness, Y, 0.0, 1.0, h);
   UT_TRUE(u.x == 0.6 * most && u.z == 0.6 * most);
   u.y = -5.0 * most;
-  u = tm_hourglass_limit(u, stiffness, Y, h);
+  UT_NEAR(tm_vec_norm(tm_hourglass_limit(u, stiffness, Y, -Y / 3.0, 0.6, h)), 3.0 * most, 1e-14); /* drawn */
+  UT_NEAR(tm_vec_norm(tm_hourglass_limit(u, stiffness, Y, -Y / 6.0, 0.6, h)), 2.0 * most, 1e-14);
+  u = tm_hourglass_limit(u, stiffness, Y, -Y, 0.15, h);
   UT_NEAR(tm_vec_norm(u), most, 1e-14);
   UT_NEAR(u.y / u.x, -5.0 / 0.6, 1e-14);
   u.x = 7.0;
-  u = tm_hourglass_limit(u, stiffness, 0.0, h); /* it does not flow */
+  u = tm_hourglass_limit(u, stiffness, 0.0, -1.0, 0.6, h); /* it does not flow */
   UT_TRUE(u.x == 7.0);
 }
 

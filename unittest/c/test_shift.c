@@ -4,6 +4,12 @@
 #include "tm_shift.h"
 #include "ut.h"
 
+static tm_mat3 matrix(double xx, double xy, double xz, double yx, double yy, double yz, double zx, double zy, double zz)
+{
+  const tm_real row[9] = {xx, xy, xz, yx, yy, yz, zx, zy, zz};
+  return tm_mat_load(row);
+}
+
 /* sum V gradW of a particle at p in a lattice of spacings sx, sy(, 1), those of x > most left away; site: its own, left out */
 static tm_vec3 uneven(int kernel, int dim, double h, double sx, double sy, tm_vec3 p, double most)
 {
@@ -15,31 +21,102 @@ static tm_vec3 uneven(int kernel, int dim, double h, double sx, double sy, tm_ve
       for (int z = -mz; z <= mz; z++) {
         const tm_vec3 d = tm_vec(p.x - x * sx, p.y - y * sy, p.z - z);
         const double r = tm_vec_norm(d);
-        if ((x || y || z) && x * sx < most && r < 2 * h) g = tm_vec_axpy(g, V * norm * tm_kernel_slope(kernel, r / h) / r, d);
+        if ((x || y || z) && x * sx < most && r < 2 * h)
+          g = tm_vec_axpy(g, V * norm * tm_kernel_slope(kernel, r / h) / r, d);
       }
   return g;
 }
 
-static double way(tm_vec3 g, double h, double eps, double d_eps) { return tm_vec_norm(tm_shift(g, h, eps, d_eps, 1.0)); }
+/* All of g along the stretch, of metal that turns so that it is strained with this F. */
+static tm_vec3 moved(double pure, tm_vec3 g, double h, double eps, double d_eps, double tension)
+{
+  const tm_shift_flow flow = {pure, g};
+  return tm_shift(g, flow, h, eps, d_eps, tension);
+}
+
+static double way(tm_vec3 g, double h, double eps, double d_eps)
+{
+  return tm_vec_norm(moved(1.0, g, h, eps, d_eps, 0.0));
+}
+
+/* A g: along the stretch of a bar all, across it a quarter; across that of a pressed one three, along it nothing; of shear the
+   direction that is stretched, in any axes; never against g. F: less with spin, nothing with as much. */
+static tm_vec3 part(tm_mat3 L, tm_vec3 g, int dim3) { return tm_shift_along(L, g, dim3).along; }
+
+static double pure(tm_mat3 L) { return tm_shift_along(L, tm_vec(1, 0, 0), 1).pure; }
+
+static void along(void)
+{
+  const tm_vec3 one = tm_vec(1, 1, 1);
+  const tm_mat3 bar = matrix(3e4, 0, 0, 0, -1.5e4, 0, 0, 0, -1.5e4), pressed = tm_mat_scale(-1.0, bar);
+  tm_vec3 m = part(bar, one, 1);
+  UT_NEAR(m.x, 1.0, 1e-14);
+  UT_NEAR(m.y, 0.25, 1e-14);
+  UT_NEAR(m.z, 0.25, 1e-14);
+  m = part(pressed, one, 1);
+  UT_WITHIN(m.x, 0.0, 1e-14);
+  UT_NEAR(m.y, 0.75, 1e-14);
+  const double s = sqrt(0.75); /* plane strain; what grows in volume meanwhile does not count */
+  m = part(matrix(2.1, 0, 0, 0, -1.9, 0, 0, 0, 0.1), one, 1);
+  UT_NEAR(m.x, (1.0 + s) / 2.0, 1e-13);
+  UT_NEAR(m.y, (1.0 - s) / 2.0, 1e-12);
+  UT_NEAR(m.z, 0.5, 1e-13);
+  const tm_vec3 plane = part(matrix(2, 0, 0, 0, -2, 0, 0, 0, 0), one, 0); /* in two dimensions all and nothing */
+  UT_NEAR(plane.x, 1.0, 1e-14);
+  UT_WITHIN(plane.y, 0.0, 1e-14);
+  const tm_mat3 slanted = matrix(0, 8, 0, 8, 0, 0, 0, 0, 0), shear = matrix(0, 8, 0, 0, 0, 0, 0, 0, 0);
+  const tm_vec3 out = part(slanted, tm_vec(1, 1, 0), 1), in = part(slanted, tm_vec(1, -1, 0), 1);
+  UT_NEAR(out.x, m.x, 1e-13);
+  UT_NEAR(out.y, m.x, 1e-13);
+  UT_NEAR(in.x, m.y, 1e-12);
+  UT_NEAR(in.y, -m.y, 1e-12);
+  const tm_mat3 turning = matrix(0, 8, 0, 8.0 / 3.0, 0, 0, 0, 0, 0); /* spin over strain 1/2 */
+  UT_NEAR(part(turning, tm_vec(1, 1, 0), 1).x, m.x, 1e-13);
+  UT_NEAR(pure(turning), 0.75 * 0.75 * 0.75, 1e-13);
+  UT_NEAR(pure(bar), 1.0, 1e-14);
+  UT_NEAR(pure(pressed), 1.0, 1e-14);
+  const tm_mat3 spin = matrix(0, 5, 0, -5, 0, 0, 0, 0, 0), none = tm_mat_scale(0.0, spin);
+  UT_WITHIN(pure(shear), 0.0, 1e-14);
+  UT_TRUE(pure(spin) == 0.0 && pure(none) == 0.0);
+  for (double k = -1.0; k < 2.0; k += 0.125) {
+    const tm_mat3 L = matrix(1, 0.3 * k, k, 0.7, k, 0.2, -0.4 * k, 0.9, -1 - k);
+    for (double a = 0; a < 6.3; a += 0.1) {
+      const tm_vec3 g = tm_vec(cos(a), sin(a) * cos(3 * a), sin(a) * sin(3 * a));
+      const double with = tm_vec_dot(g, part(L, g, 1));
+      UT_TRUE(with > -1e-15 && with < 1.0 + 1e-12);
+    }
+  }
+}
 
 static void closed_form(void)
 {
   const double h = 1.2, d = 1e-4;
   const tm_vec3 g = tm_vec(0.06, -0.08, 0.0); /* h |g| = 0.12 */
-  UT_NEAR(way(g, h, 1.0, d), TM_SHIFT_RATE * d * 0.7 * h * 0.12, 1e-12);
+  const double r = TM_SHIFT_RATE * 0.7 * 0.12;
+  UT_NEAR(way(g, h, 1.0, d), d * h * r / (1.0 + r / TM_SHIFT_MOST), 1e-12);
+  UT_NEAR(tm_vec_norm(moved(1.0, g, h, 1.0, d, 1.0)), d * h * r / (1.0 + r / TM_SHIFT_DRAWN), 1e-12);
+  UT_NEAR(tm_vec_norm(moved(1.0, g, h, 1.0, d, 0.25)),
+          0.75 * way(g, h, 1.0, d) + 0.25 * tm_vec_norm(moved(1.0, g, h, 1.0, d, 1.0)), 1e-12);
+  const double all = TM_SHIFT_SHEARED * 0.7 * 0.12; /* in simple shear: all ways, not in tension */
+  UT_NEAR(tm_vec_norm(moved(0.0, g, h, 1.0, d, 0.0)), d * h * all, 1e-12);
+  UT_NEAR(tm_vec_norm(moved(0.0, g, h, 1.0, d, 0.25)), 0.75 * d * h * all, 1e-12);
+  UT_TRUE(tm_vec_norm(moved(0.0, g, h, 1.0, d, 1.0)) == 0.0);
+  UT_NEAR(tm_vec_norm(moved(0.25, g, h, 1.0, d, 0.0)),
+          d * h * (0.75 * all + 0.25 * r / (1.0 + 0.25 * r / TM_SHIFT_MOST)), 1e-12);
+  UT_TRUE(tm_tension_share(30.0, 5.0) == 0.0 && tm_tension_share(0.0, -5.0) == 0.0 &&
+          tm_tension_share(30.0, -20.0) == 1.0);
+  UT_NEAR(tm_tension_share(30.0, -5.0), 0.5, 1e-14);
   UT_NEAR(way(g, h, 0.3, d), 0.5 * way(g, h, 1.0, d), 1e-12);
-  const tm_vec3 dx = tm_shift(g, h, 0.5, d, 1.0); /* down the gradient */
+  const tm_vec3 dx = moved(1.0, g, h, 0.5, d, 0.0); /* down the gradient */
   UT_NEAR(dx.x / dx.y, -0.75, 1e-12);
   UT_TRUE(dx.x < 0.0 && dx.z == 0.0);
-  UT_NEAR(tm_shift(g, h, 0.5, d, 0.25).x, 0.25 * dx.x, 1e-12);
-  UT_TRUE(tm_shift_share(30.0, 5.0) == 1.0 && tm_shift_share(30.0, 0.0) == 1.0); /* pressure */
-  UT_TRUE(tm_shift_share(0.0, 0.0) == 1.0 && tm_shift_share(0.0, 2.0) == 1.0 && tm_shift_share(0.0, -2.0) == 0.0); /* molten */
-  UT_NEAR(tm_shift_share(30.0, -5.0), 0.5, 1e-12);
-  UT_TRUE(tm_shift_share(30.0, -10.0) <= 1e-12 && tm_shift_share(30.0, -50.0) == 0.0); /* uniaxial tension, and more */
+  const tm_shift_flow quarter = {1.0, tm_vec_scale(0.25, g)};
+  UT_NEAR(tm_shift(g, quarter, h, 0.5, d, 0.0).x,
+          dx.x * 0.25 * (1.0 + r / TM_SHIFT_MOST) / (1.0 + 0.25 * r / TM_SHIFT_MOST), 1e-12);
   UT_TRUE(way(g, h, TM_SHIFT_BEGINS, d) == 0.0 && way(g, h, 0.1, d) == 0.0);
   UT_TRUE(way(g, h, 1.0, 0.0) == 0.0 && way(tm_vec(0, 0, 0), h, 1.0, d) == 0.0);
   UT_TRUE(way(tm_vec_scale(3.4, g), h, 1.0, d) == 0.0); /* at a surface */
-  UT_NEAR(way(g, h, 1.0, 5.0), TM_SHIFT_MOST * h, 1e-12);
+  UT_TRUE(way(tm_vec_scale(1.5, g), h, 1.0, d) < TM_SHIFT_MOST * d * h);
   UT_NEAR(way(tm_vec_scale(0.1, g), 10 * h, 1.0, d), 10 * way(g, h, 1.0, d), 1e-12); /* any unit of length */
 }
 
@@ -51,14 +128,20 @@ static void lattices(int kernel, int dim, double h)
     UT_TRUE(way(g, h, 1.0, 1e-3) < 1e-15);
   }
   UT_TRUE(way(uneven(kernel, dim, h, 1, 1, site, 0.5), h, 1.0, 1e-3) == 0.0); /* in a face */
-  UT_TRUE(way(uneven(kernel, dim, h, 1, 1, site, 1.5), h, 1.0, 1e-3) < 2e-3); /* beneath it: at most twice the strain, in h */
+  const tm_vec3 beneath =
+      uneven(kernel, dim, h, 1, 1, site, 1.5); /* a face that is stretched: hardly beneath it either */
+  const tm_mat3 drawn = matrix(dim == 3 ? -0.5 : -1, 0, 0, 0, 1, 0, 0, 0, dim == 3 ? -0.5 : 0);
+  const tm_vec3 out = part(drawn, beneath, dim == 3);
+  UT_TRUE(beneath.x < -0.01);
+  UT_WITHIN(out.x, dim == 3 ? 0.25 * beneath.x : 0.0, 1e-14);
+  UT_WITHIN(tm_vec_norm(out), fabs(out.x), 1e-14);
   tm_vec3 p = tm_vec(0.15, -0.1, dim == 3 ? 0.1 : 0.0);
   for (double eps = 0.4; eps < 1.0; eps += 1e-3) {
-    const tm_vec3 dx = tm_shift(uneven(kernel, dim, h, 1, 1, p, 1e300), h, eps, 1e-3, 1.0);
-    UT_TRUE(tm_vec_dot(dx, p) <= 0.0);
+    const tm_vec3 g = uneven(kernel, dim, h, 1, 1, p, 1e300), dx = moved(1.0, g, h, eps, 1e-3, 0.0);
+    UT_TRUE(tm_vec_dot(dx, p) <= 1e-20);
     p = tm_vec_add(p, dx);
   }
-  UT_TRUE(tm_vec_norm(p) < 0.08); /* of 0.18 to 0.2: 0.007 to 0.017 in two dimensions, 0.04 to 0.07 in three */
+  UT_TRUE(tm_vec_norm(p) < 1e-3); /* of 0.18 to 0.2 */
 }
 
 /* Two rows along y, far apart along x, pressed together along y: every other particle of a row goes into the gap. */
@@ -77,7 +160,7 @@ static void gap(void)
         if (r < 2 * h) g = tm_vec_axpy(g, V * norm * tm_kernel_slope(TM_KERNEL_HYPERBOLIC, r / h) / r, d);
       }
     UT_TRUE(fabs(g.y) < 1e-12);
-    off += tm_shift(g, h, eps, 1e-3, 1.0).x;
+    off += moved(1.0, g, h, eps, 1e-3, 0.0).x;
   }
   UT_TRUE(off > 0.1 && off < 0.6); /* of 0.55, a quarter of the distance of the rows; 0.001 at the start */
 }
@@ -85,6 +168,7 @@ static void gap(void)
 int main(void)
 {
   closed_form();
+  along();
   lattices(TM_KERNEL_HYPERBOLIC, 2, 1.2);
   lattices(TM_KERNEL_HYPERBOLIC, 3, 1.2);
   lattices(TM_KERNEL_CUBIC, 2, 1.3);

@@ -221,14 +221,21 @@ class Rates:
             out[i] = -fit[0]
         return out
 
+    @staticmethod
+    def drawn(flow, p, eps):
+        """How far hourglass control takes metal for drawn."""
+        return min(max((eps - 0.15) / 0.25, 0), 1) * min(max(-3 * p / flow, 0), 1) if flow > 0 else 0.0
+
     def hourglass_force(self, d, r, gm, ahead):
         """Force per m_j of pairs against differences of displacements, at the force point, and damping."""
         q, rho = self.q, self.q["rho"]
         k = rho * q["c"] ** 2
         p = -np.trace(q["stress"], axis1=1, axis2=2) / 3
         s = q["stress"] + p[:, None, None] * np.eye(3)
-        tension = np.sqrt(1.5 * np.sum(s ** 2, axis=(1, 2))) + np.maximum(-p, 0)
-        xi = np.minimum(4.0, 12.0 * tension * self.lz / k) if self.hourglass == "auto" else np.full(self.n, self.hourglass)
+        mises = np.sqrt(1.5 * np.sum(s ** 2, axis=(1, 2)))
+        drawn = np.array([self.drawn(*a) for a in zip(mises, p, self.eps if self.one_pass else 0 * self.eps)])
+        zeta = 12.0 * (1 + 2 * drawn)
+        xi = np.minimum(4.0, zeta * (mises + np.maximum(-p, 0)) * self.lz / k) if self.hourglass == "auto" else np.full(self.n, self.hourglass)
         xi = np.where(self.failed | [m.strength[0] == "none" for m in self.mat], 0.0, xi)
         self.xi = xi
         W = np.sqrt(xi)[:, None] * self.w + (ahead * xi)[:, None] * self.w_rate + (0.1 * self.h / q["c"])[:, None] * self.w_rate

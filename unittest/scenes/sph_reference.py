@@ -67,7 +67,8 @@ class Body(Rates):
         xi = self.xi[i]
         self.w[i] = (self.w[i] + dt * (np.cross(spin, self.w[i]) + np.sqrt(xi) * rate)) / (1 + d_eps / memory)
         self.w_rate[i] = rate
-        resists, most = np.sqrt(xi) * rho * self.q["c"][i] ** 2 * np.linalg.norm(self.w[i]), 0.1 * y * self.own_h[i]
+        resists = np.sqrt(xi) * rho * self.q["c"][i] ** 2 * np.linalg.norm(self.w[i])
+        most = (0.1 + 0.2 * self.drawn(y, p, self.eps[i] if self.one_pass else 0.0)) * y * self.own_h[i]
         if y > 0 and resists > most:
             self.w[i] *= most / resists
 

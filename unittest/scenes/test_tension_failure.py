@@ -1,6 +1,6 @@
 """A square bar of Weldox 460E is drawn until it breaks: engineering stress and strain against finite elements, and what
-breaks it. With the default a neck loses its neighbors along the axis before the material fails, which is reported; pairs
-that are kept (total-Lagrangian) follow the neck to failure by damage, and the halves go on. SPHTM_FASTER: pull so many
+breaks it. With the default and with pairs that are kept (total-Lagrangian) a neck forms and fails by damage; the halves of kept
+pairs go on. SPHTM_FASTER: pull so many
 times faster than the finite elements (4).
 
 Bar 20 x 2.4 x 2.4 mm, both ends pulled with 1 - exp(-t) m/s, t in ms; Johnson and Cook's hardening and damage without
@@ -36,15 +36,14 @@ def same(name, d, last, within):
         checks.below(name + "stress at a strain of %g" % e, abs(d.off[e]), within)
 
 
-d = drawn(6, 0.21)
+# with the default lists shifting moves rows into each other, a neck forms and fails by damage, later than in finite elements
+d = drawn(6, 0.25)
 same("6 particles: ", d, 7, 0.003)
-# the neck loses its neighbors along the axis at a local strain of 0.85, before the material fails: not what finite
-# elements show, and reported as what it is
-checks.note("half of it", "%.4f, finite elements %.3f" % (d.half or 1.0, HALF))
-checks.above("it does not part before", d.half or 1.0, 0.13)
-checks.true("what parts without damage is reported", d.failed > 0 or d.torn > 0)
-checks.true("with where and when, and what helps", "numerical fracture: a particle has lost its neighbors" in d.result.output
-            and "adapt/neigh threshold inf" in d.result.output)
+checks.below("6 particles: stress at a strain of 0.15", abs(d.off[0.15]), 0.03)
+checks.near("6 particles: half of it", d.half or 1.0, HALF, relative=0.25)
+checks.above("6 particles: a neck, local strain", d.pstrain, 0.9)
+checks.above("6 particles: failed by damage", d.failed, 10)
+checks.true("6 particles: which is no numerical fracture", d.torn == 0 and "numerical fracture: none" in d.result.output, "%g" % d.torn)
 
 for rows, curve, parts in (6, 0.03, 0.14), (8, 0.03, 0.05):    # over finite elements: the stress, the strain at half of it
     d = drawn(rows, 0.25, adapt="threshold inf")

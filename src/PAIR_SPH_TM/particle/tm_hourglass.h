@@ -19,7 +19,11 @@
    stress of the particle, xi = zeta (sigma_Mises + <-p>)/(rho c^2): nothing has to be chosen for rubber or for metal.
    Displacements are forgotten with plastic strain, over e = TM_HOURGLASS_STRAIN in uniaxial tension and less where
    pressure keeps particles together (tm_hourglass_memory()), and what they resist with stays below a tenth of the flow stress
-   (tm_hourglass_limit()), so that flow that few particles resolve is hardly hindered.
+   (tm_hourglass_limit()), so that flow that few particles resolve is hardly hindered. Where metal is drawn its rows come apart, and
+   neighbors that are further away resist less, while the instability is driven as before: from a stretch of 1.3 to 1.4 on it is the
+   stronger (bench/stability/stretched_lattice.py). So with plastic strain under tension (tm_hourglass_drawn()) xi rises to three
+   times as much and the limit to 0.3: a neck then forms and fails by damage (case_weldox.py). Pairs that are kept do not come
+   apart: not with them, nor else without TM_FX_ONE_PASS.
    delta damps what alternates in time as well; both vanish with the square of the spacing where fields are smooth.
 
    Own construction; the idea of a penalty on what differs from the linear field is that of Ganzenmueller 2015
@@ -34,6 +38,7 @@
 #include "tm_chunk.h"
 #include "tm_correction_step.h"
 #include "tm_pair.h"
+#include "tm_strength.h"
 
 #if TM_SINGLE
 #error "double only: displacements are small differences of velocities"
@@ -44,14 +49,31 @@
 #define TM_HOURGLASS_MEMORY 0.05
 /* Largest stress of hourglass control, over the flow stress, of a displacement of h. */
 #define TM_HOURGLASS_YIELD 0.1
+#define TM_HOURGLASS_YIELD_DRAWN 0.3
 /* zeta, the largest xi that follows from it, and delta. */
 #define TM_HOURGLASS_ZETA 12.0
 #define TM_HOURGLASS_MOST 4.0
 #define TM_HOURGLASS_DAMPING 0.1
-/* Displacement u of a material that flows: stiffness |u|, which is sqrt(xi) k |u|, stays below TM_HOURGLASS_YIELD Y h. */
-TM_FN tm_vec3 tm_hourglass_limit(tm_vec3 u, tm_real stiffness, tm_real yield, tm_real h)
+/* By what xi rises where metal is drawn, and the plastic strains between which. */
+#define TM_HOURGLASS_DRAWN 2.0
+#define TM_HOURGLASS_DRAWN_BEGINS 0.15
+#define TM_HOURGLASS_DRAWN_WHOLE 0.4
+
+/* How far metal has been drawn, 0..1: rises with the plastic strain, and with tension to 1 at that of a bar. */
+TM_FN tm_real tm_hourglass_drawn(tm_real flow, tm_real p, tm_real eps_p)
 {
-  const tm_real resists = stiffness * tm_vec_norm(u), limit = TM_HOURGLASS_YIELD * yield * h;
+  if (!(eps_p > TM_HOURGLASS_DRAWN_BEGINS)) return 0.0;
+  const tm_real strain = (eps_p - TM_HOURGLASS_DRAWN_BEGINS) / (TM_HOURGLASS_DRAWN_WHOLE - TM_HOURGLASS_DRAWN_BEGINS);
+  return tm_min(strain, 1.0) * tm_tension_share(flow, p);
+}
+
+/* Displacement u of a material that flows: stiffness |u|, which is sqrt(xi) k |u|, stays below TM_HOURGLASS_YIELD Y h, drawn
+   TM_HOURGLASS_YIELD_DRAWN Y h. */
+TM_FN tm_vec3 tm_hourglass_limit(tm_vec3 u, tm_real stiffness, tm_real yield, tm_real p, tm_real eps_p, tm_real h)
+{
+  const tm_real drawn = tm_hourglass_drawn(yield, p, eps_p);
+  const tm_real share = TM_HOURGLASS_YIELD + (TM_HOURGLASS_YIELD_DRAWN - TM_HOURGLASS_YIELD) * drawn;
+  const tm_real resists = stiffness * tm_vec_norm(u), limit = share * yield * h;
   return !(yield > 0.0) || resists <= limit ? u : tm_vec_scale(limit / resists, u);
 }
 
@@ -60,10 +82,12 @@ TM_FN tm_vec3 tm_hourglass_limit(tm_vec3 u, tm_real stiffness, tm_real yield, tm
 #define TM_HOURGLASS_LEAST 0.02
 
 /* Stiffness over rho c^2 of a particle, >= 0: xi where it is given (>= 0), else from the deviator and the pressure. */
-TM_FN tm_real tm_hourglass_stiffness(tm_real xi, tm_sym3 s, tm_real p, tm_real rho_c2)
+TM_FN tm_real tm_hourglass_stiffness(tm_real xi, tm_sym3 s, tm_real p, tm_real rho_c2, tm_real eps_p)
 {
   if (xi >= 0.0) return xi;
-  return tm_min(TM_HOURGLASS_MOST, TM_HOURGLASS_ZETA * (tm_sym_mises(s) + tm_max(-p, 0.0)) / rho_c2);
+  const tm_real mises = tm_sym_mises(s),
+                zeta = TM_HOURGLASS_ZETA * (1.0 + TM_HOURGLASS_DRAWN * tm_hourglass_drawn(mises, p, eps_p));
+  return tm_min(TM_HOURGLASS_MOST, zeta * (mises + tm_max(-p, 0.0)) / rho_c2);
 }
 
 /* Plastic strain over which displacements are forgotten, at flow stress and pressure: TM_HOURGLASS_STRAIN times an upper

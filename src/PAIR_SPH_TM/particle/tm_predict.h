@@ -60,8 +60,10 @@ TM_FN void tm_predict_hourglass(int i, const tm_predict_args *a, tm_sym3 dev, tm
   const tm_real k = r[tm_part(TM_REC_RHO)] * c * c; /* in plane stress times the thickness */
   const tm_real lz = (effects & TM_FX_PLANE_STRESS) ? *tm_field_row(s, TM_F_THICKNESS, i) : 1.0;
   const int failed = (effects & TM_FX_DAMAGE) && tm_field_row(s, TM_F_DAMAGE, i)[tm_column(1)] > 0.5;
+  const int drawn = (effects & TM_FX_ONE_PASS) && (effects & TM_FX_PLASTICITY);
+  const tm_real eps_p = drawn ? *tm_field_row(s, TM_F_PSTRAIN, i) : 0.0;
   const tm_real xi = k > 0.0 && m->strength != TM_STRENGTH_NONE && !failed
-                         ? tm_hourglass_stiffness(a->hourglass, dev, p, k / lz)
+                         ? tm_hourglass_stiffness(a->hourglass, dev, p, k / lz, eps_p)
                          : 0.0;
   const tm_real delay = k > 0.0 ? TM_HOURGLASS_DAMPING * a->h / c : 0.0;
   const tm_vec3 W = tm_hourglass_displacement(tm_field_row(s, TM_F_HOURGLASS, i), a->dt_ahead, xi, delay);

@@ -211,13 +211,13 @@ TM_FN void tm_update_balsara(int i, const tm_state *s, tm_mat3 L, tm_real sound,
 
 /* Position of a particle that has flowed in this step; returns the square of the speed with which it has come there in the
    second half of the step, v2 without. */
-TM_FN tm_real tm_update_shift(int i, const tm_update_args *a, const tm_point *q, tm_real v2, tm_real h, tm_real eps_p,
-                              int dim3)
+TM_FN tm_real tm_update_shift(int i, const tm_update_args *a, const tm_point *q, tm_mat3 L, tm_real v2, tm_real h,
+                              tm_real eps_p, int dim3)
 {
   const tm_state *s = &a->state;
   if (!(q->d_eps > 0.0) || !(s->mask[i] & a->group) || s->mask[i] & a->held) return v2;
-  const tm_vec3 dx =
-      tm_shift(tm_load3(a->uneven + 3 * (ptrdiff_t) i), h, eps_p, q->d_eps, tm_shift_share(q->yield, q->p));
+  const tm_vec3 g = tm_load3(a->uneven + 3 * (ptrdiff_t) i);
+  const tm_vec3 dx = tm_shift(g, tm_shift_along(L, g, dim3), h, eps_p, q->d_eps, tm_tension_share(q->yield, q->p));
   double *x = s->x + 3 * (ptrdiff_t) i;
   x[0] += dx.x;
   x[1] += dx.y;
@@ -227,13 +227,14 @@ TM_FN tm_real tm_update_shift(int i, const tm_update_args *a, const tm_point *q,
 }
 
 /* Displacement of hourglass control for the next force point; xi: its stiffness, q: at the end of the step, rho_c2: at the
-   force point. */
+   force point, drawn: plastic strain for tm_hourglass_drawn(). */
 TM_FN void tm_update_hourglass(int i, const tm_update_args *a, const tm_update_read *in, tm_real xi, const tm_point *q,
-                               tm_real rho_c2, tm_mat3 L, tm_real h, int forget)
+                               tm_real rho_c2, tm_real drawn, tm_mat3 L, tm_real h, int forget)
 {
   const tm_vec3 u =
       tm_hourglass_step(in->u, in->u_rate, xi, L, a->dt, q->d_eps / tm_hourglass_memory(q->yield, q->p), forget);
-  tm_hourglass_store(tm_field_row(&a->state, TM_F_HOURGLASS, i), tm_hourglass_limit(u, sqrt(xi) * rho_c2, q->yield, h),
+  tm_hourglass_store(tm_field_row(&a->state, TM_F_HOURGLASS, i),
+                     tm_hourglass_limit(u, sqrt(xi) * rho_c2, q->yield, q->p, drawn, h),
                      forget ? tm_vec(0, 0, 0) : in->u_rate);
 }
 
@@ -253,6 +254,19 @@ TM_FN int tm_update_heat_status(const tm_update_args *a, tm_real T)
   if (!(T - T == 0.0)) return TM_BAD_NAN;
   if (!(T > 0.0)) return TM_BAD_TEMPERATURE;
   return T > a->hottest ? TM_BAD_HEAT : TM_OK;
+}
+
+/* Gradients of the next step: their correction, and free faces. */
+TM_FN void tm_update_gradients(int i, const tm_update_args *a, const tm_update_read *in, const tm_material *m,
+                               unsigned effects)
+{
+  const tm_state *s = &a->state;
+  if (effects & TM_FX_ONE_PASS)
+    tm_correction_step(tm_field_row(s, TM_F_CORRECTION, i), &in->last, in->K, &in->predicted, in->L,
+                       0.5 * a->dt + in->last.since, 0.5 * a->dt);
+  if (effects & TM_FX_FACES)
+    tm_face_step(tm_field_row(s, TM_F_FACE, i), a->face_next + (ptrdiff_t) i * TM_FACE_COLUMNS,
+                 tm_face_kept(in->eps_p + (m->shear > 0.0 ? tm_sym_mises(in->s) / (3.0 * m->shear) : 0.0)));
 }
 
 TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effects)
@@ -285,12 +299,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     tm_real *history = tm_field_row(s, TM_F_HISTORY, i);
     tm_update_history(history, in.rate, acc, dim3);
     out.dt[TM_DT_FORCE] = tm_force_time_step(h, sqrt(tm_vec_dot(acc, acc)));
-    if (effects & TM_FX_ONE_PASS)
-      tm_correction_step(tm_field_row(s, TM_F_CORRECTION, i), &in.last, in.K, &in.predicted, L,
-                         0.5 * a->dt + in.last.since, 0.5 * a->dt);
-    if (effects & TM_FX_FACES)
-      tm_face_step(tm_field_row(s, TM_F_FACE, i), a->face_next + (ptrdiff_t) i * TM_FACE_COLUMNS,
-                   tm_face_kept(in.eps_p + (m->shear > 0.0 ? tm_sym_mises(s0) / (3.0 * m->shear) : 0.0)));
+    tm_update_gradients(i, a, &in, m, effects);
     const tm_real eps_p = in.eps_p, energy = e ? tm_predict_value(e, w) : 0.0;
     const int failed = dmg && dmg[tm_column(1)] > 0.5;
     const tm_real T_half = (effects & TM_FX_EXPANSION) ? tm_predict_value(tm_field_row(s, TM_F_TEMP, i), w) : T;
@@ -308,9 +317,11 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
         a->dt / rho_half *
         tm_sym_ddot(tm_sym_add_iso(s_acting, -tm_damage_pressure(p_half, failed)), tm_mat_symmetric(L));
     const int forget = failed || m->strength == TM_STRENGTH_NONE, controls = (effects & TM_FX_HOURGLASS) != 0;
-    const tm_real rho_c2 = rho_half * sound * sound; /* as in tm_predict_hourglass() */
-    const tm_real xi =
-        controls && !forget ? tm_hourglass_stiffness(a->hourglass, s_half, lz ? s_half.zz : p_half, rho_c2) : 0.0;
+    const tm_real rho_c2 = rho_half * sound * sound; /* as in tm_predict_hourglass(), as is this: */
+    const tm_real drawn = (effects & TM_FX_ONE_PASS) ? eps_p : 0.0;
+    const tm_real xi = controls && !forget
+                           ? tm_hourglass_stiffness(a->hourglass, s_half, lz ? s_half.zz : p_half, rho_c2, drawn)
+                           : 0.0;
 
     tm_point q =
         tm_constitutive(m, in.rho, rho_half, s0, s_half, L, energy, growth, eps_p, T, a->dt, pl != NULL && !failed);
@@ -330,7 +341,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       pl[tm_column(1)] = q.d_eps * inv_dt;
       pl[tm_column(2)] = q.yield;
     }
-    if (a->uneven && !failed) out.speed2 = tm_update_shift(i, a, &q, v2, h, eps_p, dim3);
+    if (a->uneven && !failed) out.speed2 = tm_update_shift(i, a, &q, L, v2, h, eps_p, dim3);
     if (s->field[TM_F_LAYER]) tm_layer_end_of_step(tm_field_row(s, TM_F_LAYER, i));
     const tm_real artificial = a->artificial ? a->dt * tm_update_artificial(i, a, in.artificial, L, effects) : 0.0;
     if (dmg && !failed) {
@@ -339,7 +350,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       dmg[tm_column(1)] = tm_damage_failed(m, dmg[0], pl ? pl[0] : 0.0) ? 1.0 : 0.0;
     }
     if (effects & TM_FX_BALSARA) tm_update_balsara(i, s, L, sound, h);
-    if (controls) tm_update_hourglass(i, a, &in, xi, &q, rho_c2, L, h, forget);
+    if (controls) tm_update_hourglass(i, a, &in, xi, &q, rho_c2, drawn, L, h, forget);
     tm_heat_taken taken = {0.0, 0.0, 0.0};
     if (effects & TM_FX_HEAT)
       taken = tm_update_temperature(i, a, &in, m, q.rho, q.yield * q.d_eps * inv_dt, compression,

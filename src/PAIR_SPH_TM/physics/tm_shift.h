@@ -5,56 +5,82 @@
    of their concentration C = sum V_j W (Lind et al. 2012, doi 10.1016/j.jcp.2011.10.027). Here the plastic strain of the
    step stands for the time, so that what does not flow is never moved:
 
-     dx_i = -beta h^2 d eps_p  t(eps_p) c(h |g|) s(p) g,   g = grad C = sum V_j gradW_ij
+     dx_i = -h d eps_p t(eps_p) [(1 - s)(1 - F) beta_0 c h g + ((1 - s)/(1 + |r|/b_0) + s/(1 + |r|/b_1)) r],   r = beta c F h A g,
+     g = grad C = sum V_j gradW_ij,   A = (1 + E)/2,   F = max(0, 1 - W:W/D:D)^3,   c = 1 - h |g|/TM_SHIFT_FACE.
 
    g is 0 in a regular lattice, stretched too. t rises from 0 to 1 between the plastic strains TM_SHIFT_BEGINS and
-   TM_SHIFT_WHOLE: below, spacings are near enough to what they were. c = 1 - h |g|/TM_SHIFT_FACE falls to 0 towards surfaces,
-   where h |g| is 0.57 to 0.66 (tm_face.h): what is at a surface stays there. What a tool or another body touches, and what other
-   fixes move, is not shifted: springs of contacts keep their energy.
+   TM_SHIFT_WHOLE: below, spacings are near enough to what they were. c falls to 0 towards surfaces, where h |g| is 0.57 to 0.66
+   (tm_face.h): what is at a surface stays there. What a tool or another body touches, and what other fixes move, is not shifted:
+   springs of contacts keep their energy.
 
-   s = 1 + 3 p/Y, between 0 and 1, is 0 from uniaxial tension on, p = -Y/3: there a pattern in the positions grows (tensile instability),
-   and a lattice that stays as it is holds longest: a strip that is drawn through a die parted after two thirds of the way with s = 1.
+   F tells metal that is pressed or drawn from metal that is sheared, with the spin W and the rate of strain D: it is 1 without spin, and
+   0 in simple shear, where rows pass each other and meet new neighbors, and where what is shifted far takes the momentum and the
+   strength of one side of a shear zone to the other. There the first term acts, a little and all ways, but not in tension, s =
+   tm_tension_share(): a pattern in the positions grows there, and a lattice that stays as it is holds longest.
+
+   The second term is strong, and A lets it act along the stretch, which is where rows lose each other, and little across it. E is the
+   deviator of D, over what makes it 1, -1/2, -1/2 in uniaxial tension, in two dimensions 1, -1: A is 1 and 1/4, in compression 3/4
+   and 0, in two dimensions 1 and 0. The second row beneath a surface that is stretched, whose g points outward in a regular lattice
+   too, hardly moves: with E = 1 the angular momentum of a block that turns changes three times as much. (E + 1/2)(E + 1)/3, with
+   nothing across the stretch of a bar, was tried: a neck then fails numerically. b_0 bounds it to a few h over a strain of 1, in tension
+   b_1 to more, which necks need.
 
    Velocities and the state of a particle go along with it: momentum and the sum of energies are exact as without. Positions move
-   by O(h) over a strain of 1, so with refinement this vanishes. The angular momentum changes by sum m dx x v: by 0.2 % in a block
-   of 20 spacings that turns while it is strained by 0.5, by 0.04 % with 40 (test_shifting.py). g is a sum that the rate pass has
-   anyway, so this costs 3 numbers per particle.
+   by O(h) over a strain of 1, so with refinement this vanishes. The angular momentum changes by sum m dx x v (test_shifting.py).
+   g is a sum that the rate pass has anyway, so this costs 3 numbers per particle.
 
-   beta from 4 to 10 was tried: gaps in a pressed block close from 4 on, and less artificial work is done in chips with 10
-   than with 4. From 25 on blocks can be pressed to 0.38 of their height, force within 3 %, where with 6 half of it is lost beyond half of
-   the height. But what is shifted across a shear zone takes its momentum and its strength there: with 25 a milling cutter needs 16 %
-   more force (examples/peripheral_milling, 20 um), a slip-line cut 4 % more. Own construction but for C. */
+   What else was tried for beta, F and b, on necks, pressed blocks and cuts, is in doc/stability.rst. Own construction but for C. */
 #ifndef TM_SHIFT_H
 #define TM_SHIFT_H
 
+#include "tm_strength.h"
 #include "tm_tensor.h"
 
-/* beta */
-#define TM_SHIFT_RATE 6.0
+/* beta_0 and beta */
+#define TM_SHIFT_SHEARED 6.0
+#define TM_SHIFT_RATE 100.0
 /* Plastic strain where shifting begins, and from where on it is whole. */
 #define TM_SHIFT_BEGINS 0.2
 #define TM_SHIFT_WHOLE 0.4
 /* h |g| from where on there is none. */
 #define TM_SHIFT_FACE 0.4
-/* Most in one step, over h. */
-#define TM_SHIFT_MOST 0.02
+/* b_0 and b_1: most of the second term over a plastic strain of 1, over h, under pressure and in uniaxial tension */
+#define TM_SHIFT_MOST 2.0
+#define TM_SHIFT_DRAWN 22.0
 
-/* s of flow stress and pressure; without a flow stress (molten) 1 under pressure, 0 in tension. */
-TM_FN tm_real tm_shift_share(tm_real yield, tm_real p)
+/* What a velocity gradient does with g. */
+typedef struct {
+  tm_real pure;  /* F, 0..1 */
+  tm_vec3 along; /* A g */
+} tm_shift_flow;
+
+/* Of the velocity gradient L (1/time); F = 0 where nothing is strained. */
+TM_FN tm_shift_flow tm_shift_along(tm_mat3 L, tm_vec3 g, int dim3)
 {
-  if (!(yield > 0.0)) return p < 0.0 ? 0.0 : 1.0;
-  return tm_max(0.0, tm_min(1.0, 1.0 + 3.0 * p / yield));
+  const tm_sym3 D = tm_sym_deviator(tm_mat_symmetric(L));
+  const tm_vec3 curl = tm_vec(L.zy - L.yz, L.xz - L.zx, L.yx - L.xy);
+  const tm_real strain2 = tm_sym_ddot(D, D), spin2 = 0.5 * tm_vec_dot(curl, curl);
+  tm_shift_flow flow = {0.0, tm_vec(0, 0, 0)};
+  if (!(strain2 > spin2)) return flow;
+  const tm_real pure = 1.0 - spin2 / strain2;
+  flow.pure = pure * pure * pure;
+  flow.along = tm_vec_scale(0.5, tm_vec_axpy(g, sqrt((dim3 ? 1.5 : 2.0) / strain2), tm_sym_mul_vec(D, g)));
+  return flow;
 }
 
-/* dx of a particle with g (1/length) and smoothing length h, in a step in which the plastic strain grew by d_eps from eps_p; share:
-   s. */
-TM_FN tm_vec3 tm_shift(tm_vec3 g, tm_real h, tm_real eps_p, tm_real d_eps, tm_real share)
+/* dx of a particle with g (1/length) and smoothing length h, in a step in which the plastic strain grew by d_eps from eps_p;
+   tension: s. */
+TM_FN tm_vec3 tm_shift(tm_vec3 g, tm_shift_flow flow, tm_real h, tm_real eps_p, tm_real d_eps, tm_real tension)
 {
   const tm_real size = h * tm_vec_norm(g);
-  if (!(eps_p > TM_SHIFT_BEGINS && size > 0.0 && size < TM_SHIFT_FACE)) return tm_vec(0, 0, 0);
+  if (!(eps_p > TM_SHIFT_BEGINS && size < TM_SHIFT_FACE)) return tm_vec(0, 0, 0);
   const tm_real strained = tm_min((eps_p - TM_SHIFT_BEGINS) / (TM_SHIFT_WHOLE - TM_SHIFT_BEGINS), 1.0);
-  const tm_real way = TM_SHIFT_RATE * share * d_eps * strained * (1.0 - size / TM_SHIFT_FACE) * size;
-  return tm_vec_scale(-tm_min(way, TM_SHIFT_MOST) * h * h / size, g);
+  const tm_real inside = (1.0 - size / TM_SHIFT_FACE) * h;
+  const tm_real sheared = TM_SHIFT_SHEARED * inside * (1.0 - tension) * (1.0 - flow.pure);
+  const tm_real rate = TM_SHIFT_RATE * inside * flow.pure, r = rate * tm_vec_norm(flow.along);
+  const tm_real stretched = rate * ((1.0 - tension) / (1.0 + r / TM_SHIFT_MOST) + tension / (1.0 + r / TM_SHIFT_DRAWN));
+  const tm_vec3 way = tm_vec_axpy(tm_vec_scale(sheared, g), stretched, flow.along);
+  return tm_vec_scale(-d_eps * strained * h, way);
 }
 
 #endif

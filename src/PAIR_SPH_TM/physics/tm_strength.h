@@ -285,4 +285,11 @@ TM_FN tm_return_result tm_radial_return(const tm_material *m, tm_sym3 s_trial, t
   return out;
 }
 
+/* How far a state of stress is one of tension, 0..1: of the pressure, from 0 to that of a bar in tension, -p = flow/3. flow: flow stress or
+   von Mises stress; 0 without one. */
+TM_FN tm_real tm_tension_share(tm_real flow, tm_real p)
+{
+  return flow > 0.0 ? tm_max(0.0, tm_min(1.0, -3.0 * p / flow)) : 0.0;
+}
+
 #endif
