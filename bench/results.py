@@ -83,6 +83,9 @@ ROWS = [
     ("block of metal that hardens, upset without friction, 40 rows: force at 10, 30, 50, 60 % of the height over the closed form", "validate.upset",
      "{values/block/force_at_10_%:.3f}, {values/block/force_at_30_%:.3f}, {values/block/force_at_50_%:.3f}, {values/block/force_at_60_%:.3f}", "1, 1, 1, 1",
      "derived, closed form; with 20 rows 0.980 at 50, 0.937 at 60 %", "met"),
+    ("strip of perfectly plastic metal, drawn through a smooth die, reduced by a third, 24 rows: force, height behind the die over theory",
+     "validate.drawing", "{values/third/force:.3f}, {values/third/height_behind_the_die:.3f}", "1, 1",
+     "derived, slip-line theory; without shifting it parts numerically, and reduced by a half with it", "met"),
     ("cylinder of perfectly plastic metal, upset with friction 0, 0.1 and 0.3, 20 rows: force at 30, at 50 % of the height over the closed form or the slab method",
      "validate.cylinder", "{values/mu_0/force_at_30_%:.3f}, {values/mu_0/force_at_50_%:.3f}; {values/mu_0.1/force_at_30_%:.3f}, {values/mu_0.1/force_at_50_%:.3f}; "
      "{values/mu_0.3/force_at_30_%:.3f}, {values/mu_0.3/force_at_50_%:.3f}", "1; 1, about; less, barrels", "derived, closed form and slab method; kept pairs give 0.88 with 0.3 at 30 %",
