@@ -17,7 +17,7 @@ fix_modify      top move linear 0 -100 0 ramp 5e-6
 thermo          100
 thermo_style    custom step time dt f_top[8] f_top[13] f_low[13] f_body[3] f_body[8] f_body[9]
 """,
-    steps=4740, meshes={"plate.stl": "block --size 0.05 0.002 0.02"},
+    steps=4800, meshes={"plate.stl": "block --size 0.05 0.002 0.02"},
     settings={"dx": 5e-4, "options": "", "courant": 0.4},
     bad={"options": "viscosity 0 0", "courant": 1.0},
     judge=lambda r: 1.0 if r.t["f_top[8]"][-1] > 0.00302 else abs(r.t["f_body[9]"]).max() / abs(r.t["f_body[8]"][-1]),

@@ -31,7 +31,7 @@ static tm_vec3 uneven(int kernel, int dim, double h, double sx, double sy, tm_ve
 static tm_vec3 moved(double pure, tm_vec3 g, double h, double eps, double d_eps, double tension)
 {
   const tm_shift_flow flow = {pure, g};
-  return tm_shift(g, flow, h, eps, d_eps, tension);
+  return tm_shift(g, flow, h, eps, d_eps, tension, 1e300);
 }
 
 static double way(tm_vec3 g, double h, double eps, double d_eps)
@@ -111,8 +111,11 @@ static void closed_form(void)
   UT_NEAR(dx.x / dx.y, -0.75, 1e-12);
   UT_TRUE(dx.x < 0.0 && dx.z == 0.0);
   const tm_shift_flow quarter = {1.0, tm_vec_scale(0.25, g)};
-  UT_NEAR(tm_shift(g, quarter, h, 0.5, d, 0.0).x,
+  UT_NEAR(tm_shift(g, quarter, h, 0.5, d, 0.0, 1e300).x,
           dx.x * 0.25 * (1.0 + r / TM_SHIFT_MOST) / (1.0 + 0.25 * r / TM_SHIFT_MOST), 1e-12);
+  const tm_vec3 slow = tm_shift(g, quarter, h, 0.5, d, 0.0, 1e-5); /* the way of sound in the step is short */
+  UT_NEAR(tm_vec_norm(slow), TM_SHIFT_SPEED * 1e-5, 1e-12);
+  UT_NEAR(slow.x / slow.y, -0.75, 1e-12);
   UT_TRUE(way(g, h, TM_SHIFT_BEGINS, d) == 0.0 && way(g, h, 0.1, d) == 0.0);
   UT_TRUE(way(g, h, 1.0, 0.0) == 0.0 && way(tm_vec(0, 0, 0), h, 1.0, d) == 0.0);
   UT_TRUE(way(tm_vec_scale(3.4, g), h, 1.0, d) == 0.0); /* at a surface */

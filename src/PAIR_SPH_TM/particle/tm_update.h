@@ -212,12 +212,13 @@ TM_FN void tm_update_balsara(int i, const tm_state *s, tm_mat3 L, tm_real sound,
 /* Position of a particle that has flowed in this step; returns the square of the speed with which it has come there in the
    second half of the step, v2 without. */
 TM_FN tm_real tm_update_shift(int i, const tm_update_args *a, const tm_point *q, tm_mat3 L, tm_real v2, tm_real h,
-                              tm_real eps_p, int dim3)
+                              tm_real eps_p, tm_real sound, int dim3)
 {
   const tm_state *s = &a->state;
   if (!(q->d_eps > 0.0) || !(s->mask[i] & a->group) || s->mask[i] & a->held) return v2;
   const tm_vec3 g = tm_load3(a->uneven + 3 * (ptrdiff_t) i);
-  const tm_vec3 dx = tm_shift(g, tm_shift_along(L, g, dim3), h, eps_p, q->d_eps, tm_tension_share(q->yield, q->p));
+  const tm_vec3 dx =
+      tm_shift(g, tm_shift_along(L, g, dim3), h, eps_p, q->d_eps, tm_tension_share(q->yield, q->p), sound * a->dt);
   double *x = s->x + 3 * (ptrdiff_t) i;
   x[0] += dx.x;
   x[1] += dx.y;
@@ -341,7 +342,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       pl[tm_column(1)] = q.d_eps * inv_dt;
       pl[tm_column(2)] = q.yield;
     }
-    if (a->uneven && !failed) out.speed2 = tm_update_shift(i, a, &q, L, v2, h, eps_p, dim3);
+    if (a->uneven && !failed) out.speed2 = tm_update_shift(i, a, &q, L, v2, h, eps_p, sound, dim3);
     if (s->field[TM_F_LAYER]) tm_layer_end_of_step(tm_field_row(s, TM_F_LAYER, i));
     const tm_real artificial = a->artificial ? a->dt * tm_update_artificial(i, a, in.artificial, L, effects) : 0.0;
     if (dmg && !failed) {

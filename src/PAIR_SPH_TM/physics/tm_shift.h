@@ -29,6 +29,9 @@
    by O(h) over a strain of 1, so with refinement this vanishes. The angular momentum changes by sum m dx x v (test_shifting.py).
    g is a sum that the rate pass has anyway, so this costs 3 numbers per particle.
 
+   In a step no particle moves further than TM_SHIFT_SPEED times the way of sound. Slow flow is far below; behind a strong shock, where
+   a strain of 1 takes as long as sound needs for a few h, what sprays off a surface would lose its neighbors without.
+
    What else was tried for beta, F and b, on necks, pressed blocks and cuts, is in doc/stability.rst. Own construction but for C. */
 #ifndef TM_SHIFT_H
 #define TM_SHIFT_H
@@ -47,6 +50,9 @@
 /* b_0 and b_1: most of the second term over a plastic strain of 1, over h, under pressure and in uniaxial tension */
 #define TM_SHIFT_MOST 2.0
 #define TM_SHIFT_DRAWN 22.0
+
+/* Fastest, over the speed of sound. */
+#define TM_SHIFT_SPEED 0.05
 
 /* What a velocity gradient does with g. */
 typedef struct {
@@ -69,8 +75,9 @@ TM_FN tm_shift_flow tm_shift_along(tm_mat3 L, tm_vec3 g, int dim3)
 }
 
 /* dx of a particle with g (1/length) and smoothing length h, in a step in which the plastic strain grew by d_eps from eps_p;
-   tension: s. */
-TM_FN tm_vec3 tm_shift(tm_vec3 g, tm_shift_flow flow, tm_real h, tm_real eps_p, tm_real d_eps, tm_real tension)
+   tension: s; sound: way of sound in the step. */
+TM_FN tm_vec3 tm_shift(tm_vec3 g, tm_shift_flow flow, tm_real h, tm_real eps_p, tm_real d_eps, tm_real tension,
+                       tm_real sound)
 {
   const tm_real size = h * tm_vec_norm(g);
   if (!(eps_p > TM_SHIFT_BEGINS && size < TM_SHIFT_FACE)) return tm_vec(0, 0, 0);
@@ -80,7 +87,9 @@ TM_FN tm_vec3 tm_shift(tm_vec3 g, tm_shift_flow flow, tm_real h, tm_real eps_p, 
   const tm_real rate = TM_SHIFT_RATE * inside * flow.pure, r = rate * tm_vec_norm(flow.along);
   const tm_real stretched = rate * ((1.0 - tension) / (1.0 + r / TM_SHIFT_MOST) + tension / (1.0 + r / TM_SHIFT_DRAWN));
   const tm_vec3 way = tm_vec_axpy(tm_vec_scale(sheared, g), stretched, flow.along);
-  return tm_vec_scale(-d_eps * strained * h, way);
+  const tm_vec3 dx = tm_vec_scale(-d_eps * strained * h, way);
+  const tm_real length = tm_vec_norm(dx), most = TM_SHIFT_SPEED * sound;
+  return length > most ? tm_vec_scale(most / length, dx) : dx;
 }
 
 #endif
