@@ -113,7 +113,7 @@ static void ended(void)
     const tm_contact_result r = tm_contact_tri(0, &s.args, TM_CT_3D);
     const double x = layer[tm_column(TM_L_STRAIN)];
     tm_layer_end_of_step(layer);
-    UT_TRUE(x >= -TM_LAYER_BOUND );
+    UT_TRUE(x >= -TM_LAYER_BOUND);
     if (n > 300) {
       UT_TRUE(x < -TM_LAYER_BOUND + 0.7 * dt);
       UT_NEAR(r.depth, 0.5 * dp * tm_layer_stretch(x, &slope) - distance, 1e-12);
@@ -152,7 +152,8 @@ static void nearness(void)
   UT_TRUE(tm_contact_tri(0, &s.args, TM_CT_3D).depth == 0.0 && s.f[2] == 0.0);
   UT_NEAR(layer[tm_column(TM_L_STRAIN)], -0.401, 1e-12);
   UT_TRUE(layer[tm_column(TM_L_NEAR)] == TM_LAYER_NOW);
-  UT_NEAR(layer[tm_column(TM_L_STRESS + 2)], -0.5 * stress, 1e-2); /* taken back: it was predicted, and there was no force */
+  UT_NEAR(layer[tm_column(TM_L_STRESS + 2)], -0.5 * stress,
+          1e-2); /* taken back: it was predicted, and there was no force */
   for (int n = 0; n < 4; n++) {
     tm_layer_end_of_step(layer);
     ut_put(&s, 0, tm_vec(0.1, 0.1, 0.51 * dp), tm_vec(0, 0, 0));
@@ -161,11 +162,33 @@ static void nearness(void)
   UT_TRUE(layer[tm_column(TM_L_NEAR)] == 0.0);
   gradient[tm_column(8)] = 0.0;
   s.args.tool = 8.0;
-  UT_NEAR(ut_force_at(&s, tm_vec(0.1, 0.1, 0.45 * dp), 0).z, 100.0 * 0.05 * dp, 1e-9); /* as it was made, for any tool */
+  UT_NEAR(ut_force_at(&s, tm_vec(0.1, 0.1, 0.45 * dp), 0).z, 100.0 * 0.05 * dp,
+          1e-9); /* as it was made, for any tool */
   UT_TRUE(layer[tm_column(TM_L_TOOL)] == 8.0);
   layer[tm_column(TM_L_STRAIN)] = 0.2; /* thicker: touched from farther */
   tm_real slope;
-  UT_NEAR(ut_force_at(&s, tm_vec(0.1, 0.1, 0.55 * dp), 0).z, 100.0 * dp * (0.5 * tm_layer_stretch(0.2, &slope) - 0.55), 1e-9);
+  UT_NEAR(ut_force_at(&s, tm_vec(0.1, 0.1, 0.55 * dp), 0).z, 100.0 * dp * (0.5 * tm_layer_stretch(0.2, &slope) - 0.55),
+          1e-9);
+}
+
+/* A second tool that presses from the other side is counted; one beside the first, or at a right angle to it, is not. */
+static void faced(void)
+{
+  const tm_mat3 turns[] = {tm_mat_identity(), {1, 0, 0, 0, -1, 0, 0, 0, -1}, {0, 0, 1, 0, 1, 0, -1, 0, 0}};
+  for (int k = 0; k < 3; k++) {
+    floor_scene(100.0, 0.0);
+    s.args.dt = s.args.layer_dt = 1e-3;
+    const tm_pose pose = s.args.pose;
+    ut_put(&s, 0, tm_vec(0, 0, 0.4 * dp), tm_vec(0, 0, 0));
+    UT_TRUE(tm_contact_tri(0, &s.args, TM_CT_3D).faced == 0);
+    /* the other surface is the first one, turned about the particle */
+    s.args.tool = 8.0;
+    s.args.pose.turn = turns[k];
+    s.args.pose.shift = tm_vec_sub(tm_vec(0, 0, 0.4 * dp), tm_mat_mul_vec(turns[k], tm_vec(0, 0, 0.4 * dp)));
+    const tm_contact_result r = tm_contact_tri(0, &s.args, TM_CT_3D);
+    UT_TRUE(r.contacts == 1 && r.faced == (k == 1));
+    s.args.pose = pose;
+  }
 }
 
 /* A concave corner of two walls, touched equally: the strain is the mean of both directions, and so is the stress. */
@@ -204,6 +227,7 @@ int main(void)
   squeezed(3e-7);
   ended();
   nearness();
+  faced();
   corner();
   return ut_summary();
 }

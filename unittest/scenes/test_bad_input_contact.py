@@ -57,6 +57,10 @@ wrong("a file behind an input", tool(INPUT + "file @ascii.stl"), "contact/tri fi
 wrong("two files", tool(AWAY + "file @ascii.stl"), "contact/tri file", "fix contact/tri of its own")
 wrong("a granular model", tool(INPUT + "model 1 1 hooke 1 1 1 1 0 1"), "contact/tri model", "penalty, damping, friction")
 
+for first in "friction 0.2", "friction/table 300 0.3 900 0.1":
+    for second in "friction 0.3", "friction/table 300 0.3 900 0.1":
+        wrong("%s, then %s" % (first, second), tool(AWAY + first + " " + second), "contact/tri " + second.split()[0], "has been given before", "give it once")
+
 # --- fix contact/tri: keywords ------------------------------------------------------------------------------
 
 K = "contact/tri"

@@ -16,7 +16,7 @@ dimension {dim}
 boundary f f {flat}
 atom_style atomic
 newton off
-lattice {lattice} {dx} origin 0.5 0.5 {origin}
+lattice {lattice} {dx} origin 0.5 {middle} {origin}
 region box block -{W} {W} -{H} {H} {depth} units box
 create_box 1 box
 region work block $(-{W}/2) $({W}/2) $(-{H}/2) $({H}/2) {z} units box
@@ -33,7 +33,7 @@ variable height equal f_upper[8]-f_lower[8]
 variable force equal (f_upper[2]-f_lower[2])/2
 fix history all ave/time 1 50 50 v_height v_force file force.dat
 thermo 50
-thermo_style custom step time dt v_height v_force f_body[7] f_body[8] f_body[9]
+thermo_style custom step time dt v_height v_force f_body[7] f_body[8] f_body[9] atoms
 thermo_modify format float %.15g
 variable left equal v_height-{left}*{H}
 fix stop all halt 50 v_left <= 0 error continue message no
@@ -42,10 +42,10 @@ run 10000000
 
 
 def upset(dim, rows, flows, effects="", H=10e-3, W=20e-3, more="", left=0.88, speed=5.0, law="", style=""):
-    """Height and force over the closed form, and the drift of the sum of energies over what went in."""
+    """Height and force over the closed form, the drift of the sum of energies over what went in, and the run."""
     folder, dx = new_folder(), H / rows
     mesh(folder, "plate.stl", "block --size 60e-3 10e-3 60e-3" if dim == 3 else "block --size 60e-3 10e-3 10e-3")
-    script = UPSET.format(dim=dim, dx=dx, H=H, W=W, flat="f" if dim == 3 else "p", lattice="sc" if dim == 3 else "sq",
+    script = UPSET.format(dim=dim, dx=dx, H=H, W=W, flat="f" if dim == 3 else "p", middle=0.5 * (rows % 2 == 0), lattice="sc" if dim == 3 else "sq",
                           origin=0.5 if dim == 3 else 0, depth="-%r %r" % (W, W) if dim == 3 else "%r %r" % (-dx, dx),
                           z="$(-{0}/2) $({0}/2)".format(W) if dim == 3 else "INF INF", speed=speed, ramp=2e-5 if flows else 1e-5, law=law, style=style,
                           strength="strength plastic %r %r" % (Y, HARDER) if flows else "", effects=effects, more=more, left=left)
@@ -59,7 +59,7 @@ def upset(dim, rows, flows, effects="", H=10e-3, W=20e-3, more="", left=0.88, sp
         due = (Y + HARDER * np.log(H / height)) * W * W * H / height
     else:
         due = E / (1 - NU ** 2) * W * (1 - height / H)
-    return 1 - height / H, force / np.maximum(due, 1e-9), abs(t["f_body[9]"][-1] / t["f_body[8]"][-1])
+    return 1 - height / H, force / np.maximum(due, 1e-9), abs(t["f_body[9]"][-1] / t["f_body[8]"][-1]), result
 
 
 def over(reduction, force, lo, hi):
@@ -70,16 +70,16 @@ def presses(checks):
     for name, dim, rows, bound, rigid in (("plane strain, 10 rows", 2, 10, 0.015, 0.08), ("plane strain, 6 rows", 2, 6, 0.02, 0.15),
                                           ("cube, 6 rows", 3, 6, 0.03, 0.12)):
         size = {} if dim == 2 else {"H": 10e-3, "W": 10e-3}
-        reduction, force, drift = upset(dim, rows, True, **size)
+        reduction, force, drift, _ = upset(dim, rows, True, **size)
         checks.near("metal, %s: force at 8 to 12 %% of the height over the closed form" % name, over(reduction, force, 0.08, 0.12), 1.0,
                     absolute=bound)
         checks.below("    drift of the sum of the energies", drift, 2e-3)
-        reduction, force, drift = upset(dim, rows, True, "effects contact-layer off", **size)
+        reduction, force, drift, _ = upset(dim, rows, True, "effects contact-layer off", **size)
         checks.above("    with rigid half spacings", over(reduction, force, 0.08, 0.12), 1.0 + rigid)
         checks.below("    drift of the sum of the energies", drift, 2e-3)
     for rows, bound, rigid in ((10, 0.05, 0.06), (20, 0.03, 0.03)):
         for law in ("layer strains", ""):    # an elastic material has rigid layers by default
-            reduction, force, drift = upset(2, rows, False, more="fix calm all viscous 20", left=0.9985, speed=0.1, law=law)
+            reduction, force, drift, _ = upset(2, rows, False, more="fix calm all viscous 20", left=0.9985, speed=0.1, law=law)
             stiffness = over(reduction, force, 0.0008, 0.0014)
             if law:
                 checks.near("elastic, plane strain, %d rows, layer strains: stiffness over the closed form" % rows, stiffness, 1.0, absolute=bound)
@@ -95,10 +95,25 @@ def books(checks):
                                     ("xsph 0.5", 1.0, 0.01, {"style": "xsph 0.5"}),
                                     ("particles split at the first touch", 1.0, 0.01, {"more": split % 0}),
                                     ("particles split under load", 1.0, 0.01, {"more": split % 900})):
-        reduction, force, drift = upset(2, 10, True, **scene)
+        reduction, force, drift, result = upset(2, 10, True, **scene)
         checks.near("metal, plane strain, 10 rows, %s: force over the closed form" % name, over(reduction, force, 0.08, 0.12), due,
                     absolute=bound)
         checks.below("    drift of the sum of the energies", drift, 5e-3 if "approach" in name else 2e-4)
+        atoms = result.thermo[-1]["Atoms"]
+        if "split" in name: checks.above("    particles at the end, over those at the start", atoms[-1] / atoms[0], 3.0)
+
+
+def one_row(checks):
+    """Nothing strains across a sheet of one row, and a warning says so; more rows, and walls at right angles, draw none."""
+    for rows in 1, 2, 6:
+        reduction, force, _, result = upset(2, rows, True, H=rows * 1e-3, left=0.95, speed=2.0)
+        said = [w for w in result.warnings() if "pressed from two opposite sides" in w]
+        factor = over(reduction, force, 0.03, 0.05)
+        if rows == 1:
+            checks.above("one row: force over the closed form", factor, 2.0)
+            checks.true("    a warning names the tool and the particles", len(said) == 1 and "20 particles" in said[0] and "upper" in said[0]
+                        or "lower" in said[0], said)
+        else: checks.true("%d rows (%.2f of the closed form): no such warning" % (rows, factor), not said, said)
 
 
 CORNER = """
@@ -152,6 +167,7 @@ def bits(checks):
     t = result.thermo[0]
     checks.above("a corner of two tools and one that turns: plastic strain", whole["c_p[2]"].max(), 0.1)
     checks.below("    drift of the sum of the energies", abs(t["f_body[9]"][-1] / t["f_body[8]"][-1]), 2e-3)
+    checks.true("    two walls at a corner do not face each other", not [w for w in result.warnings() if "opposite sides" in w])
     same(checks, "    2 ranks: the same bits", whole, go(CORNER + FIXES + "run 400\n" + END, 2)[0])
     go(CORNER + FIXES + "run 250\nwrite_restart state.restart\nrun 0\n" + END)
     again = run("read_restart state.restart\n" + FIXES + "run 150\n" + END, folder=folder).dump("out.dump")[-1]
@@ -167,5 +183,6 @@ if __name__ == "__main__":
     checks = Checks()
     presses(checks)
     books(checks)
+    one_row(checks)
     bits(checks)
     checks.end()

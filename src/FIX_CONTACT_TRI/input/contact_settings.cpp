@@ -84,11 +84,15 @@ bool ContactSettings::read_placement(Keywords &k)
 
 bool ContactSettings::read_law(Keywords &k)
 {
-  if (k.is("friction")) {
+  if (k.is("friction") || k.is("friction/table")) {
+    if (friction_given)
+      lmp->error->all(
+          FLERR, "{}: the friction of this tool has been given before; give it once, by friction or by friction/table",
+          k.what());
+    friction_given = true;
     friction = {};
-    friction.value = k.not_negative();
-  } else if (k.is("friction/table")) {
-    friction = SPHTM_NS::read_friction_table(lmp, k);
+    if (k.is("friction")) friction.value = k.not_negative();
+    else friction = SPHTM_NS::read_friction_table(lmp, k);
   } else if (k.is("friction/shear")) shear = k.share();
   else if (k.is("penalty")) penalty = k.take("material") ? TM_PENALTY_MATERIAL : k.positive();
   else if (k.is("layer")) layer = k.second("rigid", "strains") ? LAYER_STRAINS : LAYER_RIGID;

@@ -25,6 +25,7 @@ struct ContactSettings {
   int surface = 1;    // its number, where a script gives one
   // contact law
   tm_table friction = {};    // mu(T)
+  bool friction_given = false;
   double shear = 0.0, damping = 0.1;
   double penalty = TM_PENALTY_USUAL;                                       // PFAC, see tm_contact_modulus()
   enum { LAYER_USUAL, LAYER_RIGID, LAYER_STRAINS } layer = LAYER_USUAL;    // tm_contact_layer.h; usual: of what flows

@@ -35,6 +35,7 @@ struct ContactAhead {
     r.inner = warp.from(mine.inner, step);
     r.within = warp.from(mine.within, step);
     r.contacts = warp.from(mine.contacts, step);
+    r.faced = warp.from(mine.faced, step);
     return r;
   }
 };

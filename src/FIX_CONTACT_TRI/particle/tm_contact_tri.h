@@ -111,6 +111,7 @@ typedef struct {
   tm_real inner;          /* deepest center behind the surface, 0: none */
   tm_real within;         /* deepest center within half a spacing of the surface, where the layer is thinner */
   int contacts;
+  int faced; /* particles that are pressed from two opposite sides: one row, which has no strain across */
 } tm_contact_result;
 
 TM_FN tm_contact_result tm_contact_nothing(void)
@@ -119,7 +120,7 @@ TM_FN tm_contact_result tm_contact_nothing(void)
   r.force = r.torque = tm_vec(0, 0, 0);
   r.friction_power = r.friction_heat = r.conducted = r.heat_tool = r.spring = 0.0;
   r.damping_power = r.particle_power = r.tool_power = r.late_friction = r.depth = r.inner = r.within = 0.0;
-  r.contacts = 0;
+  r.contacts = r.faced = 0;
   return r;
 }
 
@@ -140,6 +141,7 @@ TM_FN void tm_contact_sum(tm_contact_result *a, const tm_contact_result *b)
   a->inner = tm_max(a->inner, b->inner);
   a->within = tm_max(a->within, b->within);
   a->contacts += b->contacts;
+  a->faced += b->faced;
 }
 
 /* Sums of several threads into one place. */
@@ -186,6 +188,8 @@ typedef struct {
   tm_real *layer;
   tm_real thickness, strain, arm, rate;
   tm_sym3 direction;
+  tm_real side; /* tm_layer_side() of this tool */
+  int faced;    /* another surface presses from the opposite side */
 } tm_contact_body;
 
 TM_FN tm_contact_body tm_contact_load(int i, const tm_contact_args *a, const tm_contact_law *law, unsigned effects)
@@ -205,6 +209,8 @@ TM_FN tm_contact_body tm_contact_load(int i, const tm_contact_args *a, const tm_
   b.thickness = law->radius;
   b.strain = b.arm = b.rate = 0.0;
   b.direction = tm_sym(0, 0, 0, 0, 0, 0);
+  b.side = 1.0;
+  b.faced = 0;
   return b;
 }
 
@@ -214,8 +220,13 @@ TM_FN void tm_contact_load_layer(int i, const tm_contact_args *a, const tm_touch
 {
   tm_real *row = a->layer + tm_row(i, TM_L_COLUMNS);
   const tm_real near = row[tm_column(TM_L_NEAR)], r = b->law->radius;
-  if (near > 0.0 && row[tm_column(TM_L_TOOL)] != a->tool) return;
+  const tm_vec3 nearest = tm_mat_mul_vec(a->pose.turn, touch[0].normal);
+  if (near > 0.0 && fabs(row[tm_column(TM_L_TOOL)]) != a->tool) {
+    b->faced = tm_layer_faces(row, nearest);
+    return;
+  }
   b->layer = row;
+  b->side = tm_layer_side(nearest);
   const tm_real start = near > 0.0 ? row[tm_column(TM_L_STRAIN)] : 0.0,
                 thickness = r * tm_layer_stretch(start, &b->arm);
   tm_real sum = 0.0;
@@ -224,6 +235,7 @@ TM_FN void tm_contact_load_layer(int i, const tm_contact_args *a, const tm_touch
     const tm_vec3 normal = tm_mat_mul_vec(a->pose.turn, touch[k].normal);
     b->direction = tm_sym_axpy(b->direction, w, tm_mat_symmetric(tm_mat_outer(normal, normal)));
     sum += w;
+    b->faced = b->faced || tm_vec_dot(normal, nearest) < -0.9;
   }
   b->direction = tm_sym_scale(1.0 / sum, b->direction);
   b->rate = tm_sym_ddot(b->direction, tm_mat_symmetric(tm_mat_from_row(a->gradient + tm_row(i, 9))));
@@ -262,7 +274,7 @@ TM_FN void tm_contact_store_layer(int i, const tm_contact_args *a, const tm_cont
   tm_sym_to_row(b->layer + tm_column(TM_L_STRESS), tm_sym_scale(*ahead + owed, b->direction));
   b->layer[tm_column(TM_L_STRAIN)] = b->strain + 0.5 * a->layer_dt * b->rate;
   b->layer[tm_column(TM_L_NEAR)] = TM_LAYER_NOW;
-  b->layer[tm_column(TM_L_TOOL)] = a->tool;
+  b->layer[tm_column(TM_L_TOOL)] = b->side * a->tool;
 }
 
 /* Normal force of a contact, added to the body's force. */
@@ -438,6 +450,7 @@ TM_FN tm_contact_result tm_contact_tri_shared(int i, tm_group group, const tm_co
     if (effects & TM_CT_OUTPUT)
       tm_contact_output(a, c + k, touch[k].triangle, (effects & TM_CT_HEAT) ? r.heat_tool - before : 0.0);
   }
+  r.faced = b.faced && r.contacts > 0;
   if (a->earlier) tm_contact_settle(i, a, &b, c, n, &r);
   double *f = a->f + i * a->f_stride; /* F15 (17), times the mass */
   f[0] -= a->force_unit * r.force.x;

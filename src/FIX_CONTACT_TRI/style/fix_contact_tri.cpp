@@ -332,6 +332,14 @@ void FixContactTri::finish_contact()
                    "surface; beyond 1 it is no longer pushed out: raise penalty or lower the speed{}",
                    id, sums.inner / spacing, set.overlap_allowed ? ", or start without overlap" : "");
   }
+  if (sums.faced && !warned_faced) {
+    warned_faced = true;
+    error->warning(
+        FLERR,
+        "Fix contact/tri {}: pressed from two opposite sides: {} particles in step {}; a sheet of one row has no "
+        "strain across and resists several times too much: give it 6 rows or more",
+        id, sums.faced, update->ntimestep);
+  }
   state->energy().add_spring(sums.spring);
 }
 

@@ -65,6 +65,19 @@ TM_FN int tm_layer_goes_on(tm_real x, tm_real step)
   return next >= -TM_LAYER_BOUND && next <= TM_LAYER_BOUND;
 }
 
+/* 1 or -1, by the side of an oblique plane on which the normal n lies; that of -n is the other. The layer keeps it as the
+   sign of the number of its tool. */
+TM_FN tm_real tm_layer_side(tm_vec3 n) { return n.x + 0.754877666 * n.y + 0.569840291 * n.z < 0.0 ? -1.0 : 1.0; }
+
+/* Whether a surface of another tool, of normal n, lies on the other side of a particle that is pressed by the tool of its
+   layer: no strain is between them. */
+TM_FN int tm_layer_faces(const tm_real *row, tm_vec3 n)
+{
+  const tm_sym3 T = tm_sym_from_row(row + tm_column(TM_L_STRESS));
+  const tm_real along = fabs(tm_vec_dot(n, tm_sym_mul_vec(T, n)));
+  return tm_layer_side(n) * row[tm_column(TM_L_TOOL)] < 0.0 && along > 0.9 * fabs(tm_sym_trace(T));
+}
+
 /* T of the force point that comes, of a row of TM_F_LAYER; 0 where no tool was near in the last step. */
 TM_FN tm_sym3 tm_layer_stress(const tm_real *row)
 {
