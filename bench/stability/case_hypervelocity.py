@@ -50,4 +50,4 @@ thermo_style    custom step time dt f_body[1] f_body[2] f_body[3] f_body[7] f_bo
 thermo_modify   lost ignore
 """,
     steps="steps", settings={"dx": 2.5e-4, "options": "", "steps": 2580}, bad={"options": "viscosity 0 0 hourglass 0"},
-    judge=lambda r: abs(hole(r) - 19.5e-3) / 19.5e-3, limit=0.1)
+    judge=lambda r: abs(hole(r) - 19.5e-3) / 19.5e-3, limit=0.0154)    # of what is published, 19.2 to 19.8 mm
