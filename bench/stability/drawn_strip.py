@@ -13,32 +13,13 @@ import sys
 sys.dont_write_bytecode = True
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(HERE)), "unittest", "scenes"))
+from case_tension import METAL, PULL, STRIP                                            # noqa: E402
 from sphtm_scene import run                                                            # noqa: E402
 
-SCRIPT = """
-units           si
-dimension       2
-boundary        f f p
-atom_style      atomic
-newton          off
-lattice         sq {dx} origin 0.5 0.5 0
-region          box block -0.03 0.06 -0.01 0.01 -{dx} {dx} units box
-create_box      1 box
-region          work block -0.012 0.012 -0.003 0.003 INF INF units box
-create_atoms    1 region work
-region          base block INF -0.010 INF INF INF INF units box
-region          head block 0.010 INF INF INF INF INF units box
-group           base region base
-group           head region head
-group           strip subtract all base head
-{noise}
-pair_style      sph/tm hyperbolic 1.2 spacing {dx}
-pair_coeff      1 1 density 8930 elastic 117e9 0.35 strength plastic 100e6 5e9
+SCRIPT = STRIP + "group strip subtract all base head\n{noise}\npair_style sph/tm hyperbolic 1.2 spacing {dx}\n" + METAL + """
 fix             body all sph/tm energy yes {effects}
 {lists}
-variable        v equal 100*((time<2e-5)*time/2e-5+(time>=2e-5))
-fix             hold base sph/tm/drive 0 0 0
-fix             pull head sph/tm/drive v_v 0 0
+""" + PULL + """
 variable        long equal (xcm(head,x)-xcm(base,x)-0.002)/0.020
 fix             stop all halt 50 v_long > 2.2 error continue message no
 thermo          50

@@ -111,8 +111,7 @@ def one_row(checks):
         factor = over(reduction, force, 0.03, 0.05)
         if rows == 1:
             checks.above("one row: force over the closed form", factor, 2.0)
-            checks.true("    a warning names the tool and the particles", len(said) == 1 and "20 particles" in said[0] and "upper" in said[0]
-                        or "lower" in said[0], said)
+            checks.true("    a warning names the tool and the particles", len(said) == 1 and "20 particles" in said[0] and ("upper" in said[0] or "lower" in said[0]), said)
         else: checks.true("%d rows (%.2f of the closed form): no such warning" % (rows, factor), not said, said)
 
 
