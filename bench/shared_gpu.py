@@ -9,7 +9,7 @@ import subprocess
 import sys
 import tempfile
 
-PIPES, LOGS = "CUDA_MPS_PIPE_DIRECTORY", "CUDA_MPS_LOG_DIRECTORY"
+PIPES, LOGS, VISIBLE = "CUDA_MPS_PIPE_DIRECTORY", "CUDA_MPS_LOG_DIRECTORY", "CUDA_VISIBLE_DEVICES"
 
 
 def uses_gpu(arguments):
@@ -31,13 +31,19 @@ def shared_gpu(jobs, arguments):
     folder = tempfile.mkdtemp(prefix="sphtm-mps-")
     os.environ.update({PIPES: folder, LOGS: folder})
     started = subprocess.run([control, "-d"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    visible = os.environ.get(VISIBLE)
     try:
         if started.returncode:
             print("%s did not start: %s" % (control, started.stdout.strip()), file=sys.stderr)
             for name in (PIPES, LOGS):
                 del os.environ[name]
+        elif visible and all(word.strip().isdigit() for word in visible.split(",")):
+            # the service has these GPUs alone, and to its clients they count from 0
+            os.environ[VISIBLE] = ",".join(str(k) for k in range(len(visible.split(","))))
         yield not started.returncode
     finally:
+        if visible is not None:
+            os.environ[VISIBLE] = visible
         if not started.returncode:
             subprocess.run([control], input="quit\n", text=True, stdout=subprocess.DEVNULL, timeout=60)
             for name in (PIPES, LOGS):

@@ -139,10 +139,13 @@ static void closed_form(void)
 static void stirred(void)
 {
   const double h = 1.2, d = 1e-4;
-  double sum[3] = {0}, square[3] = {0}, product = 0.0, most = 0.0;
-  enum { N = 20000 };
-  for (unsigned tag = 1; tag <= N; tag++) {
-    const tm_vec3 n = tm_shift_own(tag, 1), flat = tm_shift_own(tag, 0);
+  double sum[3] = {0}, square[3] = {0}, product = 0.0, most = 0.0, last = -1.0;
+  enum { N = 27000 };
+  for (int i = 0; i < N; i++) { /* a lattice */
+    const double x[3] = {1e-3 * (i % 30), 1e-3 * (i / 30 % 30), 1e-3 * (i / 900)}, seed = tm_shift_seed(x);
+    const tm_vec3 n = tm_shift_own(seed, 1), flat = tm_shift_own(seed, 0);
+    UT_TRUE(seed != last && seed >= 0.0 && seed < 16777216.0 && seed == floor(seed));
+    last = seed;
     const double own[3] = {n.x, n.y, n.z};
     for (int k = 0; k < 3; k++) {
       sum[k] += own[k] / N;
@@ -151,7 +154,6 @@ static void stirred(void)
     }
     product += own[0] * own[1] / N;
     UT_TRUE(flat.x == n.x && flat.y == n.y && flat.z == 0.0);
-    UT_TRUE(tag == 1 || n.x != tm_shift_own(tag - 1, 1).x);
   }
   for (int k = 0; k < 3; k++) {
     UT_WITHIN(sum[k], 0.0, 0.02);
@@ -159,6 +161,8 @@ static void stirred(void)
   }
   UT_WITHIN(product, 0.0, 0.01);
   UT_TRUE(most > 0.999 && most <= 1.0);
+  const double child = tm_shift_seed_of_child(last, 1), second = tm_shift_seed_of_child(last, 2);
+  UT_TRUE(child != last && second != child && second != last && child < 16777216.0 && child == floor(child));
 
   const tm_vec3 n = tm_vec(0.3, -0.4, 0.5), even = tm_vec(1e-14, 0, 0), none = tm_vec(0, 0, 0);
   const tm_shift_flow bar = {1.0, none}, turning = {0.5, none};
@@ -173,7 +177,8 @@ static void stirred(void)
   UT_TRUE(tm_shift(tm_vec(TM_SHIFT_STIRRED / h, 0, 0), n, bar, h, 0.5, d, 1.0, 1e300).x == 0.0);
   UT_TRUE(tm_shift(even, n, bar, h, 0.5, d, 0.0, 1e300).y == 0.0);
   UT_TRUE(tm_shift(even, n, bar, h, 0.0, d, 1.0, 1e300).y == 0.0);
-  UT_TRUE(tm_shift(none, n, bar, h, 0.5, d, 1.0, 1e300).y == 0.0);
+  UT_NEAR(tm_shift(none, n, bar, h, 0.5, d, 1.0, 1e300).y, dx.y, 1e-11);
+  UT_TRUE(tm_shift(tm_shift_touched(), n, bar, 1e-9 * h, 0.5, d, 1.0, 1e300).y == 0.0);
 }
 
 static void lattices(int kernel, int dim, double h)

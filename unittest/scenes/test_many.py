@@ -54,4 +54,21 @@ with open(table, "w") as f:
     f.write("name,v\nsame,1\nsame,2\n")
 status, said = many("--table", table)
 checks.true("two runs of one name are refused", status != 0 and "same" in said, said)
+
+# a service that shares a GPU, here one that does nothing, takes the choice of GPUs, and its clients count those it has
+with open(os.path.join(folder, "nvidia-cuda-mps-control"), "w") as f:
+    f.write("#!/bin/sh\ncat > /dev/null < /dev/null\n")
+os.chmod(f.name, 0o755)
+os.environ["PATH"] = folder + os.pathsep + os.environ["PATH"]
+os.environ.pop("CUDA_MPS_PIPE_DIRECTORY", None)
+sys.path.insert(0, os.path.join(SOURCE, "bench"))
+from shared_gpu import shared_gpu                                                      # noqa: E402
+for chosen, inside in (("1", "0"), ("2,3", "0,1"), ("GPU-aa9a33b3", "GPU-aa9a33b3"), (None, None)):
+    os.environ.pop("CUDA_VISIBLE_DEVICES", None)
+    if chosen:
+        os.environ["CUDA_VISIBLE_DEVICES"] = chosen
+    with shared_gpu(2, "-k on g 1 -sf kk") as service:
+        there = os.environ.get("CUDA_VISIBLE_DEVICES")
+    checks.true("CUDA_VISIBLE_DEVICES=%s: runs that share see %s" % (chosen, inside),
+                service and there == inside and os.environ.get("CUDA_VISIBLE_DEVICES") == chosen, str(there))
 checks.end()

@@ -39,9 +39,7 @@ typedef struct {
   /* per particle, see tm_fields.h; NULL when the field is off */
   tm_real *field[TM_F_COUNT];
   double *x, *v, *force;
-  const int *type, *mask; /* LAMMPS types and group bits */
-  const int *tag;         /* LAMMPS atom IDs, of tag_words words each, the lowest first; or NULL */
-  int tag_words;
+  const int *type, *mask;      /* LAMMPS types and group bits */
   const tm_material *material; /* indexed by type */
   const double *mass;          /* per type (index type), or NULL */
   const double *rmass;         /* per particle, or NULL */
@@ -49,11 +47,6 @@ typedef struct {
 
 /* Row of particle i; column c is its entry tm_column(c). */
 TM_FN tm_real *tm_field_row(const tm_state *s, int id, int i) { return s->field[id] + tm_row(i, tm_field_columns(id)); }
-/* The lowest 32 bits of the atom ID. */
-TM_FN unsigned tm_particle_tag(const tm_state *s, int i)
-{
-  return s->tag ? (unsigned) s->tag[(ptrdiff_t) i * s->tag_words] : 0u;
-}
 TM_FN tm_real tm_particle_mass(const tm_state *s, int i) { return s->rmass ? s->rmass[i] : s->mass[s->type[i]]; }
 /* Volume of particle i at T over that without thermal strain; its pressure is that of its density times this. */
 TM_FN tm_real tm_particle_growth(const tm_state *s, int i, const tm_material *m, tm_real T, unsigned effects)

@@ -17,8 +17,8 @@
    springs of contacts keep their energy.
 
    g is 0 in a regular lattice, stretched too: rows that are drawn evenly keep their order until they part. The last term stirs such a lattice,
-   with a direction n_i of the particle's own, from its ID, so the same on every machine and after a restart; b_2 is a twentieth of h over a
-   strain of 1, and it ends where the lattice is uneven.
+   with a direction n_i of the particle's own, from an integer that it keeps, made from the place where it starts: the same on every machine and
+   number of ranks and after a restart. b_2 is a twentieth of h over a strain of 1, and it ends where the lattice is uneven.
 
    F tells metal that is pressed or drawn from metal that is sheared, with the spin W and the rate of strain D: it is 1 without spin, and
    0 in simple shear, where rows pass each other and meet new neighbors, and where what is shifted far takes the momentum and the
@@ -34,7 +34,7 @@
 
    Velocities and the state of a particle go along with it: momentum and the sum of energies are exact as without. Positions move
    by O(h) over a strain of 1, so with refinement this vanishes. The angular momentum changes by sum m dx x v (test_shifting.py).
-   g is a sum that the rate pass has anyway, so this costs 3 numbers per particle.
+   g is a sum that the rate pass has anyway, so this costs 4 numbers per particle.
 
    In a step no particle moves further than TM_SHIFT_SPEED times the way of sound. Slow flow is far below; behind a strong shock, where
    a strain of 1 takes as long as sound needs for a few h, what sprays off a surface would lose its neighbors without.
@@ -42,6 +42,8 @@
    What else was tried for beta, F and b, on necks, pressed blocks and cuts, is in doc/stability.rst. Own construction but for C. */
 #ifndef TM_SHIFT_H
 #define TM_SHIFT_H
+
+#include <string.h>
 
 #include "tm_strength.h"
 #include "tm_tensor.h"
@@ -60,6 +62,8 @@
 #define TM_SHIFT_STIRRED 0.05
 /* h |g| from where on there is none. */
 #define TM_SHIFT_FACE 0.4
+/* |g| that stands for what something touches, beyond that in any units */
+#define TM_SHIFT_TOUCHED 1e30
 /* b_0 and b_1: most of the second term over a plastic strain of 1, over h, under pressure and in uniaxial tension */
 #define TM_SHIFT_MOST 2.0
 #define TM_SHIFT_DRAWN 22.0
@@ -87,30 +91,52 @@ TM_FN tm_shift_flow tm_shift_along(tm_mat3 L, tm_vec3 g, int dim3)
   return flow;
 }
 
-/* -1 to 1, irregular in both numbers: a multiplicative hash. */
-TM_FN tm_real tm_shift_irregular(unsigned tag, unsigned direction)
+/* Irregular in both numbers: a multiplicative hash. */
+TM_FN unsigned tm_shift_mix(unsigned a, unsigned b)
 {
-  unsigned a = tag * 2654435761u + direction * 2654435769u;
+  a = a * 2654435761u + b * 2654435769u;
   a = (a ^ a >> 16) * 2246822507u;
   a = (a ^ a >> 13) * 3266489909u;
-  return (tm_real) (a ^ a >> 16) / 2147483648.0 - 1.0;
+  return a ^ a >> 16;
 }
 
-/* n of the particle with this ID, each component between -1 and 1. */
-TM_FN tm_vec3 tm_shift_own(unsigned tag, int dim3)
+/* Integer below 2^24 of a particle that starts here; what one has that is split off one with this integer as number k. */
+TM_FN tm_real tm_shift_seed(const double x[3])
 {
-  return tm_vec(tm_shift_irregular(tag, 0), tm_shift_irregular(tag, 1), dim3 ? tm_shift_irregular(tag, 2) : 0.0);
+  unsigned a = 1;
+  for (int k = 0; k < 3; k++) {
+    unsigned bits[2];
+    memcpy(bits, x + k, sizeof bits);
+    a = tm_shift_mix(tm_shift_mix(a, bits[0]), bits[1]);
+  }
+  return (tm_real) (a >> 8);
 }
+TM_FN tm_real tm_shift_seed_of_child(tm_real seed, int k)
+{
+  return (tm_real) (tm_shift_mix((unsigned) seed, (unsigned) k) >> 8);
+}
+
+/* n of the particle with this integer, each component between -1 and 1. */
+TM_FN tm_vec3 tm_shift_own(tm_real seed, int dim3)
+{
+  tm_real n[3] = {0, 0, 0};
+  for (int k = 0; k < (dim3 ? 3 : 2); k++)
+    n[k] = (tm_real) tm_shift_mix((unsigned) seed, (unsigned) k) / 2147483648.0 - 1.0;
+  return tm_vec(n[0], n[1], n[2]);
+}
+
+/* In the place of g: the particle is not shifted in this step. */
+TM_FN tm_vec3 tm_shift_touched(void) { return tm_vec(TM_SHIFT_TOUCHED, 0, 0); }
 
 /* dx of a particle with g (1/length), own direction n and smoothing length h, in a step in which the plastic strain grew by d_eps
-   from eps_p; tension: s; sound: way of sound in the step. g is 0 in every digit where something touches the particle. */
+   from eps_p; tension: s; sound: way of sound in the step. */
 TM_FN tm_vec3 tm_shift(tm_vec3 g, tm_vec3 n, tm_shift_flow flow, tm_real h, tm_real eps_p, tm_real d_eps,
                        tm_real tension, tm_real sound)
 {
   const tm_real size = h * tm_vec_norm(g), drawn = tension * flow.pure * flow.pure * flow.pure;
   const tm_real begins = TM_SHIFT_BEGINS + drawn * (TM_SHIFT_DRAWN_BEGINS - TM_SHIFT_BEGINS);
   const tm_real whole = TM_SHIFT_WHOLE + drawn * (TM_SHIFT_DRAWN_WHOLE - TM_SHIFT_WHOLE);
-  if (!(eps_p > begins && size > 0.0 && size < TM_SHIFT_FACE)) return tm_vec(0, 0, 0);
+  if (!(eps_p > begins && size < TM_SHIFT_FACE)) return tm_vec(0, 0, 0);
   const tm_real strained = tm_min((eps_p - begins) / (whole - begins), 1.0);
   const tm_real inside = (1.0 - size / TM_SHIFT_FACE) * h;
   const tm_real sheared = TM_SHIFT_SHEARED * inside * (1.0 - tension) * (1.0 - flow.pure);

@@ -14,8 +14,6 @@ void AtomArrays::point_to_host(tm_state &s)
   s.force = atom->nmax ? &atom->f[0][0] : nullptr;
   s.type = atom->type;
   s.mask = atom->mask;
-  s.tag = (const int *) atom->tag;
-  s.tag_words = sizeof(LAMMPS_NS::tagint) / sizeof(int);
   s.mass = atom->mass;
   s.rmass = atom->rmass_flag ? atom->rmass : nullptr;
 }

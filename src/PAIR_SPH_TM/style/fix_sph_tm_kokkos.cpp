@@ -92,7 +92,7 @@ struct Sorted {
   }
 };
 
-constexpr auto ATOM_DATA = X_MASK | V_MASK | F_MASK | TYPE_MASK | MASK_MASK | TAG_MASK | RMASS_MASK;
+constexpr auto ATOM_DATA = X_MASK | V_MASK | F_MASK | TYPE_MASK | MASK_MASK | RMASS_MASK;
 const ExecutionSpace SPACE = ExecutionSpaceFromDevice<LMPDeviceType>::space;
 
 class KokkosAtomArrays : public AtomArrays {
@@ -106,8 +106,6 @@ class KokkosAtomArrays : public AtomArrays {
     s.force = atoms->k_f.view<LMPDeviceType>().data();
     s.type = atoms->k_type.view<LMPDeviceType>().data();
     s.mask = atoms->k_mask.view<LMPDeviceType>().data();
-    s.tag = (const int *) atoms->k_tag.view<LMPDeviceType>().data();
-    s.tag_words = sizeof(tagint) / sizeof(int);
     s.mass = atom->mass ? atoms->k_mass.view<LMPDeviceType>().data() : nullptr;
     s.rmass = atom->rmass_flag ? atoms->k_rmass.view<LMPDeviceType>().data() : nullptr;
   }
