@@ -142,10 +142,13 @@ static void stirred(void)
   double sum[3] = {0}, square[3] = {0}, product = 0.0, most = 0.0, last = -1.0;
   enum { N = 27000 };
   for (int i = 0; i < N; i++) { /* a lattice */
-    const double x[3] = {1e-3 * (i % 30), 1e-3 * (i / 30 % 30), 1e-3 * (i / 900)}, seed = tm_shift_seed(x);
+    const double x[3] = {1e-3 * (i % 30), 1e-3 * (i / 30 % 30), 1e-3 * (i / 900)}, edge = 1e-3,
+                 seed = tm_shift_seed(x, edge);
     const tm_vec3 n = tm_shift_own(seed, 1), flat = tm_shift_own(seed, 0);
     UT_TRUE(seed != last && seed >= 0.0 && seed < 16777216.0 && seed == floor(seed));
     last = seed;
+    const double near[3] = {x[0] * (1 + 1e-14), x[1] - 1e-17, x[2] * (1 - 1e-14)};
+    UT_TRUE(tm_shift_seed(near, edge * (1 - 1e-14)) == seed); /* after round-off */
     const double own[3] = {n.x, n.y, n.z};
     for (int k = 0; k < 3; k++) {
       sum[k] += own[k] / N;
@@ -161,6 +164,8 @@ static void stirred(void)
   }
   UT_WITHIN(product, 0.0, 0.01);
   UT_TRUE(most > 0.999 && most <= 1.0);
+  const double away[3] = {1, 2, 3};
+  UT_TRUE(tm_shift_seed(away, 0.0) == 0.0);
   const double child = tm_shift_seed_of_child(last, 1), second = tm_shift_seed_of_child(last, 2);
   UT_TRUE(child != last && second != child && second != last && child < 16777216.0 && child == floor(child));
 

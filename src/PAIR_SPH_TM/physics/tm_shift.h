@@ -43,8 +43,6 @@
 #ifndef TM_SHIFT_H
 #define TM_SHIFT_H
 
-#include <string.h>
-
 #include "tm_strength.h"
 #include "tm_tensor.h"
 
@@ -100,17 +98,19 @@ TM_FN unsigned tm_shift_mix(unsigned a, unsigned b)
   return a ^ a >> 16;
 }
 
-/* Integer below 2^24 of a particle that starts here; what one has that is split off one with this integer as number k. */
-TM_FN tm_real tm_shift_seed(const double x[3])
+/* Integer below 2^24 of a particle of that edge (volume^(1/d)) that starts here, from its place in units of a thousandth of the edge: the same
+   after round-off. 0 without edge. */
+TM_FN tm_real tm_shift_seed(const double x[3], tm_real edge)
 {
   unsigned a = 1;
+  if (!(edge > 0.0)) return 0.0;
   for (int k = 0; k < 3; k++) {
-    unsigned bits[2];
-    memcpy(bits, x + k, sizeof bits);
-    a = tm_shift_mix(tm_shift_mix(a, bits[0]), bits[1]);
+    const long long place = (long long) floor(1e3 * x[k] / edge + 0.3717); /* lattices are not at the bounds */
+    a = tm_shift_mix(tm_shift_mix(a, (unsigned) place), (unsigned) (place >> 32));
   }
   return (tm_real) (a >> 8);
 }
+/* What one has that is split off one with this integer, as number k. */
 TM_FN tm_real tm_shift_seed_of_child(tm_real seed, int k)
 {
   return (tm_real) (tm_shift_mix((unsigned) seed, (unsigned) k) >> 8);
