@@ -29,7 +29,7 @@ SHOTS = [("linear hardening, 4 rings", 4, LINEAR, {"length": (21.48, 0.03), "rad
          ("OFHC 210 m/s", 4, (3.81e-3, 23.47e-3, 8960, {"speed": 210, "end": 75e-6, "material": OFHC}),
           {"length": (14.80, 0.04), "radius": (8.40, "7.75")}),
          ("OFHC 225 m/s", 4, (3.9e-3, 34.5e-3, 8960, {"speed": 225, "end": 100e-6, "material": OFHC}),
-          {"length": (22.25, "20.64"), "radius": (8.02, "8.96")})]
+          {"length": (22.25, "20.64"), "radius": (8.02, "8.76")})]
 
 
 def plane(folder):

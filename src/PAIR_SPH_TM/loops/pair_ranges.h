@@ -93,7 +93,7 @@ template <unsigned ASK> void predict_usual(int begin, int end, const tm_predict_
 void predict(int begin, int end, const tm_predict_args *args, unsigned effects)
 {
   if (effects & RARE_IN_PREDICTION) predict_usual<~unsigned(TM_FX_HEAT)>(begin, end, args, effects);
-  else if (effects & TESTED) predict_usual<TESTED | TM_FX_3D>(begin, end, args, effects);
+  else if (effects & TESTED) predict_usual<TESTED | TM_FX_PLASTICITY | TM_FX_3D>(begin, end, args, effects);
   else predict_usual<TM_FX_3D>(begin, end, args, effects);
 }
 
