@@ -47,7 +47,6 @@ enum { TM_L_STRESS = 0, TM_L_STRAIN = 6, TM_L_NEAR = 7, TM_L_TOOL = 8, TM_L_AHEA
     layer        beneath the surface of a tool, see tm_contact_layer.h: stress of the tool's force at the next force
                  point; strain since the tool is near; whether it is near; which tool; what
                  was predicted of the stress along the normal
-    stir         an integer that gives the particle a direction of its own, see tm_shift.h
     active       enum tm_activity: moves, stands at the edge of the active region, or sleeps */
 #define TM_FIELD_TABLE(FIELD)                                        \
   FIELD(TM_F_RHO, "density", 1, 0)                                   \
@@ -67,7 +66,6 @@ enum { TM_L_STRESS = 0, TM_L_STRAIN = 6, TM_L_NEAR = 7, TM_L_TOOL = 8, TM_L_AHEA
   FIELD(TM_F_FACE, "face", TM_FACE_COLUMNS, TM_FX_FACES)             \
   FIELD(TM_F_UNSTRAINED, "unstrained", 1, TM_FX_EXPANSION)           \
   FIELD(TM_F_LAYER, "layer", TM_L_COLUMNS, TM_FX_LAYER)              \
-  FIELD(TM_F_STIR, "stir", 1, TM_FX_SHIFTING)                        \
   FIELD(TM_F_ACTIVE, "active", 1, TM_FX_ACTIVE)
 
 #define TM_FIELD(id, name, columns, effects) id,
@@ -80,7 +78,7 @@ typedef struct {
   unsigned effects; /* any of these bits allocates the field; 0: always */
 } tm_field;
 
-#define TM_FIELD(id, name, columns, effects) {name, columns, (unsigned) (effects)},
+#define TM_FIELD(id, name, columns, effects) {name, columns, effects},
 static const tm_field tm_field_table[TM_F_COUNT] = {TM_FIELD_TABLE(TM_FIELD)};
 #undef TM_FIELD
 

@@ -49,7 +49,7 @@ typedef struct {
   __attribute__((aligned(16))) double rec_main[TM_REC * CLOUD], rec_stress[TM_REC_STRESS * CLOUD], rec_heat[TM_REC_HEAT * CLOUD];
   __attribute__((aligned(16))) double rec_stab[TM_REC_STAB * CLOUD];
   double rec_correction[TM_REC_CORRECTION * CLOUD], rec_size[TM_REC_SIZE * CLOUD];
-  double reference[TM_R_COLUMNS * CLOUD], unstrained[CLOUD], stir[CLOUD], turned[TM_K_COLUMNS * CLOUD], moment[TM_MOMENT_COLUMNS * CLOUD];
+  double reference[TM_R_COLUMNS * CLOUD], unstrained[CLOUD], turned[TM_K_COLUMNS * CLOUD], moment[TM_MOMENT_COLUMNS * CLOUD];
   double face[TM_FACE_COLUMNS * CLOUD], turn[3 * CLOUD], face_next[TM_FACE_COLUMNS * CLOUD];
   double gradient[9 * CLOUD], heat[CLOUD], correction[6 * CLOUD], xsph_v[3 * CLOUD], surface[3 * CLOUD], uneven[3 * CLOUD];
   double artificial[CLOUD], near[CLOUD], body_sides[TM_BODY_SIDE * CLOUD], body_ahead[TM_AHEAD * CLOUD], tally[TM_TALLY * CLOUD], tool_heat[CLOUD];
@@ -63,7 +63,7 @@ typedef struct {
   ARRAY(thickness, 1) ARRAY(rec_main, TM_REC) ARRAY(rec_stress, 6) ARRAY(rec_heat, 2) ARRAY(rec_correction, 9)       \
   ARRAY(size, TM_S_COLUMNS) ARRAY(rec_size, TM_REC_SIZE) ARRAY(hourglass, TM_G_COLUMNS)                              \
   ARRAY(rec_hourglass, TM_REC_HOURGLASS) ARRAY(hourglass_rate, 3) ARRAY(rec_stab, TM_REC_STAB)                       \
-  ARRAY(reference, TM_R_COLUMNS) ARRAY(unstrained, 1) ARRAY(stir, 1) ARRAY(turned, TM_K_COLUMNS) ARRAY(moment, TM_MOMENT_COLUMNS)                   \
+  ARRAY(reference, TM_R_COLUMNS) ARRAY(unstrained, 1) ARRAY(turned, TM_K_COLUMNS) ARRAY(moment, TM_MOMENT_COLUMNS)                   \
   ARRAY(face, TM_FACE_COLUMNS) ARRAY(turn, 3) ARRAY(face_next, TM_FACE_COLUMNS)                                       \
   ARRAY(gradient, 9) ARRAY(heat, 1) ARRAY(correction, 6) ARRAY(xsph_v, 3) ARRAY(uneven, 3) ARRAY(surface, 3) ARRAY(artificial, 1)     \
   ARRAY(near, 1) ARRAY(tally, TM_TALLY) ARRAY(tool_heat, 1) ARRAY(body_sides, TM_BODY_SIDE) ARRAY(body_ahead, TM_AHEAD) \
@@ -77,7 +77,7 @@ TM_FN tm_state cloud_state(cloud *w)
   s.field[TM_F_DAMAGE] = w->damage; s.field[TM_F_BALSARA] = w->balsara; s.field[TM_F_XSPH] = w->xsph;
   s.field[TM_F_THICKNESS] = w->thickness; s.field[TM_F_SIZE] = w->size; s.field[TM_F_HOURGLASS] = w->hourglass;
   s.field[TM_F_FRACTURE] = w->reference; s.field[TM_F_UNSTRAINED] = w->unstrained;
-  s.field[TM_F_CORRECTION] = w->turned; s.field[TM_F_FACE] = w->face; s.field[TM_F_LAYER] = NULL; s.field[TM_F_STIR] = w->stir;
+  s.field[TM_F_CORRECTION] = w->turned; s.field[TM_F_FACE] = w->face; s.field[TM_F_LAYER] = NULL;
   s.x = w->x; s.v = w->v; s.force = w->force;
   s.type = w->type; s.mask = w->mask;
   s.material = w->material;

@@ -76,7 +76,6 @@ static void make_particle(cloud *w, int i, const int *at, int side)
   w->size[TM_S_COLUMNS * i + TM_S_H] *= ut_random(0.9, 1.1);
   w->source[i] = ut_random(0, 1e2);
   w->unstrained[i] = ut_random(250, 350);
-  w->stir[i] = 7919 * i;
   double *K = w->turned + TM_K_COLUMNS * i;
   random_fill(K, 6, -0.1, 0.1);
   random_fill(K + TM_K_RATE, 6, -1e5, 1e5);

@@ -12,7 +12,6 @@ import numpy as np
 from sph_kernels import CONSTANT, REACH, kernel, lattice_psi
 from sph_material import deviator_rate, warmed
 from sph_rates import Rates
-from sph_shift import own_direction, shift
 
 
 class Body(Rates):
@@ -54,7 +53,6 @@ class Body(Rates):
         self.w, self.w_rate = np.zeros((n, 3)), np.zeros((n, 3))    # of hourglass control: displacement and its last rate
         self.known = None    # with one pass: correction and velocity gradient of the last force point, time since then
         self.own_h, self.target = np.full(n, float(h)), None    # follow: None, still, psi, density
-        self.directions = [own_direction(at, spacing, dim) for at in self.x]
         self.old = None    # rates of the last two steps
 
     # what the pair sums see: state at the force point
@@ -178,8 +176,6 @@ class Body(Rates):
             if self.hourglass:
                 self.hourglass_step(i, G, dt, d_eps, y, p, rho_half[i], self.failed_before[i])
             self.rho[i], self.s[i] = rho, s
-            if self.one_pass and not self.failed_before[i] and not o["touched"][i]:
-                x[i] += shift(o["face"][i], self.directions[i], G, self.dim, self.own_h[i], self.eps[i], d_eps, y, p, q["c"][i] * dt)
             self.eps[i] += d_eps
             self.eps_rate[i] = d_eps / dt
             self.lz[i] += dt * self.lz[i] * lzz

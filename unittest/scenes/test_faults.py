@@ -51,7 +51,7 @@ def go_on(data, name, **more):
 # --- a restart file whose values are damaged: every column of the state, on 48 particles
 make_mesh()
 COLUMNS = {"density": 1, "stress": 6, "history": 20, "plastic strain": 3, "temperature": 3, "energy": 3, "damage": 2,
-           "balsara": 1, "xsph": 3, "thickness": 1, "hourglass": 6, "reference": 7, "correction": 16, "layer": 10, "stir": 1}
+           "balsara": 1, "xsph": 3, "thickness": 1, "hourglass": 6, "reference": 7, "correction": 16, "layer": 10}
 for plane, eos, missing in (("", "eos shock 4570 1.49 1.9", ("thickness",)), ("plane stress", "", ("energy",))):
     run(HEAD.format(plane=plane, eos=eos) + FIXES.format(tool="") + "run 20\nwrite_restart good.restart\n",
         folder=folder)

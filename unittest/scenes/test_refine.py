@@ -98,9 +98,8 @@ def bits(checks):
 
 
 def periodic(checks):
-    """A body across the periodic boundary is refined as one inside the box. Without shifting, which stirs by the place where a particle
-    starts."""
-    body = styles(SQUARE + "when pstrain above 0.02", body="effects shifting off")
+    """A body across the periodic boundary is refined as one inside the box."""
+    body = styles(SQUARE + "when pstrain above 0.02")
     size = (24, 12, 8)
     runs = []
     for shift in (0, 12):

@@ -101,7 +101,6 @@ for what in "v_px", "v_py":
     checks.below("its linear momentum, change over all", np.abs(t[what] / t[what][0] - 1).max(), 1e-11)
 checks.below("its angular momentum, change over all, 20 spacings", coarse, 5e-3)
 checks.below("and 40 spacings", less, 1.5e-3)
-# particles have other IDs on two ranks, and the same directions of their own
 two = fly(1e-3, ranks=2)[0]
 for what in "c_mean", "f_body[7]", "v_lz":
     checks.near("on two ranks: %s at the end" % what, two[what][-1], t[what][-1], relative=1e-9)

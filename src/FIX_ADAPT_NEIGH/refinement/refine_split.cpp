@@ -2,7 +2,6 @@
 
 #include "all_ranks.h"
 #include "contact_probe.h"
-#include "tm_shift.h"
 #include "tm_split_place.h"
 
 #include "atom.h"
@@ -159,14 +158,6 @@ std::vector<tagint> RefineSplit::new_tags()
   return first;
 }
 
-// of number k that was split off: not that of the others (tm_shift.h)
-static void own_direction(const tm_state &s, int i, int k)
-{
-  if (!s.field[TM_F_STIR]) return;
-  tm_real *seed = tm_field_row(&s, TM_F_STIR, i);
-  *seed = tm_shift_seed_of_child(*seed, k);
-}
-
 void RefineSplit::make()
 {
   LAMMPS *lmp = parts.host();
@@ -191,7 +182,6 @@ void RefineSplit::make()
       }
       remap.write_row(i, s.children.data() + (size_t) k * width);
       for (int d = 0; d < 3; d++) atom->x[i][d] = x[d] + h * s.place[3 * k + d];
-      if (k) own_direction(parts.state().host_arrays(), i, k);
       levels.set_fresh(i, true);
     }
     remap.tally(s.change, 0.0);

@@ -27,7 +27,6 @@
 #include "tm_contact_law.h"
 #include "tm_heat.h"
 #include "tm_rates.h"
-#include "tm_shift.h"
 #include "tm_start_temperature.h"
 #include "tm_state.h"
 
@@ -235,7 +234,7 @@ TM_FN void tm_body_touch_one(int i, int side, tm_vec3 vi, const tm_rates_args *a
   tm_real per_psi;
   const tm_real depth = tm_body_depth(&b->surface, o.psi, &per_psi);
   if (!(o.psi > 1.0)) return;
-  if (a->uneven) tm_store3(a->uneven + 3 * (ptrdiff_t) i, tm_shift_touched());
+  if (a->uneven) tm_store3(a->uneven + 3 * (ptrdiff_t) i, tm_vec(0, 0, 0));
   if (a->xsph_v) tm_store3(a->xsph_v + 3 * (ptrdiff_t) i, tm_vec(0, 0, 0));
   const tm_body_law *law = b->law + o.law;
   const tm_real mi = tm_main_record(&a->rec, i)[tm_part(TM_REC_M)], mass = mi * o.mass / (mi + o.mass);

@@ -4,7 +4,6 @@
 #ifndef TM_INITIAL_H
 #define TM_INITIAL_H
 
-#include "tm_shift.h"
 #include "tm_size.h"
 #include "tm_update.h"
 
@@ -26,10 +25,6 @@ TM_FN void tm_initial(int i, const tm_initial_args *a)
     t[tm_column(1)] = t[tm_column(2)] = 0.0;
   }
   if (a->fields & (1u << TM_F_UNSTRAINED)) *tm_field_row(s, TM_F_UNSTRAINED, i) = a->temperature;
-  if (a->fields & (1u << TM_F_STIR))
-    *tm_field_row(s, TM_F_STIR, i) =
-        tm_shift_seed(s->x + 3 * (ptrdiff_t) i,
-                      tm_edge(tm_particle_mass(s, i) / s->material[s->type[i]].rho0, a->dim3));
   if (a->fields & (1u << TM_F_BALSARA)) *tm_field_row(s, TM_F_BALSARA, i) = 1.0;
   if (a->fields & (1u << TM_F_THICKNESS)) *tm_field_row(s, TM_F_THICKNESS, i) = 1.0;
   if (a->fields & (1u << TM_F_SIZE))

@@ -217,9 +217,8 @@ TM_FN tm_real tm_update_shift(int i, const tm_update_args *a, const tm_point *q,
   const tm_state *s = &a->state;
   if (!(q->d_eps > 0.0) || !(s->mask[i] & a->group) || s->mask[i] & a->held) return v2;
   const tm_vec3 g = tm_load3(a->uneven + 3 * (ptrdiff_t) i);
-  const tm_vec3 n = tm_shift_own(*tm_field_row(s, TM_F_STIR, i), dim3);
   const tm_vec3 dx =
-      tm_shift(g, n, tm_shift_along(L, g, dim3), h, eps_p, q->d_eps, tm_tension_share(q->yield, q->p), sound * a->dt);
+      tm_shift(g, tm_shift_along(L, g, dim3), h, eps_p, q->d_eps, tm_tension_share(q->yield, q->p), sound * a->dt);
   double *x = s->x + 3 * (ptrdiff_t) i;
   x[0] += dx.x;
   x[1] += dx.y;

@@ -28,7 +28,7 @@ typedef struct {
   const tm_real *face_next;  /* TM_FACE_COLUMNS of the force point, with TM_FX_FACES */
   const tm_real *moment;     /* TM_MOMENT_COLUMNS of the force point, with one pass */
   const tm_real *correction; /* and the one that was predicted for it and used */
-  const tm_real *uneven;     /* 3, sum V_j gradW of the force point with shifting, or tm_shift_touched(); else NULL */
+  const tm_real *uneven;     /* 3, sum V_j gradW of the force point with shifting, 0 of what is touched; else NULL */
   const tm_real *share;      /* of the balanced artificial stress, see tm_predict.h */
   tm_real ratio;
   const double *force_internal; /* force of the pair style alone, with the ledger */

@@ -5,22 +5,13 @@
    of their concentration C = sum V_j W (Lind et al. 2012, doi 10.1016/j.jcp.2011.10.027). Here the plastic strain of the
    step stands for the time, so that what does not flow is never moved:
 
-     dx_i = -h d eps_p {t(eps_p) [(1 - s)(1 - F) beta_0 c h g + ((1 - s)/(1 + |r|/b_0) + s/(1 + |r|/b_1)) r] - b_2 w n_i},
-     r = beta c F h A g,   g = grad C = sum V_j gradW_ij,   A = (1 + E)/2,   F = max(0, 1 - W:W/D:D)^3,
-     c = 1 - h |g|/TM_SHIFT_FACE,   w = s F^9 max(0, 1 - h |g|/TM_SHIFT_STIRRED), 0 where t is.
+     dx_i = -h d eps_p t(eps_p) [(1 - s)(1 - F) beta_0 c h g + ((1 - s)/(1 + |r|/b_0) + s/(1 + |r|/b_1)) r],   r = beta c F h A g,
+     g = grad C = sum V_j gradW_ij,   A = (1 + E)/2,   F = max(0, 1 - W:W/D:D)^3,   c = 1 - h |g|/TM_SHIFT_FACE.
 
-   t rises from 0 to 1 between the plastic strains TM_SHIFT_BEGINS and TM_SHIFT_WHOLE: below, spacings are near enough to what they
-   were. Not so where metal is drawn: there hourglass control no longer holds rows that have come apart by a fifth, and a strip parted
-   at 1.3 times its length before shifting was whole. So with s F^9, which is 1 in a bar and 0.4 where the square of spin is a thirtieth
-   of that of the strain, the two become TM_SHIFT_DRAWN_BEGINS and TM_SHIFT_DRAWN_WHOLE. With F^3 this begins early also where a block
-   that is drawn turns, and in a neck near its surface: angular momentum and chessboard patterns grew beyond what is borne. c falls to
-   0 towards surfaces, where h |g| is 0.57 to 0.66 (tm_face.h): what is at a surface stays there. What a tool or another body touches,
-   and what other fixes move, is not shifted: springs of contacts keep their energy.
-
-   g is 0 in a regular lattice, stretched too: rows that are drawn evenly keep their order until they part. The last term stirs such
-   a lattice, with a direction n_i of the particle's own, from an integer that it keeps, made from the place where it starts: the same on
-   every machine and number of ranks and after a restart. b_2 is a fiftieth of h over a strain of 1, and it ends where the lattice is
-   uneven. Without it a bar of 6 particles is drawn to a strain of 0.226 instead of 0.185 (finite elements 0.192), its neck held by symmetry.
+   g is 0 in a regular lattice, stretched too. t rises from 0 to 1 between the plastic strains TM_SHIFT_BEGINS and
+   TM_SHIFT_WHOLE: below, spacings are near enough to what they were. c falls to 0 towards surfaces, where h |g| is 0.57 to 0.66
+   (tm_face.h): what is at a surface stays there. What a tool or another body touches, and what other fixes move, is not shifted:
+   springs of contacts keep their energy.
 
    F tells metal that is pressed or drawn from metal that is sheared, with the spin W and the rate of strain D: it is 1 without spin, and
    0 in simple shear, where rows pass each other and meet new neighbors, and where what is shifted far takes the momentum and the
@@ -36,7 +27,7 @@
 
    Velocities and the state of a particle go along with it: momentum and the sum of energies are exact as without. Positions move
    by O(h) over a strain of 1, so with refinement this vanishes. The angular momentum changes by sum m dx x v (test_shifting.py).
-   g is a sum that the rate pass has anyway, so this costs 4 numbers per particle.
+   g is a sum that the rate pass has anyway, so this costs 3 numbers per particle.
 
    In a step no particle moves further than TM_SHIFT_SPEED times the way of sound. Slow flow is far below; behind a strong shock, where
    a strain of 1 takes as long as sound needs for a few h, what sprays off a surface would lose its neighbors without.
@@ -54,16 +45,8 @@
 /* Plastic strain where shifting begins, and from where on it is whole. */
 #define TM_SHIFT_BEGINS 0.2
 #define TM_SHIFT_WHOLE 0.4
-/* The same in uniaxial tension without spin. */
-#define TM_SHIFT_DRAWN_BEGINS 0.05
-#define TM_SHIFT_DRAWN_WHOLE 0.15
-/* b_2, and h |g| from where on nothing is stirred. */
-#define TM_SHIFT_STIR 0.02
-#define TM_SHIFT_STIRRED 0.05
 /* h |g| from where on there is none. */
 #define TM_SHIFT_FACE 0.4
-/* |g| that stands for what something touches, beyond that in any units */
-#define TM_SHIFT_TOUCHED 1e30
 /* b_0 and b_1: most of the second term over a plastic strain of 1, over h, under pressure and in uniaxial tension */
 #define TM_SHIFT_MOST 2.0
 #define TM_SHIFT_DRAWN 22.0
@@ -91,69 +74,20 @@ TM_FN tm_shift_flow tm_shift_along(tm_mat3 L, tm_vec3 g, int dim3)
   return flow;
 }
 
-/* Irregular in both numbers: a multiplicative hash. */
-TM_FN unsigned tm_shift_mix(unsigned a, unsigned b)
+/* dx of a particle with g (1/length) and smoothing length h, in a step in which the plastic strain grew by d_eps from eps_p;
+   tension: s; sound: way of sound in the step. */
+TM_FN tm_vec3 tm_shift(tm_vec3 g, tm_shift_flow flow, tm_real h, tm_real eps_p, tm_real d_eps, tm_real tension,
+                       tm_real sound)
 {
-  a = a * 2654435761u + b * 2654435769u;
-  a = (a ^ a >> 16) * 2246822507u;
-  a = (a ^ a >> 13) * 3266489909u;
-  return a ^ a >> 16;
-}
-
-/* Integer below 2^24 of a particle of that edge (volume^(1/d)) that starts here, from its place in units of a thousandth of the edge: the same
-   after round-off. 0 without edge. */
-TM_FN tm_real tm_shift_seed(const double x[3], tm_real edge)
-{
-  unsigned a = 1;
-  if (!(edge > 0.0)) return 0.0;
-  for (int k = 0; k < 3; k++) {
-    const long long place = (long long) floor(1e3 * x[k] / edge + 0.3717); /* lattices are not at the bounds */
-    a = tm_shift_mix(tm_shift_mix(a, (unsigned) place), (unsigned) (place >> 32));
-  }
-  return (tm_real) (a >> 8);
-}
-/* What one has that is split off one with this integer, as number k. */
-TM_FN tm_real tm_shift_seed_of_child(tm_real seed, int k)
-{
-  return (tm_real) (tm_shift_mix((unsigned) seed, (unsigned) k) >> 8);
-}
-
-/* n of the particle with this integer, each component between -1 and 1. */
-TM_FN tm_vec3 tm_shift_own(tm_real seed, int dim3)
-{
-  tm_real n[3] = {0, 0, 0};
-  for (int k = 0; k < (dim3 ? 3 : 2); k++)
-    n[k] = (tm_real) tm_shift_mix((unsigned) seed, (unsigned) k) / 2147483648.0 - 1.0;
-  return tm_vec(n[0], n[1], n[2]);
-}
-
-/* In the place of g: the particle is not shifted in this step. */
-TM_FN tm_vec3 tm_shift_touched(void) { return tm_vec(TM_SHIFT_TOUCHED, 0, 0); }
-
-/* s F^9: 1 where metal is drawn without spin, 0 where it is not drawn; tension: s. */
-TM_FN tm_real tm_shift_drawn(tm_shift_flow flow, tm_real tension)
-{
-  const tm_real cube = flow.pure * flow.pure * flow.pure;
-  return tension * cube * cube * cube;
-}
-
-/* dx of a particle with g (1/length), own direction n and smoothing length h, in a step in which the plastic strain grew by d_eps
-   from eps_p; tension: s; sound: way of sound in the step. */
-TM_FN tm_vec3 tm_shift(tm_vec3 g, tm_vec3 n, tm_shift_flow flow, tm_real h, tm_real eps_p, tm_real d_eps,
-                       tm_real tension, tm_real sound)
-{
-  const tm_real size = h * tm_vec_norm(g), drawn = tm_shift_drawn(flow, tension);
-  const tm_real begins = (1.0 - drawn) * TM_SHIFT_BEGINS + drawn * TM_SHIFT_DRAWN_BEGINS;
-  const tm_real whole = (1.0 - drawn) * TM_SHIFT_WHOLE + drawn * TM_SHIFT_DRAWN_WHOLE;
-  if (!(eps_p > begins && size < TM_SHIFT_FACE)) return tm_vec(0, 0, 0);
-  const tm_real strained = tm_min((eps_p - begins) / (whole - begins), 1.0);
+  const tm_real size = h * tm_vec_norm(g);
+  if (!(eps_p > TM_SHIFT_BEGINS && size < TM_SHIFT_FACE)) return tm_vec(0, 0, 0);
+  const tm_real strained = tm_min((eps_p - TM_SHIFT_BEGINS) / (TM_SHIFT_WHOLE - TM_SHIFT_BEGINS), 1.0);
   const tm_real inside = (1.0 - size / TM_SHIFT_FACE) * h;
   const tm_real sheared = TM_SHIFT_SHEARED * inside * (1.0 - tension) * (1.0 - flow.pure);
   const tm_real rate = TM_SHIFT_RATE * inside * flow.pure, r = rate * tm_vec_norm(flow.along);
   const tm_real stretched = rate * ((1.0 - tension) / (1.0 + r / TM_SHIFT_MOST) + tension / (1.0 + r / TM_SHIFT_DRAWN));
   const tm_vec3 way = tm_vec_axpy(tm_vec_scale(sheared, g), stretched, flow.along);
-  const tm_real stir = TM_SHIFT_STIR * drawn * tm_max(0.0, 1.0 - size / TM_SHIFT_STIRRED);
-  const tm_vec3 dx = tm_vec_scale(-d_eps * h, tm_vec_axpy(tm_vec_scale(strained, way), -stir, n));
+  const tm_vec3 dx = tm_vec_scale(-d_eps * strained * h, way);
   const tm_real length = tm_vec_norm(dx), most = TM_SHIFT_SPEED * sound;
   return length > most ? tm_vec_scale(most / length, dx) : dx;
 }
