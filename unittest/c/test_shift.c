@@ -30,7 +30,7 @@ static tm_vec3 uneven(int kernel, int dim, double h, double sx, double sy, tm_ve
 /* All of g along the stretch, of metal that turns so that it is strained with this F. */
 static tm_vec3 moved(double pure, tm_vec3 g, double h, double eps, double d_eps, double tension)
 {
-  const tm_shift_flow flow = {pure, g};
+  const tm_shift_flow flow = {pure, g, g};
   return tm_shift(g, flow, h, eps, d_eps, tension, 1e300);
 }
 
@@ -110,7 +110,7 @@ static void closed_form(void)
   const tm_vec3 dx = moved(1.0, g, h, 0.5, d, 0.0); /* down the gradient */
   UT_NEAR(dx.x / dx.y, -0.75, 1e-12);
   UT_TRUE(dx.x < 0.0 && dx.z == 0.0);
-  const tm_shift_flow quarter = {1.0, tm_vec_scale(0.25, g)};
+  const tm_shift_flow quarter = {1.0, tm_vec_scale(0.25, g), tm_vec(0, 0, 0)};
   UT_NEAR(tm_shift(g, quarter, h, 0.5, d, 0.0, 1e300).x,
           dx.x * 0.25 * (1.0 + r / TM_SHIFT_MOST) / (1.0 + 0.25 * r / TM_SHIFT_MOST), 1e-12);
   const tm_vec3 slow = tm_shift(g, quarter, h, 0.5, d, 0.0, 1e-5); /* the way of sound in the step is short */
@@ -121,6 +121,48 @@ static void closed_form(void)
   UT_TRUE(way(tm_vec_scale(3.4, g), h, 1.0, d) == 0.0); /* at a surface */
   UT_TRUE(way(tm_vec_scale(1.5, g), h, 1.0, d) < TM_SHIFT_MOST * d * h);
   UT_NEAR(way(tm_vec_scale(0.1, g), 10 * h, 1.0, d), 10 * way(g, h, 1.0, d), 1e-12); /* any unit of length */
+  /* under tension from a smaller strain on, as far as it is without spin */
+  const double pure = pow(0.5, 1.0 / 9.0), begins = 0.15, whole = 0.3; /* w = 1/2 */
+  const double bar = tm_vec_norm(moved(1.0, g, h, 1.0, d, 1.0)), half = tm_vec_norm(moved(pure, g, h, 1.0, d, 1.0));
+  UT_TRUE(moved(1.0, g, h, TM_SHIFT_DRAWN_BEGINS, d, 1.0).x == 0.0);
+  UT_NEAR(tm_vec_norm(moved(1.0, g, h, 0.15, d, 1.0)), 0.5 * bar, 1e-12);
+  UT_NEAR(tm_vec_norm(moved(1.0, g, h, TM_SHIFT_DRAWN_WHOLE, d, 1.0)), bar, 1e-12);
+  UT_TRUE(moved(pure, g, h, begins - 1e-12, d, 1.0).x == 0.0);
+  UT_NEAR(tm_vec_norm(moved(pure, g, h, begins + 0.25 * (whole - begins), d, 1.0)), 0.25 * half, 1e-12);
+  UT_NEAR(tm_vec_norm(moved(pure, g, h, whole, d, 1.0)), half, 1e-12);
+}
+
+/* At the side of a bar that is drawn only what lies along it moves, less than inside; not at its end, not in a bar that is pressed, nor
+   where it turns. */
+static void at_a_surface(void)
+{
+  const double h = 1.2, d = 1e-4, side = 0.6 / h, row = 0.02 / h;
+  const tm_mat3 bar = matrix(2, 0, 0, 0, -1, 0, 0, 0, -1), pressed = tm_mat_scale(-1.0, bar);
+  const tm_vec3 one = tm_vec(1, 1, 1), at = tm_vec(row, side, 0);
+  const tm_shift_flow flow = tm_shift_along(bar, at, 1);
+  UT_NEAR(tm_shift_along(bar, one, 1).axis.x, 1.0, 1e-14);
+  UT_WITHIN(tm_shift_along(bar, one, 1).axis.y, 0.0, 1e-14);
+  UT_WITHIN(tm_shift_along(pressed, one, 1).axis.x, 0.0, 1e-14);
+  UT_NEAR(tm_shift_along(pressed, one, 1).axis.y, 0.5, 1e-14);
+  UT_TRUE(tm_shift_along(bar, one, 0).axis.x == tm_shift_along(bar, one, 0).along.x);
+  const double r = TM_SHIFT_RATE * TM_SHIFT_SKIN * (1.0 - 0.02 / TM_SHIFT_FACE) * 0.02;
+  const tm_vec3 dx = tm_shift(at, flow, h, 1.0, d, 1.0, 1e300);
+  UT_NEAR(dx.x, -d * h * r / (1.0 + r / TM_SHIFT_DRAWN), 1e-12);
+  UT_WITHIN(dx.y, 0.0, 1e-17);
+  UT_TRUE(dx.z == 0.0);
+  const tm_vec3 end = tm_vec(side, row, 0);
+  UT_TRUE(tm_vec_norm(tm_shift(end, tm_shift_along(bar, end, 1), h, 1.0, d, 1.0, 1e300)) == 0.0);
+  UT_TRUE(tm_vec_norm(tm_shift(at, tm_shift_along(pressed, at, 1), h, 1.0, d, 0.0, 1e300)) == 0.0);
+  const tm_shift_flow turning = {0.5, flow.along, flow.axis};
+  UT_TRUE(fabs(tm_shift(at, turning, h, 1.0, d, 1.0, 1e300).x) < 2e-3 * fabs(dx.x));
+  /* and between: c and what it leaves */
+  const tm_vec3 near = tm_vec(row, 0.3 / h, 0);
+  const double c = 1.0 - sqrt(0.3 * 0.3 + 0.02 * 0.02) / TM_SHIFT_FACE,
+               skin = TM_SHIFT_SKIN * (1.0 - 0.02 / TM_SHIFT_FACE - c), x = TM_SHIFT_RATE * (c + skin) * 0.02,
+               y = TM_SHIFT_RATE * c * 0.3 / 4, all = sqrt(x * x + y * y);
+  const tm_vec3 both = tm_shift(near, tm_shift_along(bar, near, 1), h, 1.0, d, 1.0, 1e300);
+  UT_NEAR(both.x, -d * h * x / (1.0 + all / TM_SHIFT_DRAWN), 1e-12);
+  UT_NEAR(both.y, -d * h * y / (1.0 + all / TM_SHIFT_DRAWN), 1e-12);
 }
 
 static void lattices(int kernel, int dim, double h)
@@ -171,6 +213,7 @@ static void gap(void)
 int main(void)
 {
   closed_form();
+  at_a_surface();
   along();
   lattices(TM_KERNEL_HYPERBOLIC, 2, 1.2);
   lattices(TM_KERNEL_HYPERBOLIC, 3, 1.2);

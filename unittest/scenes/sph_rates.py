@@ -67,7 +67,7 @@ class Rates:
         w = np.where(near, np.exp(-x / width) - edge * (1 + (reach - x) / width), 0.0) / norm
         fall = np.where(near, 2 * (np.exp(-x / width) - edge) / (width * s * s), 0.0) / norm
         psi = w.sum(axis=1)
-        hit = psi > 1
+        hit = out["touched"] = psi > 1
         q = 1 - bend * np.log(np.where(hit, psi, 1.0))
         deep, at = q <= 0.16, np.exp(0.84 / bend)    # linear in psi from there
         root, of = np.sqrt(np.maximum(q, 0.16)), np.where(deep, at, np.where(hit, psi, 1.0))
@@ -319,7 +319,7 @@ class Rates:
             out["residual"] = self.residual(d, vij, gm, W, same, r, out["L"])
         out["acc"] = acc + np.einsum("j,ija->ia", m, art)
         out["acc"] = out["acc"] + np.asarray(self.load) / m[:, None]
-        out["source"] = np.zeros(n)
+        out["source"], out["touched"] = np.zeros(n), np.zeros(n, bool)
         if touch.any():
             self.contact(out, touch, r, d, vij, dt)
         if dim == 2:

@@ -12,6 +12,7 @@ import numpy as np
 from sph_kernels import CONSTANT, REACH, kernel, lattice_psi
 from sph_material import deviator_rate, warmed
 from sph_rates import Rates
+from sph_shift import shift
 
 
 class Body(Rates):
@@ -176,6 +177,8 @@ class Body(Rates):
             if self.hourglass:
                 self.hourglass_step(i, G, dt, d_eps, y, p, rho_half[i], self.failed_before[i])
             self.rho[i], self.s[i] = rho, s
+            if self.one_pass and not self.failed_before[i] and not o["touched"][i]:
+                x[i] += shift(o["face"][i], G, self.dim, self.own_h[i], self.eps[i], d_eps, y, p, q["c"][i] * dt)
             self.eps[i] += d_eps
             self.eps_rate[i] = d_eps / dt
             self.lz[i] += dt * self.lz[i] * lzz
