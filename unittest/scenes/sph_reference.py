@@ -48,6 +48,7 @@ class Body(Rates):
         for m in self.mat:
             m.start = float(temperature) if compression else None
         self.eps, self.eps_rate, self.e, self.D = np.zeros(n), np.zeros(n), np.zeros(n), np.zeros(n)
+        self.shifted = []
         self.failed = np.zeros(n, bool)
         self.lz = np.ones(n)
         self.switch, self.u = np.ones(n), np.zeros((n, 3))
@@ -178,7 +179,9 @@ class Body(Rates):
                 self.hourglass_step(i, G, dt, d_eps, y, p, rho_half[i], self.failed_before[i])
             self.rho[i], self.s[i] = rho, s
             if self.one_pass and not self.failed_before[i] and not o["touched"][i]:
-                x[i] += shift(o["face"][i], G, self.dim, self.own_h[i], self.eps[i], d_eps, y, p, q["c"][i] * dt)
+                way = shift(o["face"][i], G, self.dim, self.own_h[i], self.eps[i], d_eps, y, p, q["c"][i] * dt)
+                x[i] += way
+                self.shifted += [self.eps[i]] if np.any(way) else []    # the plastic strain at which it was
             self.eps[i] += d_eps
             self.eps_rate[i] = d_eps / dt
             self.lz[i] += dt * self.lz[i] * lzz

@@ -95,10 +95,10 @@ CASES = []
 
 
 def case(name, dim, kernel, materials, style="", heat=False, more="", meets=None, coeffs="", newton="off", units="si",
-         sort=0, speed=100.0, tight=1e-10, fix="", **settings):
+         sort=0, speed=100.0, tight=1e-10, fix="", steps=STEPS, **settings):
     CASES.append(dict(name=name, dim=dim, kernel=kernel, materials=materials, style=style, heat=heat, more=more,
                       meets=meets, coeffs=coeffs, newton=newton, units=units, sort=sort, speed=speed, tight=tight,
-                      fix=fix, settings=settings))
+                      fix=fix, steps=steps, settings=settings))
 
 
 for dim in (2, 3):
@@ -173,6 +173,8 @@ for units in UNITS:
     if units != "si":
         case("johnson/cook with heat, units " + units, 3, "hyperbolic", HOT, heat=True, units=units, tight=2e-7)
         case("shock equation of state, units " + units, 2, "hyperbolic", SHOCK, speed=300.0, units=units, tight=2e-7)
+for dim in (2, 3):
+    case("metal that flows far is shifted", dim, "hyperbolic", PLASTIC, speed=1500.0, steps=8)
 
 
 def attributes(c):
@@ -240,7 +242,7 @@ class Case:
         self.script = SCRIPT.format(
             number=number, units=c["units"], dim=dim, bz="p" if dim == 2 else "f", newton=c["newton"],
             kernel=c["kernel"], ratio=ratio, dx=dx / length, style=c["style"], coeffs=coeffs + "\n" + c["coeffs"], T=T,
-            dt=self.dt / time, more=c["more"], fix=c["fix"], attributes=" ".join(self.names), steps=STEPS,
+            dt=self.dt / time, more=c["more"], fix=c["fix"], attributes=" ".join(self.names), steps=c["steps"],
             sort="2 %g" % (2 * dx) if c["sort"] else "0 0")
         self.data = data_file(x / length, v / length * time, kind, lo / length, hi / length)
         self.body = Body(dim, x, v, kind, {i + 1: m for i, m in enumerate(c["materials"])}, [self.period, 0, 0],
@@ -256,7 +258,7 @@ class Case:
             scale = scale or np.abs(theirs).max() or 1.0
             worst[name] = max(worst.get(name, 0.0), float(np.abs(mine - theirs).max() / scale))
 
-        assert [f["step"] for f in frames] == list(range(STEPS + 1))
+        assert [f["step"] for f in frames] == list(range(self.c["steps"] + 1))
         for f in frames:
             body.step(self.dt) if f["step"] else body.seed(self.dt)
             d = self.unit["x"] * np.stack([f["x"], f["y"], f["z"]], 1) - body.x
@@ -293,6 +295,9 @@ def compare(checks, wanted, where="", ranks=1, isa=None):
         # a case whose effect did nothing would prove nothing
         if "pstrain" in worst:
             checks.above(title + ": it yields", body.eps.max(), 1e-4)
+        if "shifted" in title:
+            checks.above(title + ": particles", len(body.shifted), 10)
+            checks.above(title + ": of them drawn", sum(eps < 0.2 for eps in body.shifted), 2)
         if "contact" in title:
             checks.above(title + ": contacts", body.contacts, 10)
         if "damage" in worst:
