@@ -14,13 +14,13 @@
    TM_SHIFT_WHOLE: below, spacings are near enough to what they were. Not so where metal is drawn: there hourglass control no longer
    holds rows that have come apart by a fifth, and a strip parted at 1.4 times its length before shifting was whole. So with w, which
    is 1 in a bar and 0.4 where the square of spin is a thirtieth of that of the strain, the two become TM_SHIFT_DRAWN_BEGINS and
-   TM_SHIFT_DRAWN_WHOLE. With s F in place of w this begins early also in a block that turns while it is drawn and in a neck near its
-   surface: angular momentum changes, and patterns like a chessboard grow, by more than is borne.
+   TM_SHIFT_DRAWN_WHOLE. With s F^3 in place of w this begins early also in a block that turns while it is drawn and in a neck near
+   its surface: angular momentum changes, and patterns like a chessboard grow, by more than is borne.
 
    c falls to 0 towards surfaces, where h |g| is 0.57 to 0.66 (tm_face.h): what is at a surface stays there. But at the sides of metal
-   that is drawn g points across the stretch, and what lies along it, P g, is about neighbors along the surface. That is what c' lets pass, so rows at
-   the surface of a neck close up too; at an end, where g points along the stretch, it is 0. What a tool or another body touches, and
-   what other fixes move, is not shifted: springs of contacts keep their energy.
+   that is drawn g points across the stretch, and what lies along it, P g, is about neighbors along the surface. That is what c' lets
+   pass, so rows at the surface of a neck close up too; at an end, where g points along the stretch, it is 0. What a tool or another
+   body touches, and what other fixes move, is not shifted: springs of contacts keep their energy.
 
    F tells metal that is pressed or drawn from metal that is sheared, with the spin W and the rate of strain D: it is 1 without spin, and
    0 in simple shear, where rows pass each other and meet new neighbors, and where what is shifted far takes the momentum and the
@@ -30,7 +30,7 @@
    The second term is strong, and A lets it act along the stretch, which is where rows lose each other, and little across it. E is the
    deviator of D, over what makes it 1, -1/2, -1/2 in uniaxial tension, in two dimensions 1, -1: A is 1 and 1/4, in compression 3/4
    and 0, in two dimensions 1 and 0. The second row beneath a surface that is stretched, whose g points outward in a regular lattice
-   too, hardly moves: with E = 1 the angular momentum of a block that turns changes three times as much. (E + 1/2)(E + 1)/3, with
+   too, hardly moves: with E = 1 the angular momentum of a block that turns changes three times as much. P in place of A, with
    nothing across the stretch of a bar, was tried: a neck then fails numerically. b_0 bounds it to a few h over a strain of 1, in tension
    b_1 to more, which necks need.
 
