@@ -36,8 +36,7 @@ def same(name, d, last, within):
         checks.below(name + "stress at a strain of %g" % e, abs(d.off[e]), within)
 
 
-# with the default lists shifting moves rows into each other: a neck forms and fails by damage. The load falls ahead of the damage, which
-# is 0.7 at half of it
+# with the default lists shifting moves rows into each other: a neck forms and fails by damage, as with kept pairs
 d = drawn(6, 0.25)
 same("6 particles: ", d, 7, 0.003)
 checks.below("6 particles: stress at a strain of 0.15", abs(d.off[0.15]), 0.03)
