@@ -53,7 +53,7 @@ def run_scene(name, folder, gpus, steps=None, more="", before=()):
         text = scenes.audited(text)
     if name.endswith(scenes.ACTIVE):
         text = scenes.in_window(text)
-    write(os.path.join(folder, "in.small"), scenes.small_script(text, steps or usual, more))
+    write(os.path.join(folder, "in.small"), scenes.small_script(text, steps or usual, scenes.displaced(name) + more))
     start = time.time()
     output, status = lammps(folder, ["-in", "in.small"] + scenes.variables(name, folder), gpus, before=before)
     write(os.path.join(folder, "output"), output)
