@@ -299,23 +299,6 @@ static void test_limit(void)
   UT_TRUE(u.x == 7.0);
 }
 
-/* In plastic shear a tenth of the rate is gathered; all of it where metal is drawn, pressed, or flows not. */
-static void test_gathered(void)
-{
-  const tm_vec3 rate = tm_vec(3, -1, 2);
-  tm_mat3 L = tm_mat_scale(0.0, tm_mat_identity());
-  L.xy = 4e4;
-  UT_TRUE(tm_hourglass_gathered(rate, L, 0.0).x == 3.0);
-  UT_NEAR(tm_hourglass_gathered(rate, L, 1e-9).x, 0.3, 1e-14);
-  UT_NEAR(tm_hourglass_gathered(rate, L, 1e-9).y, -0.1, 1e-14);
-  L.yx = -5e4; /* it turns faster than it is strained */
-  UT_NEAR(tm_hourglass_gathered(rate, L, 1e-9).z, 0.2, 1e-14);
-  L.yx = 4e4;
-  UT_TRUE(tm_hourglass_gathered(rate, L, 1e-9).x == 3.0);
-  L.yx = 2e4; /* W:W/D:D = 1/9 */
-  UT_NEAR(tm_hourglass_gathered(rate, L, 1e-9).x, 3.0 * (0.1 + 0.9 * 512.0 / 729.0), 1e-14);
-}
-
 /* A spin turns the displacement; plastic strain forgets it, exp(-strain/memory); nothing else does. */
 static void test_step(void)
 {
@@ -395,7 +378,6 @@ int main(void)
   test_displacement();
   test_stiffness();
   test_limit();
-  test_gathered();
   test_close_pair();
   test_step();
   test_stored_energy();

@@ -43,7 +43,7 @@ static double way(tm_vec3 g, double h, double eps, double d_eps)
    direction that is stretched, in any axes; never against g. F: less with spin, nothing with as much. */
 static tm_vec3 part(tm_mat3 L, tm_vec3 g, int dim3) { return tm_shift_along(L, g, dim3).along; }
 
-static double pure(tm_mat3 L) { return tm_irrotational_share(L); }
+static double pure(tm_mat3 L) { return tm_shift_along(L, tm_vec(1, 0, 0), 1).pure; }
 
 static void along(void)
 {

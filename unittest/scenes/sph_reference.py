@@ -65,10 +65,6 @@ class Body(Rates):
             return
         rate = self.out["residual"][i]
         spin = 0.5 * np.array([L[2, 1] - L[1, 2], L[0, 2] - L[2, 0], L[1, 0] - L[0, 1]])
-        if d_eps > 0:
-            D, W = 0.5 * (L + L.T) - np.trace(L) / 3 * np.eye(3), 0.5 * (L - L.T)
-            strain2 = np.sum(D * D)
-            rate = rate * (1 - 0.9 * (1 - max(0.0, 1 - np.sum(W * W) / strain2) ** 3 if strain2 > 0 else 1))
         memory = 0.02 * min(max(2 / 3 - p / y if y > 0 else 1.0, 0.05), 1.0)
         xi = self.xi[i]
         self.w[i] = (self.w[i] + dt * (np.cross(spin, self.w[i]) + np.sqrt(xi) * rate)) / (1 + d_eps / memory)

@@ -5,10 +5,10 @@
    u against its neighborhood, the integral of the velocity by which it is off the linear field of its neighbors, weighted
    by the root of the stiffness xi of the moment, so that k u^2/2 is the energy that was put in, however xi changes,
 
-     du_i/dt = b sqrt(xi) r_i + Omega_i u_i - (d eps_p/dt)/e u_i
+     du_i/dt = sqrt(xi) r_i + Omega_i u_i - (d eps_p/dt)/e u_i
 
    with the spin Omega and the plastic strain eps_p; r is tm_residual_velocity(), or without corrected gradients in the
-   same pass what a fit of a linear field leaves (tm_hourglass_rate()); b is 1 but in plastic shear. A linear field, and so every homogeneous strain and
+   same pass what a fit of a linear field leaves (tm_hourglass_rate()). A linear field, and so every homogeneous strain and
    rotation, makes none, at free surfaces too. A force along the line between two particles opposes the difference,
 
      a_i = sum_j m_j min(k_i, k_j)/rho_ij^2 (W_i - W_j).x/r^2 gradW,   k = rho c^2,   W = sqrt(xi) u + delta h/c r
@@ -17,9 +17,6 @@
 
    xi is the stiffness over that of longitudinal waves. What it has to withstand is the tension itself, so it follows the
    stress of the particle, xi = zeta (sigma_Mises + <-p>)/(rho c^2): nothing has to be chosen for rubber or for metal.
-   In a shear zone that few particles resolve the field is not linear over a support, and particles gather a displacement on their way
-   through it that is none of a pattern: with b = 1 it was half of the error of a perfectly plastic cut. So where metal flows and turns,
-   b = 1 - TM_HOURGLASS_SHEARED (1 - F), with F = tm_irrotational_share(). Not quite 0: flow by simple shear leaves patterns behind too.
    Displacements are forgotten with plastic strain, over e = TM_HOURGLASS_STRAIN in uniaxial tension and less where
    pressure keeps particles together (tm_hourglass_memory()), and what they resist with stays below a tenth of the flow stress
    (tm_hourglass_limit()), so that flow that few particles resolve is hardly hindered. Where metal is drawn its rows come apart, and
@@ -57,8 +54,6 @@
 #define TM_HOURGLASS_ZETA 12.0
 #define TM_HOURGLASS_MOST 4.0
 #define TM_HOURGLASS_DAMPING 0.1
-/* Share of the rate that is not gathered in plastic shear. */
-#define TM_HOURGLASS_SHEARED 0.9
 /* By what xi rises where metal is drawn, and the plastic strains between which. */
 #define TM_HOURGLASS_DRAWN 2.0
 #define TM_HOURGLASS_DRAWN_BEGINS 0.15
@@ -103,12 +98,6 @@ TM_FN tm_real tm_hourglass_memory(tm_real yield, tm_real p)
   return TM_HOURGLASS_STRAIN * tm_max(tm_min(tension, 1.0), TM_HOURGLASS_MEMORY);
 }
 
-/* b r of a particle with velocity gradient L, whose plastic strain grew by d_eps in the step. */
-TM_FN tm_vec3 tm_hourglass_gathered(tm_vec3 rate, tm_mat3 L, tm_real d_eps)
-{
-  return d_eps > 0.0 ? tm_vec_scale(1.0 - TM_HOURGLASS_SHEARED * (1.0 - tm_irrotational_share(L)), rate) : rate;
-}
-
 /* W at the force point, a length: stiffness xi, delay = delta h/c. */
 TM_FN tm_vec3 tm_hourglass_displacement(const tm_real *field, tm_real ahead, tm_real stiffness, tm_real delay)
 {
@@ -118,7 +107,7 @@ TM_FN tm_vec3 tm_hourglass_displacement(const tm_real *field, tm_real ahead, tm_
                 root * u[tm_column(2)] + r * rate[tm_column(2)]);
 }
 
-/* u after a step with velocity gradient L, rate b r and stiffness xi; forgotten: plastic strain of the step over
+/* u after a step with velocity gradient L, rate r and stiffness xi; forgotten: plastic strain of the step over
    tm_hourglass_memory(). */
 TM_FN tm_vec3 tm_hourglass_step(tm_vec3 u, tm_vec3 rate, tm_real stiffness, tm_mat3 L, tm_real dt, tm_real forgotten,
                                 int forget)

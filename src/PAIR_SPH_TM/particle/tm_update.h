@@ -232,12 +232,11 @@ TM_FN tm_real tm_update_shift(int i, const tm_update_args *a, const tm_point *q,
 TM_FN void tm_update_hourglass(int i, const tm_update_args *a, const tm_update_read *in, tm_real xi, const tm_point *q,
                                tm_real rho_c2, tm_real drawn, tm_mat3 L, tm_real h, int forget)
 {
-  const tm_vec3 rate = tm_hourglass_gathered(in->u_rate, L, q->d_eps);
   const tm_vec3 u =
-      tm_hourglass_step(in->u, rate, xi, L, a->dt, q->d_eps / tm_hourglass_memory(q->yield, q->p), forget);
+      tm_hourglass_step(in->u, in->u_rate, xi, L, a->dt, q->d_eps / tm_hourglass_memory(q->yield, q->p), forget);
   tm_hourglass_store(tm_field_row(&a->state, TM_F_HOURGLASS, i),
                      tm_hourglass_limit(u, sqrt(xi) * rho_c2, q->yield, q->p, drawn, h),
-                     forget ? tm_vec(0, 0, 0) : rate);
+                     forget ? tm_vec(0, 0, 0) : in->u_rate);
 }
 
 /* What of a solid particle cannot go on, enum tm_status; v2: its speed squared, others: a sum of its other fields. */

@@ -6,7 +6,7 @@
    step stands for the time, so that what does not flow is never moved:
 
      dx_i = -h d eps_p t(eps_p) [(1 - s)(1 - F) beta_0 c h g + ((1 - s)/(1 + |r|/b_0) + s/(1 + |r|/b_1)) r],
-     r = beta F h (c A g + TM_SHIFT_SKIN w c' P g),   g = grad C = sum V_j gradW_ij,   F = tm_irrotational_share(),   w = s F^9,
+     r = beta F h (c A g + TM_SHIFT_SKIN w c' P g),   g = grad C = sum V_j gradW_ij,   F = max(0, 1 - W:W/D:D)^3,   w = s F^9,
      A = (1 + E)/2,   P = (1 + E)(1/2 + E)/3, in two dimensions A,
      c = max(0, 1 - h |g|/TM_SHIFT_FACE),   c' = max(0, 1 - h |P g|/TM_SHIFT_FACE - c).
 
@@ -22,8 +22,8 @@
    pass, so rows at the surface of a neck close up too; at an end, where g points along the stretch, it is 0. What a tool or another
    body touches, and what other fixes move, is not shifted: springs of contacts keep their energy.
 
-   F = max(0, 1 - W:W/D:D)^3 tells metal that is pressed or drawn from metal that is sheared, with the spin W and the rate of strain D: it
-   is 1 without spin, and 0 in simple shear, where rows pass each other and meet new neighbors, and where what is shifted far takes the momentum and the
+   F tells metal that is pressed or drawn from metal that is sheared, with the spin W and the rate of strain D: it is 1 without spin, and
+   0 in simple shear, where rows pass each other and meet new neighbors, and where what is shifted far takes the momentum and the
    strength of one side of a shear zone to the other. There the first term acts, a little and all ways, but not in tension, s =
    tm_tension_share(): a pattern in the positions grows there, and a lattice that stays as it is holds longest.
 
@@ -78,10 +78,14 @@ typedef struct {
 /* Of the velocity gradient L (1/time); F = 0 where nothing is strained. */
 TM_FN tm_shift_flow tm_shift_along(tm_mat3 L, tm_vec3 g, int dim3)
 {
-  tm_shift_flow flow = {tm_irrotational_share(L), tm_vec(0, 0, 0), tm_vec(0, 0, 0)};
-  if (!(flow.pure > 0.0)) return flow;
   const tm_sym3 D = tm_sym_deviator(tm_mat_symmetric(L));
-  const tm_real unit = sqrt((dim3 ? 1.5 : 2.0) / tm_sym_ddot(D, D));
+  const tm_vec3 curl = tm_vec(L.zy - L.yz, L.xz - L.zx, L.yx - L.xy);
+  const tm_real strain2 = tm_sym_ddot(D, D), spin2 = 0.5 * tm_vec_dot(curl, curl);
+  tm_shift_flow flow = {0.0, tm_vec(0, 0, 0), tm_vec(0, 0, 0)};
+  if (!(strain2 > spin2)) return flow;
+  const tm_real pure = 1.0 - spin2 / strain2;
+  flow.pure = pure * pure * pure;
+  const tm_real unit = sqrt((dim3 ? 1.5 : 2.0) / strain2);
   flow.along = tm_vec_scale(0.5, tm_vec_axpy(g, unit, tm_sym_mul_vec(D, g)));
   flow.axis = flow.along;
   if (!dim3) return flow;

@@ -292,16 +292,4 @@ TM_FN tm_real tm_tension_share(tm_real flow, tm_real p)
   return flow > 0.0 ? tm_max(0.0, tm_min(1.0, -3.0 * p / flow)) : 0.0;
 }
 
-/* F = max(0, 1 - W:W/D:D)^3 of a velocity gradient (1/time), with the spin W and the deviator D of the rate of strain, 0..1: 1 where
-   metal is pressed or drawn without spin, 0 in simple shear, where it turns faster, and where nothing is strained. */
-TM_FN tm_real tm_irrotational_share(tm_mat3 L)
-{
-  const tm_sym3 D = tm_sym_deviator(tm_mat_symmetric(L));
-  const tm_vec3 curl = tm_vec(L.zy - L.yz, L.xz - L.zx, L.yx - L.xy);
-  const tm_real strain2 = tm_sym_ddot(D, D), spin2 = 0.5 * tm_vec_dot(curl, curl);
-  if (!(strain2 > spin2)) return 0.0;
-  const tm_real pure = 1.0 - spin2 / strain2;
-  return pure * pure * pure;
-}
-
 #endif
