@@ -60,7 +60,8 @@ ROWS = [
      "0; a commercial model, 36 such cuts: 4, 39, 17 %", "measured and published, Ducobu et al. 2024", "missed"),
     ("perfectly plastic flow in plane strain: cut without friction, flat punch, block, 40 spacings over chip or height: force",
      "validate.slip_line", "{values/cut/force_over_the_closed_form:.3f}, {values/punch/force_over_the_closed_form:.3f}, "
-     "{values/block/force_over_the_closed_form:.3f}", "1, 1, 1", "derived, slip-line theory", "missed, met, met"),
+     "{values/block/force_over_the_closed_form:.3f}", "1, 1, 1",
+     "derived, slip-line theory; the chip curls, a plane of shear for its thickness has 1.083", "missed, met, met"),
     ("bullet through a plate of 12 mm: residual velocity, 15 404 and 118 908 particles", "bullet_plate.default",
      "{residual:.1f}, {bullet_plate.large|residual:.1f} m/s: depends on the size, near the ballistic limit", "141.0 m/s",
      "published, Fraser 2014, its thickness not given", "missed"),
