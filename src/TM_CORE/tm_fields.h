@@ -72,6 +72,11 @@ enum { TM_L_STRESS = 0, TM_L_STRAIN = 6, TM_L_NEAR = 7, TM_L_TOOL = 8, TM_L_AHEA
 enum tm_field_id { TM_FIELD_TABLE(TM_FIELD) TM_F_COUNT };
 #undef TM_FIELD
 
+/* columns of all fields */
+#define TM_FIELD(id, name, columns, effects) +(columns)
+enum { TM_FIELDS_COLUMNS = 0 TM_FIELD_TABLE(TM_FIELD) };
+#undef TM_FIELD
+
 typedef struct {
   const char *name;
   int columns;

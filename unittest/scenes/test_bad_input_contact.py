@@ -95,6 +95,7 @@ for bad in ("-0.3", "nan", "inf"):
     wrong("tool friction " + bad, tool(AWAY + "friction " + bad), K, "friction", bad)
 wrong("friction/table falling", tool(AWAY + "friction/table 500 0.3 300 0.2"), K, "friction/table", "increase")
 wrong("friction/table without pairs", tool(AWAY + "friction/table damping 0.1"), K, "friction/table", "T1 mu1")
+wrong("friction/shear alone", tool(AWAY + "friction/shear 0.5"), K, "friction/shear", "0.5", "give friction")
 wrong("friction/shear 2", tool(AWAY + "friction/shear 2"), K, "friction/shear", "2")
 for bad in ("0", "-1", "nan", "inf"):
     wrong("tool penalty " + bad, tool(AWAY + "penalty " + bad), K, "penalty", bad)

@@ -153,6 +153,7 @@ wrong("friction table that goes back", dict(both, more=both["more"] + "contact f
       "friction/table", "must increase", "200")
 wrong("friction table without pairs", dict(both, more=both["more"] + "contact friction/table damping 0.3"), C,
       "friction/table", "T1 mu1")
+wrong("shear limit alone", dict(both, more=both["more"] + "contact friction/shear 0.5"), C, "friction/shear", "0.5", "give friction")
 wrong("shear limit above 1", dict(both, more=both["more"] + "contact friction/shear 1.5"), C, "friction/shear", "1.5")
 wrong("penalty 0", dict(both, more=both["more"] + "contact penalty 0"), C, "penalty", "0")
 wrong("contact keyword without value", dict(both, more=both["more"] + "contact penalty"), C, "penalty", "value")

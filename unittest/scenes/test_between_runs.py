@@ -92,12 +92,33 @@ refused("fix_modify with a wrong value", "fix_modify body courant 2\nrun 10\n", 
 refused("rerun", "dump d all custom 10 all.dump id type x y vx vy\nrun 20\nrerun all.dump dump x y vx vy\n",
         "does not work with rerun", "state")
 goes("write_data before the first run", "write_data a.data nocoeff\nrun 10\n")
+TYPES = "set atom 1*32 type 1\nset atom 33*64 type 2\ngroup one type 1\ngroup two type 2\nrun 10\n"
+refused("types that change places", TYPES + "set group one type 2\nset group two type 1\nrun 10\n", "became type", "belongs to another material")
+refused("a type that gains particles", TYPES + "set group one type 2\nrun 10\n", "32 particles became type 2")
+goes("types as they were, in other words", TYPES + "set group one type 1\nset group two type 2\nrun 10\n")
+goes("other tags", TYPES + "reset_atoms id\nrun 10\n")
 r = goes("write_data after a run", "run 10\nwrite_data a.data nocoeff\nwrite_data b.data nocoeff\nrun 10\n",
          "write_restart writes all")
 checks.true("write_data warns once", len(r.warnings()) == 1)
 r = run(SCENE + "run 20\nwrite_data a.data nocoeff\nclear\n" + HEAD[:HEAD.index("lattice")] + "read_data a.data\n" + BODY + "run 10\n")
 checks.true("a scene from a data file says how it starts",
             r.output.count("64 particles begin without stress and strain, at 310 K") == 2)
+
+# --- temperatures that are set before a restart file is written, or between runs
+GIVEN = "group low id 1:20\nfix_modify body temperature low 500\n"
+TOLD = "compute T all reduce max c_p[3]\nthermo_style custom step c_T\nrun 10\n"
+for name, lines in ("before the first run", ""), ("between runs", "run 10\n"):
+    r = run(SCENE + lines + GIVEN + "write_restart given.restart\n" + TOLD)
+    again = run("\n".join(HEAD.split("\n")[:0]) + "read_restart given.restart\n" + "\n".join(BODY.split("\n")[3:]) + TOLD, folder=r.folder)
+    hottest = [t.thermo[-1]["c_T"] for t in (r, again)]
+    checks.near("set %s, kept by a restart file: at the start" % name, hottest[1][0], 500.0, relative=1e-9)
+    checks.near("set %s, kept by a restart file: after 10 steps" % name, hottest[1][-1], hottest[0][-1], relative=1e-12)
+    later = run("read_restart given.restart\n" + "\n".join(BODY.split("\n")[3:]) + "fix_modify body temperature low 400\n" + TOLD, folder=r.folder)
+    checks.near("set %s, and again behind it: the last counts" % name, later.thermo[-1]["c_T"][0], 400.0, relative=1e-9)
+
+# --- a fix that sets velocities, with an energy balance
+refused("fix momentum", "velocity all set 300 0 0 sum yes\nfix still all momentum 10 linear 1 1 0\nrun 2000\n", "fix still momentum, which sets velocities",
+        "energy yes")
 
 # --- values between runs
 for name, lines in {"before a run": "", "after unfix": "run 10\nunfix body\n", "after pair_style none": "run 10\npair_style none\n",

@@ -16,7 +16,8 @@ namespace SPHTM_NS {
 class Cloud {
  public:
   explicit Cloud(AdaptParts &all) : parts(all) {}
-  static constexpr int MOST_COLUMNS = 80;    // for the buffers of the communication
+  // for the buffers of the communication
+  static constexpr int MOST_COLUMNS = (int) TM_CLOUD_STATE + (int) TM_FIELDS_COLUMNS;
   // the owned particles, with the columns of all state fields, or with values as the only one
   void take_state();
   void take_values(const std::vector<double> &values);

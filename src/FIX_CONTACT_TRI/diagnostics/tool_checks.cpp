@@ -120,6 +120,24 @@ void ToolChecks::empty_group()
                         group->names[fix.igroup]);
 }
 
+void ToolChecks::filling(int groups) const
+{
+  const Atom *atom = lmp->atom;
+  bigint mine[2] = {0, 0}, all[2];
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (atom->type[i] != set.body_type) continue;
+    mine[0]++;
+    mine[1] += !(atom->mask[i] & groups);
+  }
+  MPI_Allreduce(mine, all, 2, MPI_LMP_BIGINT, MPI_SUM, lmp->world);
+  if (all[1])
+    lmp->error->all(
+        FLERR,
+        "{} particles {}: {} of the {} particles of type {} are not in its group {}: they would stay where they "
+        "are while the tool moves; give it a group that has them and what it touches, for example all",
+        who, set.body_type, all[1], all[0], set.body_type, lmp->group->names[fix.igroup]);
+}
+
 void ToolChecks::conductors(const Model &model, const std::vector<int> &fillings)
 {
   if (warned_conductors) return;

@@ -21,6 +21,8 @@ class ToolChecks {
   void body_material(const Model &) const;
   void extent(double spacing) const;    // in 2d
   void empty_group();
+  // particles that fill the tool are those in the groups of a tool of this filling
+  void filling(int groups) const;
   // particles that only conduct heat, but for the fillings of tools (types): the tool does not reach them
   void conductors(const Model &, const std::vector<int> &fillings);
   void far_from_box(const tm_pose &) const;    // or far larger: a unit is wrong

@@ -181,6 +181,8 @@ void ContactSettings::check() const
   Error *error = lmp->error;
   if (shape.file.empty())
     error->all(FLERR, "Fix contact/tri needs a mesh: fix ID group contact/tri file insert.stl ...");
+  if (shear > 0.0 && !friction_given)
+    error->all(FLERR, "Fix contact/tri friction/shear {:.6g} {}", shear, FRICTION_SHEAR_ALONE);
   if (share >= 0.0 && effusivity >= 0.0)
     error->all(FLERR,
                "Fix contact/tri: give either share or effusivity (or the material that it follows from), not both");

@@ -1,5 +1,6 @@
 #include "tool_particles.h"
 
+#include "row_source.h"
 #include "scene.h"
 
 #include "atom.h"
@@ -58,7 +59,8 @@ void ToolParticles::take_heat()
   const tm_rates_args &rates = scene->results().rate_args();
   const Settings &set = scene->model().settings_in_use();
   tm_spread_args a;
-  a.rows = rates.rows;
+  RowSource *own = scene->adaptation().rows;
+  a.rows = own ? own->others() : rates.rows;
   a.main = rates.rec.main;
   a.type = rates.type;
   a.body_type = type;

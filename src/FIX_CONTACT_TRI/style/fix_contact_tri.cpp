@@ -105,8 +105,13 @@ void FixContactTri::init()
     checks.far_from_box(motion.pose_now());
   }
   std::vector<int> fillings;    // types of the particles that fill tools
+  int groups = 0;               // of tools with the same
   for (Fix *fix : modify->get_fix_list())
-    if (const auto *of = dynamic_cast<FixContactTri *>(fix)) fillings.push_back(of->set.body_type);
+    if (const auto *of = dynamic_cast<FixContactTri *>(fix)) {
+      fillings.push_back(of->set.body_type);
+      if (of->set.body_type == set.body_type) groups |= of->groupbit;
+    }
+  if (set.body_type) checks.filling(groups);
   checks.conductors(*model, fillings);
   limit_time_step();    // the first step of the run keeps to it too
 }
@@ -179,7 +184,8 @@ void FixContactTri::report() const
   for (int t = 1; t <= atom->ntypes; t++) {
     const tm_contact_law &w = laws.of(t);
     if (!w.active) continue;
-    const std::string mu = w.friction.n ? "by table" : fmt::format("{:.4g}", w.friction.value);
+    const std::string mu = (w.friction.n ? "by table" : fmt::format("{:.4g}", w.friction.value)) +
+        (w.shear > 0.0 ? fmt::format(", at most {:.4g} of the shear flow stress", w.shear) : "");
     const tm_material &m = model->materials()[t];
     utils::logmesg(lmp, "contact/tri {}: type {}: stiffness {:.6g}, damping {:.4g} of critical, friction {}{}{}\n", id,
                    t, w.stiffness / model->units().force, w.damping, mu,

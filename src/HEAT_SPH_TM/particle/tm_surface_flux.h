@@ -13,6 +13,7 @@
 #include "tm_heat.h"
 #include "tm_record.h"
 #include "tm_surface.h"
+#include "tm_time_step.h"
 
 enum tm_flux_mode { TM_FLUX_GIVEN = 0, TM_FLUX_SOURCE = 1, TM_FLUX_CONVECTION = 2, TM_FLUX_RADIATION = 3 };
 
@@ -26,6 +27,7 @@ typedef struct {
   int facing; /* nonzero: only the area facing d */
   tm_vec3 d;
   tm_real area_factor; /* on the area found, to reach a known total; 1 otherwise */
+  tm_real dt;          /* of the step; 0 at set-up */
 
   tm_records rec;
   const tm_real *normal;       /* 3 per particle, NULL for a source */
@@ -76,6 +78,9 @@ TM_FN tm_surface_flux_result tm_surface_flux(int i, const tm_surface_flux_args *
                 part = k > 0.0 ? 1.0 / (1.0 + 0.5 * slope * edge / k) : 1.0;
   out.power = out.area * part * flux;
   out.rate = out.area * part * slope / (r[tm_part(TM_REC_M)] * tm_capacity(m, T));
+  /* the coefficient has risen within a step that is too long for it: as much as an exponential decay takes, not beyond T_inf */
+  const tm_real decay = a->dt * out.rate;
+  if (decay > TM_DECAY_STABLE) out.power *= -expm1(-decay) / decay;
   return out;
 }
 

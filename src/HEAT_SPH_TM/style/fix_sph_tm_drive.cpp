@@ -67,6 +67,9 @@ void FixSPHTMDrive::setup(int)
   warn_of_later_forces();
   const double rest[3] = {0.0, 0.0, 0.0};
   drive(rest, false);
+  double target[3];
+  velocity_now(target);
+  limit_time_step(target);
 }
 
 // a particle that is not integrated would not move
@@ -121,19 +124,27 @@ void FixSPHTMDrive::drive(const double *target, bool act)
   sum[3] += r.work;
 }
 
+// at the end of the step: its time is current in post_force(); 0 along directions that are not driven
+void FixSPHTMDrive::velocity_now(double *target)
+{
+  const bool varies = velocity[0].varies() || velocity[1].varies() || velocity[2].varies();
+  if (varies) modify->clearstep_compute();
+  for (int k = 0; k < 3; k++) target[k] = given[k] ? velocity[k].now() : 0.0;
+  if (varies) modify->addstep_compute(update->ntimestep + 1);
+}
+
 void FixSPHTMDrive::post_force(int)
 {
   const auto timed = state->clock().timed(this);
-  const bool varies = velocity[0].varies() || velocity[1].varies() || velocity[2].varies();
-  double target[3] = {0.0, 0.0, 0.0};
-  if (varies) modify->clearstep_compute();
-  for (int k = 0; k < 3; k++)
-    if (given[k]) target[k] = velocity[k].now();    // at the end of the step: its time is current here
-  if (varies) modify->addstep_compute(update->ntimestep + 1);
-
+  double target[3];
+  velocity_now(target);
   drive(target, true);
+  limit_time_step(target);
+}
 
-  // bodies without mechanics have no other limit on how far they move in a step
+// bodies without mechanics have no other limit on how far they move in a step
+void FixSPHTMDrive::limit_time_step(const double *target)
+{
   const double speed = sqrt(target[0] * target[0] + target[1] * target[1] + target[2] * target[2]);
   if (speed > 0.0) state->time_step().limit(0.1 * scene->model().settings_in_use().spacing / speed, TM_DT_MOTION, this);
 }

@@ -34,6 +34,8 @@ class FixSPHTMDrive : public Fix {
 
   void check_group();
   void warn_of_later_forces();
+  void velocity_now(double *target);
+  void limit_time_step(const double *target);
   void drive(const double *velocity, bool act);
 };
 

@@ -215,6 +215,7 @@ tm_surface_flux_args FixSPHTMHeat::flux_args()
   a.facing = facing;
   a.d = direction;
   a.area_factor = 1.0;
+  a.dt = update->setupflag ? 0.0 : state->time_step().now();
   const tm_state s = state->arrays();
   const tm_rates_args &rates = scene->results().rate_args();
   a.rec = rates.rec;

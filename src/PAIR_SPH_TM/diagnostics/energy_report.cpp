@@ -5,7 +5,10 @@
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
+#include "fix.h"
+#include "modify.h"
 #include "update.h"
+#include "utils.h"
 
 #include <algorithm>
 #include <cmath>
@@ -105,9 +108,20 @@ void EnergyReport::look(Look when, bool may_stop)
                "went in, more than the {:.3g} % of energy/drift: the results are not to be "
                "trusted. Likely cause: {}",
                state.id(), update->ntimestep, 100.0 * energy_watch.drift(), energy_watch.went_in(),
-               100.0 * drift_allowed,
-               state.time_step().is_fixed() ? "the constant dt"
-                                            : "a body that tears apart or clumps numerically, or a courant too large");
+               100.0 * drift_allowed, likely_cause());
+}
+
+std::string EnergyReport::likely_cause() const
+{
+  for (const Fix *f : modify->get_fix_list())
+    for (const char *style : {"^momentum", "^temp/", "^move", "^rigid"})
+      if (utils::strmatch(f->style, style))
+        return fmt::format(
+            "fix {} {}, which sets velocities or positions: its work is in no sum; fix sph/tm/drive drives a body with "
+            "its work, or go on without 'energy yes'",
+            f->id, f->style);
+  return state.time_step().is_fixed() ? "the constant dt"
+                                      : "a body that tears apart or clumps numerically, or a courant too large";
 }
 
 }    // namespace SPHTM_NS

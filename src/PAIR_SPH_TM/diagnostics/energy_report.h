@@ -47,6 +47,7 @@ class EnergyReport : protected LAMMPS_NS::Pointers {
   void sum();
   double neighbors();
   double least_energy();
+  std::string likely_cause() const;
 };
 
 }    // namespace SPHTM_NS

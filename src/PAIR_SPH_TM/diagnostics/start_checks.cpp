@@ -19,6 +19,7 @@
 #include "utils.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -119,17 +120,37 @@ std::vector<bigint> StartChecks::particles_of_types(bool old_only)
   return all;
 }
 
+// where LAMMPS has them in the next step
+static std::array<double, 3> place_of(Domain *domain, const double *x, imageint image)
+{
+  std::array<double, 3> p = {x[0], x[1], x[2]};
+  domain->remap(p.data(), image);
+  return p;
+}
+
+std::vector<uint64_t> StartChecks::hash_of_types(bool positions)
+{
+  std::vector<uint64_t> mine(atom->ntypes + 1, 0), all(atom->ntypes + 1, 0);
+  for (int i = 0; i < atom->nlocal; i++) {
+    const int64_t tag = atom->tag[i];
+    const std::array<double, 3> p = place_of(domain, atom->x[i], atom->image[i]);
+    const uint64_t hash = positions ? hash_bytes(&p, sizeof(p)) : hash_bytes(&tag, sizeof(tag));
+    mine[0] += hash;
+    mine[atom->type[i]] += hash;
+  }
+  MPI_Allreduce(mine.data(), all.data(), atom->ntypes + 1, MPI_UINT64_T, MPI_SUM, world);
+  return all;
+}
+
 // of the places of all particles, in any order
 uint64_t StartChecks::places_hash()
 {
   uint64_t mine = 0, all;
   for (int i = 0; i < atom->nlocal; i++) {
-    struct {
-      double x[3];
+    const struct {
+      std::array<double, 3> x;
       int64_t tag;
-    } p = {{atom->x[i][0], atom->x[i][1], atom->x[i][2]}, atom->tag[i]};
-    imageint image = atom->image[i];
-    domain->remap(p.x, image);    // as LAMMPS does before the next step
+    } p = {place_of(domain, atom->x[i], atom->image[i]), atom->tag[i]};
     mine += hash_bytes(&p, sizeof(p));
   }
   MPI_Allreduce(&mine, &all, 1, MPI_UINT64_T, MPI_SUM, world);
@@ -149,6 +170,8 @@ void StartChecks::remember_particles()
   if (!scene.is_current(&state)) return;
   state.atoms().to_host();
   last_run.types = particles_of_types(false);
+  last_run.tags = hash_of_types(false);
+  last_run.positions = hash_of_types(true);
   for (auto *values : {&last_run.density, &last_run.bulk, &last_run.shear}) values->clear();
   for (int t = 0; t <= atom->ntypes; t++) {
     const tm_material &m = model().materials()[t];
@@ -216,6 +239,22 @@ void StartChecks::check_materials_kept(const std::vector<bigint> &particles)
   }
 }
 
+// a type has more particles than it had, or, where IDs and places are the same, others
+void StartChecks::check_types_kept(const std::vector<bigint> &now)
+{
+  static const char *const text =
+      "Fix sph/tm {}: {}particles became type {} ({}) after a run; their state belongs to another material. Set types before "
+      "the first run, or delete and create the particles";
+  for (int t = 1; t <= atom->ntypes; t++)
+    if (now[t] > last_run.types[t])
+      error->all(FLERR, text, state.id(), fmt::format("{} ", now[t] - last_run.types[t]), t, model().material_name(t));
+  const std::vector<uint64_t> tags = hash_of_types(false), positions = hash_of_types(true);
+  if (tags[0] != last_run.tags[0] || positions[0] != last_run.positions[0]) return;
+  for (int t = 1; t <= atom->ntypes; t++)
+    if (tags[t] != last_run.tags[t] && positions[t] != last_run.positions[t])
+      error->all(FLERR, text, state.id(), "other ", t, model().material_name(t));
+}
+
 // before new particles get their state: which are new, and whether others have changed what they are made of
 void StartChecks::look_at_changes()
 {
@@ -228,12 +267,7 @@ void StartChecks::look_at_changes()
   fresh = of_all_ranks(mine, world);
   std::sort(fresh.begin(), fresh.end());
   const std::vector<bigint> now = particles_of_types(true);
-  for (int t = 1; t <= atom->ntypes; t++)
-    if (now[t] > last_run.types[t])
-      error->all(FLERR,
-                 "Fix sph/tm {}: {} particles became type {} ({}) after a run; their state belongs to another "
-                 "material. Set types before the first run, or delete and create the particles",
-                 state.id(), now[t] - last_run.types[t], t, model().material_name(t));
+  check_types_kept(now);
   check_materials_kept(now);
   const double mass = total_mass();
   const bigint mine_now = atom->nlocal;

@@ -47,9 +47,10 @@ class StartChecks : protected LAMMPS_NS::Pointers {
     int dense_at = -1, thin_at = -1;
   };
   struct {
-    std::vector<LAMMPS_NS::bigint> types;                      // how many particles of each; empty: there was no run
-    std::vector<double> density, bulk, shear;                  // of each: reference density, elastic moduli
-    double nearest = 0.0;                                      // the smallest distance of two
+    std::vector<LAMMPS_NS::bigint> types;        // how many particles of each; empty: there was no run
+    std::vector<uint64_t> tags, positions;       // of each, [0] of all: hash over its particles, in any order
+    std::vector<double> density, bulk, shear;    // of each: reference density, elastic moduli
+    double nearest = 0.0;                        // the smallest distance of two
     double mean_nearest = 0.0, neighbors = 0.0, mass = 0.0;    // means and sum over all
     uint64_t places = 0;
     LAMMPS_NS::bigint particles = 0;
@@ -60,6 +61,8 @@ class StartChecks : protected LAMMPS_NS::Pointers {
   void check_integrators();
   void check_materials_kept(const std::vector<LAMMPS_NS::bigint> &particles_of_types);
   std::vector<LAMMPS_NS::bigint> particles_of_types(bool old_only);
+  std::vector<uint64_t> hash_of_types(bool positions);    // else tags
+  void check_types_kept(const std::vector<LAMMPS_NS::bigint> &particles_of_types);
   uint64_t places_hash();
   double total_mass();
   void check_strain(const tm_nearest &);

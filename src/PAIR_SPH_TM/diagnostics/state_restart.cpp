@@ -115,6 +115,9 @@ void StateRestart::write(FILE *fp, EnergyWatch &energy_watch)
   value.insert(value.end(), sums, sums + BALANCE_VALUES);
   const std::vector<double> watched = energy_watch.state();
   value.insert(value.end(), watched.begin(), watched.end());
+  const tm_start_temperatures &start = state.start_temperatures().all();    // that wait for the next run
+  if (start.n) value.push_back(start.n);
+  for (int g = 0; g < start.n; g++) value.insert(value.end(), {(double) (unsigned) start.bit[g], start.of[g]});
   write_restart_block(fp, value);
 }
 
@@ -122,8 +125,10 @@ void StateRestart::read(char *buf, EnergyWatch &energy_watch)
 {
   const std::vector<double> v =
       read_restart_block(lmp, fmt::format("Fix sph/tm {}", state.id()), buf, VERSION + 1, 1000);
-  const bool fits = v[VERSION] == THIS_VERSION && v.size() == VALUES && v[FIELDS] >= 0 &&
-                    v[FIELDS] < (1u << TM_F_COUNT) && v[CAUSE] >= 0 && v[CAUSE] < (double) TM_DT_CAUSES;
+  const double waiting = v.size() > VALUES ? v[VALUES] : 0.0;    // groups whose temperature waits for a run
+  const bool fits = v[VERSION] == THIS_VERSION && v.size() == VALUES + (waiting > 0.0 ? 1 + 2 * waiting : 0.0) &&
+                    v[FIELDS] >= 0 && v[FIELDS] < (1u << TM_F_COUNT) && v[CAUSE] >= 0 &&
+                    v[CAUSE] < (double) TM_DT_CAUSES;
   if (!fits)
     error->all(FLERR, "Fix sph/tm {}: the {} was written by another version of the plugin", state.id(),
                restart_file_name(lmp));
@@ -134,6 +139,9 @@ void StateRestart::read(char *buf, EnergyWatch &energy_watch)
   sized_in_file = (int) v[SIZED_BY];
   state.time_step().restore(v[DT], v[DT_NEXT], (int) v[CAUSE]);
   energy_watch.restore(&v[WATCH]);
+  for (int g = 0; g < (int) waiting; g++)
+    state.start_temperatures().set_group((int) (unsigned) v[VALUES + 1 + 2 * g], v[VALUES + 2 + 2 * g]);
+  if (waiting > 0.0) state.need(TM_FX_HEAT, "temperature of a group was set before the restart file was written");
   if (comm->me == 0) state.energy().restore(&v[BALANCE]);
 }
 

@@ -14,6 +14,10 @@ class Keywords;
 
 tm_table read_friction_table(LAMMPS_NS::LAMMPS *, Keywords &);    // of the keyword that was read last
 
+// what is said of a friction/shear with nothing that it limits
+constexpr const char *FRICTION_SHEAR_ALONE =
+    "limits friction, and there is none: give friction or friction/table too; with friction 10 the limit alone is left";
+
 }    // namespace SPHTM_NS
 
 #endif

@@ -130,7 +130,8 @@ static void read_meeting(LAMMPS *lmp, int narg, char **arg, Model &model)
   law.meeting = what == "bond" ? BOND : what == "none" ? NONE : what == "heat" ? HEAT_ONLY : CONTACT;
   law.contact.damping = 0.2;
   law.conductance = what == "contact" ? -1.0 : 0.0;    // contact: no heat unless asked
-  for (int iarg = 3; iarg < narg; iarg += 2) {         // friction/table takes more
+  bool rubs = false, limited = false;
+  for (int iarg = 3; iarg < narg; iarg += 2) {    // friction/table takes more
     const std::string key = arg[iarg];
     if (iarg + 1 >= narg) error->all(FLERR, "Pair sph/tm coeff {} keyword {} needs a value", what, key);
     const char *val = arg[iarg + 1];
@@ -140,11 +141,13 @@ static void read_meeting(LAMMPS *lmp, int narg, char **arg, Model &model)
                             : positive(lmp, "Pair sph/tm coeff " + what + " conductance", val) * unit_scale(lmp).energy;
     } else if (key == "friction" && law.meeting == CONTACT) {
       law.contact.friction = {0, not_negative(lmp, "Pair sph/tm coeff contact friction", val), {}, {}};
+      rubs = true;
     } else if ((key == "friction/table" || key == "friction/shear") && law.meeting == CONTACT) {
       Keywords k(lmp, "Pair sph/tm coeff contact", narg - iarg, arg + iarg);
       k.next();
       if (key == "friction/table") law.contact.friction = read_friction_table(lmp, k);
       else law.contact.shear = k.share();
+      (key == "friction/table" ? rubs : limited) = true;
       iarg = narg - k.rest() - 2;
     } else if (key == "penalty" && law.meeting == CONTACT)
       law.penalty = strcmp(val, "material") == 0 ? TM_PENALTY_MATERIAL
@@ -158,6 +161,8 @@ static void read_meeting(LAMMPS *lmp, int narg, char **arg, Model &model)
                  : law.meeting == HEAT_ONLY ? "is conductance"
                                             : "is none");
   }
+  if (limited && !rubs)
+    error->all(FLERR, "Pair sph/tm coeff contact friction/shear {:.6g} {}", law.contact.shear, FRICTION_SHEAR_ALONE);
   int count = 0;
   for (int i = ilo; i <= ihi; i++)
     for (int j = jlo; j <= jhi; j++) {

@@ -233,9 +233,11 @@ TM_FN void tm_body_touch_one(int i, int side, tm_vec3 vi, const tm_rates_args *a
   const tm_body_other o = tm_body_find(i, side, vi, a, b, dim3);
   tm_real per_psi;
   const tm_real depth = tm_body_depth(&b->surface, o.psi, &per_psi);
+  if (o.psi > 0.0) { /* it may be of the surface that one beneath it touches: then springs would move with it */
+    if (a->uneven) tm_store3(a->uneven + 3 * (ptrdiff_t) i, tm_vec(0, 0, 0));
+    if (a->xsph_v) tm_store3(a->xsph_v + 3 * (ptrdiff_t) i, tm_vec(0, 0, 0));
+  }
   if (!(o.psi > 1.0)) return;
-  if (a->uneven) tm_store3(a->uneven + 3 * (ptrdiff_t) i, tm_vec(0, 0, 0));
-  if (a->xsph_v) tm_store3(a->xsph_v + 3 * (ptrdiff_t) i, tm_vec(0, 0, 0));
   const tm_body_law *law = b->law + o.law;
   const tm_real mi = tm_main_record(&a->rec, i)[tm_part(TM_REC_M)], mass = mi * o.mass / (mi + o.mass);
   const tm_real delta = o.apart * depth, slope = o.apart * per_psi, closing = slope * o.rate;

@@ -37,7 +37,8 @@ TM_FN tm_real tm_sound_time_step(tm_real h, tm_real c, tm_real visc_alpha, tm_re
 /* acc: magnitude of the acceleration. */
 TM_FN tm_real tm_force_time_step(tm_real h, tm_real acc) { return acc > 0.0 ? sqrt(h / acc) : TM_DT_NO_LIMIT; }
 
-/* Of a temperature that decays at the rate (1/time): 3/4 of the limit 2/3 of the predictor in tm_state.h. */
+/* Of a temperature that decays at the rate (1/time): 3/4 of the limit of the predictor in tm_state.h, TM_DECAY_STABLE/rate. */
+#define TM_DECAY_STABLE (2.0 / 3.0)
 TM_FN tm_real tm_decay_time_step(tm_real rate) { return rate > 0.0 ? 0.5 / rate : TM_DT_NO_LIMIT; }
 
 /* The same of explicit conduction, whose fastest decay rate is rate k/(rho c_p h^2) (tm_lattice.h). A pair conducts

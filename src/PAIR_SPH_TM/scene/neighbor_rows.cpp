@@ -102,7 +102,6 @@ void NeighborRows::cover_sizes(double h, double dp)
 {
   model.cover_sizes(h, dp);
   sizes_differ = true;
-  pair->comm_forward = TM_REC - 3 + TM_REC_STRESS + TM_REC_HEAT + TM_REC_SIZE;
   const double cut = pair->cutforce = tm_kernel_support(model.settings_in_use().kernel) * h;
   Pair *whole = force->pair;    // a hybrid style, or the same
   for (int i = 1; i <= model.types(); i++)

@@ -69,6 +69,7 @@ class TimeStep : protected LAMMPS_NS::Pointers {
   double heat_tolerance = HEAT_TOLERANCE, heat_error = -1.0;    // negative: not known
   double of_conduction = 1e300;                                 // limit of one evaluation, of all ranks
   double my_conduction = 1e300;                                 // of this rank, since the last reduction
+  bool first_of_run = false;                                    // the step that begins is
   int dt_cause = TM_DT_SOUND;
   double limits[TM_DT_CAUSES];                            // of this rank, since the last reduction
   const LAMMPS_NS::Fix *limited_by[TM_DT_CAUSES] = {};    // the fixes that set them, where fixes did
@@ -77,6 +78,7 @@ class TimeStep : protected LAMMPS_NS::Pointers {
   double of_sound_speed();
   void limit_by_bodies();
   void reduce();
+  void limit_first_step();
   double longest_conduction(bool mechanics) const;
   void apply(double value, LAMMPS_NS::bigint done);
   void check_fixed(const double *of_causes);
