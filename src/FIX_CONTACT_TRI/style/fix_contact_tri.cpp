@@ -185,7 +185,7 @@ void FixContactTri::report() const
     const tm_contact_law &w = laws.of(t);
     if (!w.active) continue;
     const std::string mu = (w.friction.n ? "by table" : fmt::format("{:.4g}", w.friction.value)) +
-        (w.shear > 0.0 ? fmt::format(", at most {:.4g} of the shear flow stress", w.shear) : "");
+                           (w.shear > 0.0 ? fmt::format(", at most {:.4g} of the shear flow stress", w.shear) : "");
     const tm_material &m = model->materials()[t];
     utils::logmesg(lmp, "contact/tri {}: type {}: stiffness {:.6g}, damping {:.4g} of critical, friction {}{}{}\n", id,
                    t, w.stiffness / model->units().force, w.damping, mu,

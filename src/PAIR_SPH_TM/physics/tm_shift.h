@@ -19,8 +19,8 @@
 
    c falls to 0 towards surfaces, where h |g| is 0.57 to 0.66 (tm_face.h): what is at a surface stays there. But at the sides of metal
    that is drawn g points across the stretch, and what lies along it, P g, is about neighbors along the surface. That is what c' lets
-   pass, so rows at the surface of a neck close up too; at an end, where g points along the stretch, it is 0. What a tool or another
-   body touches, and what other fixes move, is not shifted: springs of contacts keep their energy.
+   pass, so rows at the surface of a neck close up too; at an end, where g points along the stretch, it is 0. What a tool
+   touches, what is in range of another body, and what other fixes move is not shifted: springs of contacts keep their energy.
 
    F tells metal that is pressed or drawn from metal that is sheared, with the spin W and the rate of strain D: it is 1 without spin, and
    0 in simple shear, where rows pass each other and meet new neighbors, and where what is shifted far takes the momentum and the

@@ -156,28 +156,26 @@ void TimeStep::end_setup(bool first)
   first_of_run = true;
 }
 
-// What fixes behind fix sph/tm have said in their set-up, and dt/max: heat that begins to go through a surface, a drive. A flux that
-// goes on has the limit that the last step found, but for what its temperatures have changed in half a step: then the step stays.
-void TimeStep::limit_first_step()
-{
-  constexpr double CHANGED = 0.9;
-  const double flux = limited_by[TM_DT_CONDUCTION] ? limits[TM_DT_CONDUCTION] : 1e300;
-  const double mine[2] = {flux, limits[TM_DT_MOTION]};
-  double all[2];
-  MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_MIN, world);
-  const auto lower = [this](double value, int cause) {
-    if (value >= dt_next) return;
-    dt_next = value;
-    dt_cause = cause;
-  };
-  if (all[0] < CHANGED * dt_next) lower(all[0], TM_DT_CONDUCTION);
-  lower(all[1], TM_DT_MOTION);
-  if (most > 0.0) lower(most, TM_DT_MAXIMUM);
-}
-
 void TimeStep::begin_step()
 {
-  if (first_of_run && fixed <= 0.0) limit_first_step();
+  if (first_of_run && fixed <= 0.0) {
+    // What fixes behind fix sph/tm have said in their set-up, and dt/max: heat that begins to go through a surface, a drive. A
+    // flux that goes on has the limit that the last step found, but for what its temperatures have changed in half a step:
+    // then the step stays
+    constexpr double CHANGED = 0.9;
+    const double flux = limited_by[TM_DT_CONDUCTION] ? limits[TM_DT_CONDUCTION] : 1e300;
+    const double mine[2] = {flux, limits[TM_DT_MOTION]};
+    double all[2];
+    MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_MIN, world);
+    const auto lower = [this](double value, int cause) {
+      if (value >= dt_next) return;
+      dt_next = value;
+      dt_cause = cause;
+    };
+    if (all[0] < CHANGED * dt_next) lower(all[0], TM_DT_CONDUCTION);
+    lower(all[1], TM_DT_MOTION);
+    if (most > 0.0) lower(most, TM_DT_MAXIMUM);
+  }
   first_of_run = false;
   dt = fixed > 0.0 ? fixed : dt_next;
   apply(dt, update->ntimestep - 1);    // this step is counted already

@@ -78,7 +78,6 @@ class TimeStep : protected LAMMPS_NS::Pointers {
   double of_sound_speed();
   void limit_by_bodies();
   void reduce();
-  void limit_first_step();
   double longest_conduction(bool mechanics) const;
   void apply(double value, LAMMPS_NS::bigint done);
   void check_fixed(const double *of_causes);
