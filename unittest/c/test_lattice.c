@@ -85,6 +85,16 @@ int main(void)
   heat[TM_REC_K] = 0;    /* does not conduct */
   UT_NEAR(tm_surface_flux(0, &a).power, -350, 1e-15);
   UT_NEAR(tm_surface_flux(0, &a).rate, 0.5 * 7 / 20, 1e-15);
+  a.dt = 0.66 / 0.175;    /* a step that is stable takes the flux as it is, a longer one what a decay takes, never below T_inf */
+  UT_NEAR(tm_surface_flux(0, &a).power, -350, 1e-15);
+  a.dt = 5 / 0.175;
+  UT_NEAR(a.dt * tm_surface_flux(0, &a).power / 20, -100 * (1 - exp(-5.)), 1e-14);
+  a.dt = 1e9;
+  UT_TRUE(400 + a.dt * tm_surface_flux(0, &a).power / 20 >= 300 - 1e-9);
+  a.T_inf = 500;          /* nor above it */
+  UT_TRUE(400 + a.dt * tm_surface_flux(0, &a).power / 20 <= 500 + 1e-9);
+  a.T_inf = 300;
+  a.dt = 0;
   a.mode = TM_FLUX_RADIATION;
   a.strength = 5.67e-8;
   const double below = 0.5 * 0.25 * 5.67e-8 * (300. * 300 * 300 * 300 - 400. * 400 * 400 * 400);

@@ -9,7 +9,6 @@ import numpy as np
 
 from sphtm_scene import SOURCE, Checks, run
 
-TOOL = os.path.join(SOURCE, "unittest", "scenes", "..", "..", "tools", "make_tool.py")
 checks = Checks()
 
 CUT = """
@@ -39,7 +38,7 @@ thermo_style    custom step atoms
 thermo          100
 run             500
 write_dump      all custom end.dump id x y vx vy c_p[1] c_p[2] modify sort id format float %%.15g
-""" % os.path.normpath(TOOL)
+""" % os.path.join(SOURCE, "tools", "make_tool.py")
 
 FLIGHT = """
 units           si
