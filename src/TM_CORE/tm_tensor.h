@@ -159,24 +159,44 @@ TM_FN void tm_mat_store(tm_real *p, tm_mat3 m)
   p[6] = m.zx; p[7] = m.zy; p[8] = m.zz;
 }
 
-/* The same in rows of a particle, and in its record, where first is even; see tm_layout.h. */
-TM_FN tm_sym3 tm_sym_from_row(const tm_real *row)
+/* The same in rows of a particle, and in its record, where first is even; see tm_layout.h. In two dimensions, dim3 = 0, a
+   literal in loops, what couples a plane with z is 0 in every row and stays so: it is neither read nor written. */
+TM_FN tm_sym3 tm_sym_from_row_in(const tm_real *row, int dim3)
 {
-  tm_real p[6];
-  for (int k = 0; k < 6; k++) p[k] = row[tm_column(k)];
+  tm_real p[6] = {0};
+  for (int k = 0; k < (dim3 ? 6 : 4); k++) p[k] = row[tm_column(k)];
   return tm_sym_load(p);
 }
-TM_FN void tm_sym_to_row(tm_real *row, tm_sym3 s)
+TM_FN void tm_sym_to_row_in(tm_real *row, tm_sym3 s, int dim3)
 {
   tm_real p[6];
   tm_sym_store(p, s);
-  for (int k = 0; k < 6; k++) row[tm_column(k)] = p[k];
+  for (int k = 0; k < (dim3 ? 6 : 4); k++) row[tm_column(k)] = p[k];
 }
+TM_FN tm_sym3 tm_sym_from_row(const tm_real *row) { return tm_sym_from_row_in(row, 1); }
+TM_FN void tm_sym_to_row(tm_real *row, tm_sym3 s) { tm_sym_to_row_in(row, s, 1); }
 TM_FN tm_mat3 tm_mat_from_row(const tm_real *row)
 {
   tm_real p[9];
   for (int k = 0; k < 9; k++) p[k] = row[tm_column(k)];
   return tm_mat_load(p);
+}
+/* A velocity gradient of a plane has no zz either. */
+TM_FN tm_mat3 tm_mat_from_row_in(const tm_real *row, int dim3)
+{
+  if (dim3) return tm_mat_from_row(row);
+  const tm_real p[9] = {row[0], row[tm_column(1)], 0, row[tm_column(3)], row[tm_column(4)], 0, 0, 0, 0};
+  return tm_mat_load(p);
+}
+TM_FN tm_vec3 tm_vec_from_row_in(const tm_real *row, int dim3)
+{
+  return tm_vec(row[0], row[tm_column(1)], dim3 ? row[tm_column(2)] : 0.0);
+}
+TM_FN void tm_vec_to_row_in(tm_real *row, tm_vec3 v, int dim3)
+{
+  row[0] = v.x;
+  row[tm_column(1)] = v.y;
+  if (dim3) row[tm_column(2)] = v.z;
 }
 TM_FN tm_vec3 tm_vec_from_record(const tm_real *record, int first, int dim3)
 {

@@ -12,7 +12,7 @@ static void test_correction_turned(void)
   const double angle = 1e-3, since = 0.25, ahead = 0.15;
   tm_real field[TM_K_COLUMNS] = {2, 1, 3, 0.5, 0.25, -0.125, 0, 0, 2 * angle / (since + ahead), since, 0};
   const tm_mat3 R = {cos(angle), -sin(angle), 0, sin(angle), cos(angle), 0, 0, 0, 1};
-  const tm_sym3 K = tm_sym_load(field), got = tm_turned_correction(field, ahead);
+  const tm_sym3 K = tm_sym_load(field), got = tm_turned_correction(field, ahead, 1);
   const tm_mat3 want = tm_mat_mul(R, tm_mat_mul(tm_mat_from_sym(K), tm_mat_transposed(R)));
   UT_WITHIN(got.xx, want.xx, 1e-9);
   UT_WITHIN(got.yy, want.yy, 1e-9);
@@ -20,15 +20,16 @@ static void test_correction_turned(void)
   UT_WITHIN(got.xz, want.xz, 1e-9);
   UT_WITHIN(got.yz, want.yz, 1e-9);
   UT_NEAR(tm_sym_det(got), tm_sym_det(K), 1e-14); /* a rotation to round-off */
-  field[TM_K_RATE] = 0.05; /* and it goes on as before, up to a limit */
+  field[TM_K_RATE] = 0.05;                        /* and it goes on as before, up to a limit */
   field[TM_K_RATE + 3] = -0.02;
-  const tm_sym3 later = tm_sym_turned(tm_sym(2 + 0.4 * 0.05, 1, 3, 0.5 - 0.4 * 0.02, 0.25, -0.125), tm_vec(0, 0, angle));
-  UT_NEAR(tm_turned_correction(field, ahead).xx, later.xx, 1e-6);
-  UT_NEAR(tm_turned_correction(field, ahead).xy, later.xy, 1e-6);
+  const tm_sym3 later =
+      tm_sym_turned(tm_sym(2 + 0.4 * 0.05, 1, 3, 0.5 - 0.4 * 0.02, 0.25, -0.125), tm_vec(0, 0, angle));
+  UT_NEAR(tm_turned_correction(field, ahead, 1).xx, later.xx, 1e-6);
+  UT_NEAR(tm_turned_correction(field, ahead, 1).xy, later.xy, 1e-6);
   field[TM_K_RATE] = 1e6;
-  UT_NEAR(tm_turned_correction(field, ahead).xx, 2.0 + TM_CORRECTION_STEP, 1e-3);
+  UT_NEAR(tm_turned_correction(field, ahead, 1).xx, 2.0 + TM_CORRECTION_STEP, 1e-3);
   field[0] = 0.0;
-  UT_TRUE(tm_turned_correction(field, ahead).xx == 1.0 && tm_turned_correction(field, ahead).xy == 0.0);
+  UT_TRUE(tm_turned_correction(field, ahead, 1).xx == 1.0 && tm_turned_correction(field, ahead, 1).xy == 0.0);
 }
 
 /* K that changes evenly is met from the second step on. */
@@ -39,18 +40,19 @@ static void test_correction_step(void)
   tm_mat3 L = tm_mat_scale(0.0, tm_mat_identity());
   L.zz = 1.0;
   const tm_sym3 one = tm_sym(1, 1, 1, 0, 0, 0);
-  tm_correction_step(field, NULL, one, NULL, L, 0.0, 0.0); /* at t = 0 */
+  tm_correction_step(field, NULL, one, NULL, L, 0.0, 0.0, 1); /* at t = 0 */
   for (int n = 0; n < 4; n++) {
     const double t = (n + 0.5) * dt;
-    const tm_sym3 K = tm_sym(1 + 0.3 * t, 1, 1 - 0.1 * t, 0.2 * t, 0, 0), used = tm_turned_correction(field, 0.5 * dt);
-    const tm_correction_last last = tm_correction_last_of(field);
+    const tm_sym3 K = tm_sym(1 + 0.3 * t, 1, 1 - 0.1 * t, 0.2 * t, 0, 0),
+                  used = tm_turned_correction(field, 0.5 * dt, 1);
+    const tm_correction_last last = tm_correction_last_of(field, 1);
     UT_WITHIN(used.xx - K.xx, n ? 0.0 : -0.3 * t, 1e-14);
     UT_WITHIN(used.xy - K.xy, n ? 0.0 : -0.2 * t, 1e-14);
     UT_NEAR(last.since, n ? 0.5 * dt : 0.0, 1e-15);
-    tm_correction_step(field, &last, K, &used, L, n ? dt : 0.5 * dt, 0.5 * dt);
+    tm_correction_step(field, &last, K, &used, L, n ? dt : 0.5 * dt, 0.5 * dt, 1);
     UT_NEAR(field[TM_K_RATE], 0.3, 1e-12);
   }
-  tm_correction_step(field, NULL, one, NULL, L, 0.0, 0.0);
+  tm_correction_step(field, NULL, one, NULL, L, 0.0, 0.0, 1);
   UT_TRUE(field[TM_K_RATE] == 0.0);
 }
 
@@ -94,7 +96,7 @@ static void test_face_turned(void)
   tm_face_step(field, next, 0.5);
   UT_TRUE(field[TM_FACE_NORMAL] == 0.3 && field[TM_FACE_NORMAL + 2] == 0.25 && field[TM_FACE_TURN + 1] == 0.02);
   tm_face_step(field, next, 1.0);
-  const tm_face f = tm_turned_face(field, K, ahead);
+  const tm_face f = tm_turned_face(field, K, ahead, 1);
   UT_WITHIN(f.normal.x, 0.6 * cos(angle) + 0.8 * sin(angle), 1e-9);
   UT_WITHIN(f.normal.y, 0.6 * sin(angle) - 0.8 * cos(angle), 1e-9);
   UT_NEAR(f.normal.z, 0.5, 1e-15);

@@ -257,7 +257,7 @@ static void test_close_pair(void)
 static void test_displacement(void)
 {
   const double field[TM_G_COLUMNS] = {1, 2, 3, 10, 20, 30};
-  const tm_vec3 W = tm_hourglass_displacement(field, 0.1, 7.0, 0.5);
+  const tm_vec3 W = tm_hourglass_displacement(field, 0.1, 7.0, 0.5, 1);
   UT_NEAR(W.x, sqrt(7.0) * 1.0 + (7.0 * 0.1 + 0.5) * 10.0, 1e-15);
   UT_NEAR(W.y, sqrt(7.0) * 2.0 + (7.0 * 0.1 + 0.5) * 20.0, 1e-15);
   UT_NEAR(W.z, sqrt(7.0) * 3.0 + (7.0 * 0.1 + 0.5) * 30.0, 1e-15);
@@ -308,7 +308,7 @@ static void test_step(void)
   UT_NEAR(u.x, 1.5, 1e-15);
   UT_NEAR(u.z, 0.25, 1e-15);
   double field[TM_G_COLUMNS];
-  tm_hourglass_store(field, u, along);
+  tm_hourglass_store(field, u, along, 1);
   UT_TRUE(field[TM_G_U] == u.x && field[TM_G_U + 1] == u.y && field[TM_G_U + 2] == u.z);
   UT_TRUE(field[TM_G_RATE] == 2 && field[TM_G_RATE + 1] == 0 && field[TM_G_RATE + 2] == -1);
   tm_mat3 spin = rest;

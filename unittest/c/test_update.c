@@ -319,8 +319,64 @@ static void shifting(void)
   }
 }
 
+/* in a plane the columns that couple it with z are neither read nor written, and all others come out as in three dimensions */
+static void plane(void)
+{
+  static const int across[][2] = {{TM_F_STRESS, 4},
+                                  {TM_F_STRESS, 5},
+                                  {TM_F_HISTORY, TM_H_V + 2},
+                                  {TM_F_HISTORY, TM_H_S + 4},
+                                  {TM_F_HISTORY, TM_H_S + 5},
+                                  {TM_F_HISTORY, TM_H_STEP + TM_H_V + 2},
+                                  {TM_F_HISTORY, TM_H_STEP + TM_H_S + 4},
+                                  {TM_F_HISTORY, TM_H_STEP + TM_H_S + 5},
+                                  {TM_F_HOURGLASS, TM_G_U + 2},
+                                  {TM_F_HOURGLASS, TM_G_RATE + 2},
+                                  {TM_F_CORRECTION, 4},
+                                  {TM_F_CORRECTION, 5},
+                                  {TM_F_CORRECTION, TM_K_SPIN},
+                                  {TM_F_CORRECTION, TM_K_SPIN + 1},
+                                  {TM_F_CORRECTION, TM_K_RATE + 4},
+                                  {TM_F_CORRECTION, TM_K_RATE + 5}};
+  static const int fields[] = {TM_F_RHO,  TM_F_STRESS,    TM_F_HISTORY,   TM_F_PSTRAIN,
+                               TM_F_TEMP, TM_F_HOURGLASS, TM_F_CORRECTION};
+  static const double moment[TM_MOMENT_COLUMNS] = {1.1, 0.9, 1.0, 0.05, 0, 0},
+                      correction[6] = {1.08, 0.93, 1.0, 0.04, 0, 0};
+  static const double rate[3] = {0.3, -0.2, 0.0};
+  const int many = (int) (sizeof across / sizeof *across);
+  double state[2][7][TM_H_COLUMNS];
+  for (int flat = 0; flat < 2; flat++) {
+    tm_update_args a = arrange();
+    p.material[1].yield = 20.0;
+    a.moment = moment;
+    a.correction = correction;
+    a.hourglass_rate = rate;
+    a.hourglass = 0.1;
+    const double L[9] = {0.3, 0.5, 0, -0.2, -0.1, 0, 0, 0, 0};
+    for (int k = 0; k < 9; k++) gradient[k] = L[k];
+    for (int f = 1; f < 7; f++)
+      for (int c = 0; c < tm_field_columns(fields[f]); c++) p.field[fields[f]][c] = 0.01 * (c + 1) + f;
+    for (int k = 0; k < many; k++) p.field[across[k][0]][across[k][1]] = flat ? NAN : 0.0;
+    p.field[TM_F_TEMP][0] = 300.0;
+    p.state.v[0] = 3.0;
+    const unsigned effects = (ALL | TM_FX_HOURGLASS | TM_FX_ONE_PASS) & ~(flat ? TM_FX_3D : 0u);
+    const tm_update_result r = tm_update(0, &a, effects);
+    UT_TRUE(r.status == TM_OK);
+    for (int k = 0; k < many; k++) {
+      double *value = p.field[across[k][0]] + across[k][1];
+      UT_TRUE(flat ? isnan(*value) : *value == 0.0);
+      *value = 0.0;
+    }
+    for (int f = 0; f < 7; f++)
+      for (int c = 0; c < tm_field_columns(fields[f]); c++) state[flat][f][c] = p.field[fields[f]][c];
+  }
+  for (int f = 0; f < 7; f++)
+    for (int c = 0; c < tm_field_columns(fields[f]); c++) UT_TRUE(state[0][f][c] == state[1][f][c]);
+}
+
 int main(void)
 {
+  plane();
   shifting();
   motion();
   density();

@@ -99,12 +99,12 @@ TM_FN tm_real tm_hourglass_memory(tm_real yield, tm_real p)
 }
 
 /* W at the force point, a length: stiffness xi, delay = delta h/c. */
-TM_FN tm_vec3 tm_hourglass_displacement(const tm_real *field, tm_real ahead, tm_real stiffness, tm_real delay)
+TM_FN tm_vec3 tm_hourglass_displacement(const tm_real *field, tm_real ahead, tm_real stiffness, tm_real delay, int dim3)
 {
-  const tm_real *u = field + tm_column(TM_G_U), *rate = field + tm_column(TM_G_RATE);
+  const tm_vec3 u = tm_vec_from_row_in(field + tm_column(TM_G_U), dim3);
+  const tm_vec3 rate = tm_vec_from_row_in(field + tm_column(TM_G_RATE), dim3);
   const tm_real root = sqrt(stiffness), r = stiffness * ahead + delay;
-  return tm_vec(root * u[0] + r * rate[0], root * u[tm_column(1)] + r * rate[tm_column(1)],
-                root * u[tm_column(2)] + r * rate[tm_column(2)]);
+  return tm_vec(root * u.x + r * rate.x, root * u.y + r * rate.y, root * u.z + r * rate.z);
 }
 
 /* u after a step with velocity gradient L, rate r and stiffness xi; forgotten: plastic strain of the step over
@@ -118,14 +118,10 @@ TM_FN tm_vec3 tm_hourglass_step(tm_vec3 u, tm_vec3 rate, tm_real stiffness, tm_m
   return tm_vec(keep * (u.x + dt * (turn.x + root * rate.x)), keep * (u.y + dt * (turn.y + root * rate.y)),
                 keep * (u.z + dt * (turn.z + root * rate.z)));
 }
-TM_FN void tm_hourglass_store(tm_real *field, tm_vec3 u, tm_vec3 rate)
+TM_FN void tm_hourglass_store(tm_real *field, tm_vec3 u, tm_vec3 rate, int dim3)
 {
-  field[tm_column(TM_G_U)] = u.x;
-  field[tm_column(TM_G_U + 1)] = u.y;
-  field[tm_column(TM_G_U + 2)] = u.z;
-  field[tm_column(TM_G_RATE)] = rate.x;
-  field[tm_column(TM_G_RATE + 1)] = rate.y;
-  field[tm_column(TM_G_RATE + 2)] = rate.z;
+  tm_vec_to_row_in(field + tm_column(TM_G_U), u, dim3);
+  tm_vec_to_row_in(field + tm_column(TM_G_RATE), rate, dim3);
 }
 
 /* v_i - a of the fit, from the sums over the neighbors: weights, x, v, x (x) x, v (x) x; relative to particle i. */

@@ -79,7 +79,8 @@ TM_FN tm_update_result tm_initial_limits(int i, const tm_update_args *a, unsigne
     if (row[0] == 0.0 && (effects & TM_FX_FACES))
       tm_face_step(tm_field_row(s, TM_F_FACE, i), a->face_next + (ptrdiff_t) i * TM_FACE_COLUMNS, 1.0);
     if (row[0] == 0.0)
-      tm_correction_step(row, NULL, tm_sym_load(moment), NULL, tm_mat_from_row(a->gradient + tm_row(i, 9)), 0.0, 0.0);
+      tm_correction_step(row, NULL, tm_sym_load(moment), NULL, tm_mat_from_row(a->gradient + tm_row(i, 9)), 0.0, 0.0,
+                         (effects & TM_FX_3D) != 0);
   }
   if (m->body == TM_BODY_SOLID) {
     const tm_real c = tm_main_record(&a->rec, i)[tm_part(TM_REC_C)];

@@ -37,17 +37,13 @@ typedef struct {
 } tm_predict_args;
 
 /* Velocity of particle i at the force point. */
-TM_FN tm_vec3 tm_predict_velocity(int i, const tm_predict_args *a)
+TM_FN tm_vec3 tm_predict_velocity(int i, const tm_predict_args *a, int dim3)
 {
   const tm_predict_weights w = tm_predict_weights_at(a->dt_ahead);
-  const double *v = a->state.v + 3 * (ptrdiff_t) i;
   const tm_real *h1 = tm_field_row(&a->state, TM_F_HISTORY, i), *h2 = h1 + tm_column(TM_H_STEP);
-  tm_real p[3];
-  for (int k = 0; k < 3; k++) {
-    const int c = tm_column(TM_H_V + k);
-    p[k] = v[k] + w.last * h1[c] + w.older * h2[c];
-  }
-  return tm_vec(p[0], p[1], p[2]);
+  const tm_vec3 last = tm_vec_from_row_in(h1 + tm_column(TM_H_V), dim3);
+  const tm_vec3 older = tm_vec_from_row_in(h2 + tm_column(TM_H_V), dim3);
+  return tm_vec_axpy(tm_vec_axpy(tm_load3(a->state.v + 3 * (ptrdiff_t) i), w.last, last), w.older, older);
 }
 
 /* What hourglass control exports; dev and p: stress of the material. Failed particles and those without strength have no
@@ -66,7 +62,8 @@ TM_FN void tm_predict_hourglass(int i, const tm_predict_args *a, tm_sym3 dev, tm
                          ? tm_hourglass_stiffness(a->hourglass, dev, p, k / lz, eps_p)
                          : 0.0;
   const tm_real delay = k > 0.0 ? TM_HOURGLASS_DAMPING * a->h / c : 0.0;
-  const tm_vec3 W = tm_hourglass_displacement(tm_field_row(s, TM_F_HOURGLASS, i), a->dt_ahead, xi, delay);
+  const tm_vec3 W =
+      tm_hourglass_displacement(tm_field_row(s, TM_F_HOURGLASS, i), a->dt_ahead, xi, delay, (effects & TM_FX_3D) != 0);
   if (effects & TM_FX_ONE_PASS) {
     tm_real *out = tm_stab_record(&a->rec, i);
     out[tm_part(TM_STAB_W)] = W.x;
@@ -92,12 +89,13 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
   const tm_predict_weights w = tm_predict_weights_at(a->dt_ahead);
   const tm_real *h1 = tm_field_row(s, TM_F_HISTORY, i), *h2 = h1 + tm_column(TM_H_STEP);
 
-  const tm_vec3 v = tm_predict_velocity(i, a);
+  const int dim3 = (effects & TM_FX_3D) != 0;
+  const tm_vec3 v = tm_predict_velocity(i, a, dim3);
   const tm_real rho =
       *tm_field_row(s, TM_F_RHO, i) + w.last * h1[tm_column(TM_H_RHO)] + w.older * h2[tm_column(TM_H_RHO)];
-  tm_sym3 dev = tm_sym_from_row(tm_field_row(s, TM_F_STRESS, i));
-  dev = tm_sym_axpy(dev, w.last, tm_sym_from_row(h1 + tm_column(TM_H_S)));
-  dev = tm_sym_axpy(dev, w.older, tm_sym_from_row(h2 + tm_column(TM_H_S)));
+  tm_sym3 dev = tm_sym_from_row_in(tm_field_row(s, TM_F_STRESS, i), dim3);
+  dev = tm_sym_axpy(dev, w.last, tm_sym_from_row_in(h1 + tm_column(TM_H_S), dim3));
+  dev = tm_sym_axpy(dev, w.older, tm_sym_from_row_in(h2 + tm_column(TM_H_S), dim3));
 
   tm_real e = 0.0, p = 0.0, c = 0.0;
   if (effects & TM_FX_ENERGY) e = tm_predict_value(tm_field_row(s, TM_F_ENERGY, i), w);
@@ -134,13 +132,14 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
 
   if (effects & TM_FX_SMOOTHING)
     tm_size_record(tm_field_row(s, TM_F_SIZE, i), r[tm_part(TM_REC_M)] / rho_sum, a->gradient, tm_fx_kernel(effects),
-                   (effects & TM_FX_3D) != 0, a->rec.size + (ptrdiff_t) i * TM_REC_SIZE);
+                   dim3, a->rec.size + (ptrdiff_t) i * TM_REC_SIZE);
   if (effects & TM_FX_HOURGLASS) tm_predict_hourglass(i, a, dev, p, effects);
   if (effects & TM_FX_ONE_PASS) {
-    const tm_sym3 K = tm_turned_correction(tm_field_row(s, TM_F_CORRECTION, i), a->dt_ahead);
+    const tm_sym3 K = tm_turned_correction(tm_field_row(s, TM_F_CORRECTION, i), a->dt_ahead, dim3);
     tm_sym_store(a->correction + (ptrdiff_t) i * 6, K);
     if (effects & TM_FX_FACES) {
-      const tm_face f = tm_turned_face(tm_field_row(s, TM_F_FACE, i), tm_field_row(s, TM_F_CORRECTION, i), a->dt_ahead);
+      const tm_face f =
+          tm_turned_face(tm_field_row(s, TM_F_FACE, i), tm_field_row(s, TM_F_CORRECTION, i), a->dt_ahead, dim3);
       tm_store3(a->turn + 3 * (ptrdiff_t) i, f.turn);
       tm_vec_to_record(tm_stab_record(&a->rec, i), TM_STAB_FACE, f.normal);
       tm_mat_to_record(tm_stab_record(&a->rec, i), TM_STAB_PK,

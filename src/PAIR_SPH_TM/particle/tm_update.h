@@ -191,15 +191,14 @@ TM_FN tm_real tm_update_artificial(int i, const tm_update_args *a, tm_real power
 TM_FN void tm_update_history(tm_real *h1, const tm_real *last, tm_vec3 acc, int dim3)
 {
   tm_real *h2 = h1 + tm_column(TM_H_STEP);
-  for (int k = 0; k < TM_H_STEP; k++) h2[tm_column(k)] = last[k];
-  h1[tm_column(TM_H_V)] = acc.x;
-  h1[tm_column(TM_H_V + 1)] = acc.y;
-  h1[tm_column(TM_H_V + 2)] = dim3 ? acc.z : 0.0;
+  for (int k = 0; k < TM_H_STEP; k++)
+    if (dim3 || !tm_history_across(k)) h2[tm_column(k)] = last[k];
+  tm_vec_to_row_in(h1 + tm_column(TM_H_V), acc, dim3);
 }
-TM_FN void tm_update_material_history(tm_real *h1, tm_real rho_rate, tm_sym3 stress_rate)
+TM_FN void tm_update_material_history(tm_real *h1, tm_real rho_rate, tm_sym3 stress_rate, int dim3)
 {
   h1[tm_column(TM_H_RHO)] = rho_rate;
-  tm_sym_to_row(h1 + tm_column(TM_H_S), stress_rate);
+  tm_sym_to_row_in(h1 + tm_column(TM_H_S), stress_rate, dim3);
 }
 
 /* The shear switch of the viscosity, Balsara 1995, for the next step. */
@@ -215,7 +214,8 @@ TM_FN tm_real tm_update_shift(int i, const tm_update_args *a, const tm_point *q,
                               tm_real eps_p, tm_real sound, int dim3)
 {
   const tm_state *s = &a->state;
-  if (!(q->d_eps > 0.0) || !(s->mask[i] & a->group) || s->mask[i] & a->held) return v2;
+  if (!(q->d_eps > 0.0 && eps_p > TM_SHIFT_DRAWN_BEGINS)) return v2;
+  if (!(s->mask[i] & a->group) || s->mask[i] & a->held) return v2;
   const tm_vec3 g = tm_load3(a->uneven + 3 * (ptrdiff_t) i);
   const tm_vec3 dx =
       tm_shift(g, tm_shift_along(L, g, dim3), h, eps_p, q->d_eps, tm_tension_share(q->yield, q->p), sound * a->dt);
@@ -230,13 +230,13 @@ TM_FN tm_real tm_update_shift(int i, const tm_update_args *a, const tm_point *q,
 /* Displacement of hourglass control for the next force point; xi: its stiffness, q: at the end of the step, rho_c2: at the
    force point, drawn: plastic strain for tm_hourglass_drawn(). */
 TM_FN void tm_update_hourglass(int i, const tm_update_args *a, const tm_update_read *in, tm_real xi, const tm_point *q,
-                               tm_real rho_c2, tm_real drawn, tm_mat3 L, tm_real h, int forget)
+                               tm_real rho_c2, tm_real drawn, tm_mat3 L, tm_real h, int forget, int dim3)
 {
   const tm_vec3 u =
       tm_hourglass_step(in->u, in->u_rate, xi, L, a->dt, q->d_eps / tm_hourglass_memory(q->yield, q->p), forget);
   tm_hourglass_store(tm_field_row(&a->state, TM_F_HOURGLASS, i),
                      tm_hourglass_limit(u, sqrt(xi) * rho_c2, q->yield, q->p, drawn, h),
-                     forget ? tm_vec(0, 0, 0) : in->u_rate);
+                     forget ? tm_vec(0, 0, 0) : in->u_rate, dim3);
 }
 
 /* What of a solid particle cannot go on, enum tm_status; v2: its speed squared, others: a sum of its other fields. */
@@ -264,7 +264,7 @@ TM_FN void tm_update_gradients(int i, const tm_update_args *a, const tm_update_r
   const tm_state *s = &a->state;
   if (effects & TM_FX_ONE_PASS)
     tm_correction_step(tm_field_row(s, TM_F_CORRECTION, i), &in->last, in->K, &in->predicted, in->L,
-                       0.5 * a->dt + in->last.since, 0.5 * a->dt);
+                       0.5 * a->dt + in->last.since, 0.5 * a->dt, (effects & TM_FX_3D) != 0);
   if (effects & TM_FX_FACES)
     tm_face_step(tm_field_row(s, TM_F_FACE, i), a->face_next + (ptrdiff_t) i * TM_FACE_COLUMNS,
                  tm_face_kept(in->eps_p + (m->shear > 0.0 ? tm_sym_mises(in->s) / (3.0 * m->shear) : 0.0)));
@@ -330,12 +330,13 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     const tm_real plastic = q.yield * q.d_eps / q.rho;
 
     const tm_real inv_dt = 1.0 / a->dt;
-    tm_update_material_history(history, (q.rho - in.rho) * inv_dt, tm_sym_scale(inv_dt, tm_sym_axpy(q.s, -1.0, s0)));
+    tm_update_material_history(history, (q.rho - in.rho) * inv_dt, tm_sym_scale(inv_dt, tm_sym_axpy(q.s, -1.0, s0)),
+                               dim3);
     /* failed material that carries nothing opens and closes without heat */
     const int heats = (effects & TM_FX_COMPRESSION_HEAT) && !(failed && q.p <= 0.0);
     const tm_real compression = heats ? tm_compression_heat(tm_gruneisen_density(m, T), in.rho, q.rho) : 1.0;
     *tm_field_row(s, TM_F_RHO, i) = q.rho;
-    tm_sym_to_row(tm_field_row(s, TM_F_STRESS, i), q.s);
+    tm_sym_to_row_in(tm_field_row(s, TM_F_STRESS, i), q.s, dim3);
     if (lz) *lz += a->dt * *lz * L.zz;
     if (pl) {
       pl[0] = eps_p + q.d_eps;
@@ -351,7 +352,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       dmg[tm_column(1)] = tm_damage_failed(m, dmg[0], pl ? pl[0] : 0.0) ? 1.0 : 0.0;
     }
     if (effects & TM_FX_BALSARA) tm_update_balsara(i, s, L, sound, h);
-    if (controls) tm_update_hourglass(i, a, &in, xi, &q, rho_c2, drawn, L, h, forget);
+    if (controls) tm_update_hourglass(i, a, &in, xi, &q, rho_c2, drawn, L, h, forget, dim3);
     tm_heat_taken taken = {0.0, 0.0, 0.0};
     if (effects & TM_FX_HEAT)
       taken = tm_update_temperature(i, a, &in, m, q.rho, q.yield * q.d_eps * inv_dt, compression,

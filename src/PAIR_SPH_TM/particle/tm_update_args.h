@@ -114,9 +114,13 @@ typedef struct {
   tm_vec3 u, u_rate; /* of hourglass control */
 } tm_update_read;
 
+/* Of the columns of a step of the history (tm_fields.h) those that a plane has not, where they are 0. */
+TM_FN int tm_history_across(int k) { return k == TM_H_V + 2 || k >= TM_H_S + 4; }
+
 TM_FN tm_update_read tm_update_read_of(int i, const tm_update_args *a, int solid, unsigned effects)
 {
   const tm_state *s = &a->state;
+  const int dim3 = (effects & TM_FX_3D) != 0;
   const tm_vec3 none = tm_vec(0, 0, 0);
   const tm_real *rec = tm_main_record(&a->rec, i);
   tm_update_read r;
@@ -143,21 +147,21 @@ TM_FN tm_update_read tm_update_read_of(int i, const tm_update_args *a, int solid
 
   const tm_real *history = tm_field_row(s, TM_F_HISTORY, i);
   r.sound = rec[tm_part(TM_REC_C)];
-  r.L = tm_mat_from_row(a->gradient + tm_row(i, 9));
-  r.s = tm_sym_from_row(tm_field_row(s, TM_F_STRESS, i));
-  r.older = tm_sym_from_row(history + tm_column(TM_H_STEP + TM_H_S));
-  for (int k = 0; k < TM_H_STEP; k++) r.rate[k] = history[tm_column(k)];
+  r.L = tm_mat_from_row_in(a->gradient + tm_row(i, 9), dim3);
+  r.s = tm_sym_from_row_in(tm_field_row(s, TM_F_STRESS, i), dim3);
+  r.older = tm_sym_from_row_in(history + tm_column(TM_H_STEP + TM_H_S), dim3);
+  for (int k = 0; k < TM_H_STEP; k++)
+    if (dim3 || !tm_history_across(k)) r.rate[k] = history[tm_column(k)];
   if (effects & TM_FX_PLASTICITY) r.eps_p = tm_field_row(s, TM_F_PSTRAIN, i)[0];
   if (a->artificial) r.artificial = a->artificial[i];
   if (effects & TM_FX_ONE_PASS) {
     const tm_real *moment = a->moment + (ptrdiff_t) i * TM_MOMENT_COLUMNS;
-    r.last = tm_correction_last_of(tm_field_row(s, TM_F_CORRECTION, i));
+    r.last = tm_correction_last_of(tm_field_row(s, TM_F_CORRECTION, i), dim3);
     r.K = tm_sym_load(moment);
     r.predicted = tm_sym_load(a->correction + (ptrdiff_t) i * 6);
   }
   if (effects & TM_FX_HOURGLASS) {
-    const tm_real *u = tm_field_row(s, TM_F_HOURGLASS, i);
-    r.u = tm_vec(u[tm_column(TM_G_U)], u[tm_column(TM_G_U + 1)], u[tm_column(TM_G_U + 2)]);
+    r.u = tm_vec_from_row_in(tm_field_row(s, TM_F_HOURGLASS, i) + tm_column(TM_G_U), dim3);
     r.u_rate = tm_load3(a->hourglass_rate + 3 * (ptrdiff_t) i);
   }
   return r;
