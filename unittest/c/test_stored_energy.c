@@ -28,7 +28,7 @@ static void pressure(void)
     UT_WITHIN(tm_pressure_energy(&lin, 8960 * x), c * (log(x) + 1 / x - 1), 1e-8 * c);
     UT_WITHIN(tm_pressure_energy(&tait, 8960 * x), c / n * ((pow(x, n - 1) - 1) / (n - 1) + 1 / x - 1), 1e-7 * c);
   }
-  for (double d = 1e-3; d > 1e-14; d *= 0.1)                /* K d^2/2 per volume, to all digits */
+  for (double d = 1e-3; d > 1e-14; d *= 0.1) /* K d^2/2 per volume, to all digits */
     UT_NEAR(tm_pressure_energy(&lin, 8960 * (1 + d)), 0.5 * c * d * d, 2 * d + 1e-3 * (d < 1e-12) + 1e-14 / d);
   UT_TRUE(tm_pressure_energy(&lin, 8960) == 0);
   /* shock: the trapezoidal sum over 20000 densities, in tension and in compression */
@@ -48,12 +48,23 @@ static void shape(void)
   tm_material m = copper(TM_EOS_LINEAR);
   const tm_sym3 s = tm_sym(2e8, -1e8, -1e8, 3e7, -4e7, 5e7);
   const double part = (6e16 + 2 * 50e14) / (4 * 4.6e10 * 8000);
-  UT_NEAR(tm_stored_energy(&m, 8000, s, 0) - tm_pressure_energy(&m, 8000), part, 1e-12);
-  UT_TRUE(tm_stored_energy(&m, 8000, s, 1) == 0.0);                                 /* failed: no deviator, no tension */
-  UT_NEAR(tm_stored_energy(&m, 9100, s, 1), tm_pressure_energy(&m, 9100), 1e-15);
+  UT_NEAR(tm_stored_energy(&m, 8000, 1.0, s, 0) - tm_pressure_energy(&m, 8000), part, 1e-12);
+  UT_TRUE(tm_stored_energy(&m, 8000, 1.0, s, 1) == 0.0); /* failed: no deviator, no tension */
+  UT_NEAR(tm_stored_energy(&m, 9100, 1.0, s, 1), tm_pressure_energy(&m, 9100), 1e-15);
   m.strength = TM_STRENGTH_NONE;
   m.shear = 0.0;
-  UT_NEAR(tm_stored_energy(&m, 9100, s, 0), tm_pressure_energy(&m, 9100), 1e-15);
+  UT_NEAR(tm_stored_energy(&m, 9100, 1.0, s, 0), tm_pressure_energy(&m, 9100), 1e-15);
+}
+
+/* what grows by heat as its density falls stores nothing */
+static void heated(void)
+{
+  const tm_material m = copper(TM_EOS_LINEAR);
+  const tm_sym3 none = tm_sym(0, 0, 0, 0, 0, 0);
+  for (double g = 1.0; g < 1.1; g += 0.01) {
+    UT_TRUE(tm_stored_energy(&m, 8960 / g, g, none, 0) < 1e-9);
+    UT_NEAR(tm_stored_energy(&m, 9100, g, none, 0), tm_pressure_energy(&m, 9100 * g), 1e-15);
+  }
 }
 
 /* work of the stress along a path of compression, shear and rotation, small or large, against the state at its end */
@@ -76,7 +87,7 @@ static void path(void)
         rho = q.rho;
         s = q.s;
       }
-      UT_NEAR(tm_stored_energy(&m, rho, s, 0), work, 2e-6);
+      UT_NEAR(tm_stored_energy(&m, rho, 1.0, s, 0), work, 2e-6);
     }
   }
 }
@@ -119,7 +130,7 @@ static void ledger(void)
   const double held = 1e16 * 2.0 / 3.0 / (4 * 4.6e10 * rho) + tm_pressure_energy(p.material + 1, rho);
   UT_NEAR(r.failure, mass * held, 1e-4);
   UT_NEAR(r.thermal_pressure, -mass * dt / rho * 300.0 * 2.0 * 8960 * e, 1e-12);
-  r = tm_update(0, &a, fx);                                                /* it has failed: nothing is left to lose */
+  r = tm_update(0, &a, fx); /* it has failed: nothing is left to lose */
   UT_TRUE(r.failure == 0.0);
 }
 
@@ -127,6 +138,7 @@ int main(void)
 {
   pressure();
   shape();
+  heated();
   path();
   ledger();
   return ut_summary();

@@ -25,7 +25,7 @@ static void press(int i, tm_sym3 sigma, int form_f14)
   r[TM_REC_RHO] = rho;
   tm_sym_store(r + TM_REC_P, tm_sym_scale(form_f14 ? 1.0 : 1.0 / (rho * rho), sigma));
 }
-static double of_pressure(double p)    /* energy per volume: K x (ln x + 1/x - 1) = p^2/2K + ... */
+static double of_pressure(double p) /* energy per volume: K x (ln x + 1/x - 1) = p^2/2K + ... */
 {
   const double x = 1.0 + p / 160.0;
   return 160.0 * x * (log(x) + 1.0 / x - 1.0);
@@ -34,10 +34,12 @@ static double of_pressure(double p)    /* energy per volume: K x (ln x + 1/x - 1
 int main(void)
 {
   ut_particles_make(&p);
-  p.v[3] = 1.0; p.v[4] = -2.0; p.v[5] = 3.0;
+  p.v[3] = 1.0;
+  p.v[4] = -2.0;
+  p.v[5] = 3.0;
   UT_NEAR(tm_kinetic_energy(1, &p.state), 0.5 * 2.0 * 14.0, 1e-15);
   UT_TRUE(tm_kinetic_energy(0, &p.state) == 0.0);
-  p.type[1] = 3;                                     /* mass 6 */
+  p.type[1] = 3; /* mass 6 */
   UT_NEAR(tm_kinetic_energy(1, &p.state), 0.5 * 6.0 * 14.0, 1e-15);
   double rmass[2] = {1.0, 8.0};
   p.state.rmass = rmass;
@@ -61,7 +63,7 @@ int main(void)
     UT_NEAR(tm_tally(0, &a, fx).value[0], V * 49e-6 / (2.0 * 9.0 * K * G / (3.0 * K + G)), 1e-4);
     press(0, tm_sym(-5.0, -5.0, -5.0, 0, 0, 0), f14);
     UT_NEAR(tm_tally(0, &a, fx).value[0], V * of_pressure(5.0), 1e-13);
-    press(0, tm_sym(0, 0, 0, 1.0, -2.0, 3.0), f14);     /* shear: V t^2/(2G); the virial in its order */
+    press(0, tm_sym(0, 0, 0, 1.0, -2.0, 3.0), f14); /* shear: V t^2/(2G); the virial in its order */
     r = tm_tally(0, &a, fx);
     UT_NEAR(r.value[0], V * 14.0 / (2.0 * G), 1e-14);
     UT_NEAR(r.value[4], -V * 1.0, 1e-14);
@@ -97,14 +99,15 @@ int main(void)
   a.to_energy = 1.0;
   const double flat = tm_tally(0, &a, 0).value[0];
   records[TM_REC_RHO] *= 1.25;
-  tm_sym_store(records + TM_REC_P, tm_sym_scale(1.25 / (records[TM_REC_RHO] * records[TM_REC_RHO]), tm_sym(0, 0, 0, 6.0, 0, 0)));
+  tm_sym_store(records + TM_REC_P,
+               tm_sym_scale(1.25 / (records[TM_REC_RHO] * records[TM_REC_RHO]), tm_sym(0, 0, 0, 6.0, 0, 0)));
   UT_NEAR(tm_tally(0, &a, TM_FX_PLANE_STRESS).value[0], flat, 1e-14);
   /* the same of the state, at the end of the step */
   p.type[1] = 1;
   p.field[TM_F_RHO][1] = 10.5;
   p.field[TM_F_STRESS][6 + 3] = 4.0;
   UT_NEAR(tm_stored_in(1, &p.state), 8.0 / 10.5 * (32.0 / (4.0 * G) + of_pressure(8.0)), 1e-12);
-  p.material[1].body = TM_BODY_HEAT;                  /* a body of heat stores none */
+  p.material[1].body = TM_BODY_HEAT; /* a body of heat stores none */
   UT_TRUE(tm_stored_in(1, &p.state) == 0.0);
   r = tm_tally(2, &a, 0);
   for (int k = 0; k < TM_TALLY; k++) UT_TRUE(r.value[k] == 0.0);

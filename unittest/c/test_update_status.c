@@ -4,7 +4,7 @@
 
 static ut_particles p;
 static double gradient[9 * UT_ROOM], records[TM_REC * UT_ROOM];
-static const unsigned EFFECTS = TM_FX_PLASTICITY | TM_FX_HEAT | TM_FX_DAMAGE;
+static const unsigned EFFECTS = TM_FX_3D | TM_FX_PLASTICITY | TM_FX_HEAT | TM_FX_DAMAGE;
 
 /* one particle of density 10 and sound speed 100 at 300 K, at rest, plastic from a stress of 1 on */
 static tm_update_args arrange(void)
@@ -49,10 +49,7 @@ static tm_update_args arrange(void)
 static tm_update_result update(const tm_update_args *a) { return tm_update(0, a, EFFECTS); }
 
 /* equal stretch in three directions by div/3 each */
-static void dilate(double div)
-{
-  gradient[0] = gradient[4] = gradient[8] = div / 3.0;
-}
+static void dilate(double div) { gradient[0] = gradient[4] = gradient[8] = div / 3.0; }
 
 static int status_of(double div)
 {
@@ -64,12 +61,12 @@ static int status_of(double div)
 static void densities(void)
 {
   UT_TRUE(status_of(0.0) == TM_OK);
-  UT_TRUE(status_of(66.0) == TM_OK);               /* 10 (1 - 0.66) */
+  UT_TRUE(status_of(66.0) == TM_OK); /* 10 (1 - 0.66) */
   UT_TRUE(status_of(67.0) == TM_BAD_VOLUME);
   UT_TRUE(status_of(100.1) == TM_BAD_DENSITY);
   UT_TRUE(status_of(-199.0) == TM_OK);
   UT_TRUE(status_of(-201.0) == TM_BAD_VOLUME);
-  tm_update_args a = arrange();                    /* debris may spread, but not be pressed together */
+  tm_update_args a = arrange(); /* debris may spread, but not be pressed together */
   p.field[TM_F_DAMAGE][1] = 1.0;
   dilate(90.0);
   UT_TRUE(update(&a).status == TM_OK);
@@ -77,7 +74,7 @@ static void densities(void)
   p.field[TM_F_DAMAGE][1] = 1.0;
   dilate(-201.0);
   UT_TRUE(update(&a).status == TM_BAD_VOLUME);
-  a = arrange();                                   /* another limit */
+  a = arrange(); /* another limit */
   a.densest = 20.0;
   dilate(90.0);
   UT_TRUE(update(&a).status == TM_OK);
@@ -86,7 +83,7 @@ static void densities(void)
 static void strains(void)
 {
   tm_update_args a = arrange();
-  gradient[1] = 170.0;                             /* shear of 1.7 in the step: 0.98 plastic strain */
+  gradient[1] = 170.0; /* shear of 1.7 in the step: 0.98 plastic strain */
   UT_TRUE(update(&a).status == TM_OK);
   a = arrange();
   gradient[1] = 180.0;
@@ -95,9 +92,12 @@ static void strains(void)
 
 static void temperatures(void)
 {
-  const struct { double T; int status, melts; } cases[] = {
-      {999.0, TM_OK, 0}, {1001.0, TM_OK, 1}, {4999.0, TM_OK, 1}, {5001.0, TM_BAD_HEAT, 1},
-      {0.0, TM_BAD_TEMPERATURE, 0}, {-5.0, TM_BAD_TEMPERATURE, 0}, {NAN, TM_BAD_NAN, 0}};
+  const struct {
+    double T;
+    int status, melts;
+  } cases[] = {{999.0, TM_OK, 0},        {1001.0, TM_OK, 1},           {4999.0, TM_OK, 1},
+               {5001.0, TM_BAD_HEAT, 1}, {0.0, TM_BAD_TEMPERATURE, 0}, {-5.0, TM_BAD_TEMPERATURE, 0},
+               {NAN, TM_BAD_NAN, 0}};
   for (int k = 0; k < (int) (sizeof cases / sizeof *cases); k++) {
     tm_update_args a = arrange();
     p.field[TM_F_TEMP][0] = cases[k].T;
@@ -129,9 +129,13 @@ static void sums(void)
 {
   tm_update_result sum = tm_update_nothing(), r = tm_update_nothing();
   UT_TRUE(sum.melted == INT_MAX && sum.status == TM_OK);
-  r.particle = 7; r.status = TM_BAD_STRAIN; r.melted = 9;
+  r.particle = 7;
+  r.status = TM_BAD_STRAIN;
+  r.melted = 9;
   tm_update_sum(&sum, &r, 0);
-  r.particle = 3; r.status = TM_BAD_HEAT; r.melted = 12;
+  r.particle = 3;
+  r.status = TM_BAD_HEAT;
+  r.melted = 12;
   tm_update_sum(&sum, &r, 0);
   UT_TRUE(sum.particle == 3 && sum.status == TM_BAD_HEAT && sum.melted == 9);
 }

@@ -8,6 +8,9 @@ wrong("fix without pair", {"pair_style": "", "pair_coeff": "", "more": "mass 1 1
 wrong("fix with another pair style", {"pair_style": "pair_style zero 3e-3", "pair_coeff": "pair_coeff * *",
                                      "more": "mass 1 1"}, "Fix sph/tm", "pair style sph/tm")
 wrong("two fixes", {"more": "fix again all sph/tm"}, "fix sph/tm", "More than one")
+wrong("particles of the pair style under nve", {"fix": "group some id > 20\ngroup other id <= 20\nfix body some sph/tm", "more": "fix n other nve"},
+      "Fix n nve", "20 particles", "outside of group some")
+wrong("nve in addition", {"more": "fix n all nve"}, "Fix n nve", "also integrates 64 particles")
 wrong("fix of an unknown group", {"fix": "fix body some sph/tm"}, "group", "some")
 wrong("unknown fix keyword", fix("temprature 300"), F, "temprature", "known are", "temperature")
 wrong("temperature without value", fix("temperature"), F, "temperature", "1 value")

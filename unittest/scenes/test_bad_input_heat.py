@@ -1,5 +1,5 @@
 """Malformed scripts: fix sph/tm/heat and fix sph/tm/drive. See bad_input.py."""
-from bad_input import HEAT, JC, coeff, fine, fix, run_all, wrong
+from bad_input import HEAT, JC, coeff, fine, fix, run_all, warned, wrong
 
 H = "sph/tm/heat"
 HOT = coeff(JC + HEAT)
@@ -25,6 +25,11 @@ for key, count in (("area", "1 value"), ("threshold", "1 value"), ("facing", "3 
     wrong("heat fix without the values of " + key, heat_fix("flux 100 " + key), H + " flux", key, count)
 for bad in ("-0.1", "1", "nan"):
     wrong("heat fix threshold " + bad, heat_fix("flux 100 threshold " + bad), H + " flux threshold", bad)
+INNER = "group inner id 28\nfix h inner sph/tm/heat flux 100 "
+wrong("heat fix area without a surface", dict(HOT, more=INNER + "area 1e-3"), H + " flux", "group inner has no free surface", "area 0.001")
+warned("heat fix without a surface", dict(HOT, more=INNER), H + " flux", "group inner has no free surface")
+warned("heat fix area in mm", heat_fix("flux 100 facing 1 0 0 area 8"), H + " flux", "area 8", "times", "units")
+fine("heat fix area", heat_fix("flux 100 facing 1 0 0 area 8e-3"))
 wrong("heat fix facing nowhere", heat_fix("flux 100 facing 0 0 0"), H + " flux facing", "outward direction", "0 0 0")
 wrong("heat fix facing out of the plane", heat_fix("flux 100 facing 0 0 1"), H + " flux facing", "xy plane")
 wrong("heat fix facing nan", heat_fix("flux 100 facing 1 nan 0"), H + " flux facing", "nan")

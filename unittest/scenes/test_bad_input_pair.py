@@ -1,5 +1,5 @@
 """Malformed scripts: the pair_style line. See bad_input.py."""
-from bad_input import THREE_D, fine, run_all, style, warned, wrong
+from bad_input import GOOD, THREE_D, fine, run_all, style, warned, wrong
 
 S = "sph/tm"
 
@@ -85,4 +85,17 @@ wrong("/kk without Kokkos", {"pair_style": "pair_style sph/tm/kk hyperbolic 1.2 
 wrong("fix /kk", {"fix": "fix body all sph/tm/kk"}, "sph/tm/kk", "sph/tm")
 wrong("compute /kk without Kokkos", {"compute": "compute p all sph/tm/atom/kk pstrain"}, "sph/tm/atom/kk", "KOKKOS")
 
+
+
+def bodies(row, law="contact"):
+    """A second body whose lowest row is at so many spacings; the highest of the first is at 7.5."""
+    return {"create_box": "create_box 2 box", "pair_coeff": "pair_coeff * * %s\npair_coeff 1 2 %s" % (GOOD, law),
+            "atoms": "create_atoms 1 region work\nlattice sq 1e-3 origin 0.5 %g 0\nregion top block 0 8e-3 %g 12e-3 INF INF units box\n"
+                     "create_atoms 2 region top" % (row % 1, 1e-3 * row - 1e-5)}
+
+
+fine("bodies that touch", bodies(8.5))
+warned("bodies 0.2 spacings inside of each other", bodies(8.3), S, "bodies in contact", "inside of each other", "push")
+for row in 8.0, 7.6, 5.5, 5.25:
+    wrong("bodies inside of each other, first row at %g" % row, bodies(row), "Pair style sph/tm", "bodies in contact", "one spacing apart")
 run_all()

@@ -40,7 +40,7 @@ TM_FN void tm_tl_correction(int i, const tm_tl_correction_args *a, unsigned effe
   if (!good) K = tm_mat_from_sym(tm_sym_inverse_bounded(tm_mat_symmetric(M), dim3, TM_MOMENT_LOW));
   tm_mat_store(a->correction + (ptrdiff_t) i * 9, K);
   /* with total-Lagrangian pairs, tm_tl_rates() applies K to the sum of both kinds of pairs */
-  tm_sym_store(r->correction + (ptrdiff_t) i * 6, stored ? tm_sym(1, 1, 1, 0, 0, 0) : tm_mat_symmetric(K));
+  tm_sym_to_row(r->correction + tm_row(i, 6), stored ? tm_sym(1, 1, 1, 0, 0, 0) : tm_mat_symmetric(K));
   const tm_sym3 P = tm_sym_from_record(tm_main_record(&r->rec, i), TM_REC_P);
   tm_mat_store(r->rec.correction + (ptrdiff_t) i * TM_REC_CORRECTION,
                tm_mat_mul(tm_mat_from_sym(P), tm_mat_transposed(K)));

@@ -14,7 +14,7 @@ double Remap::elastic_energy(const double *row, int type) const
 {
   const tm_material *m = parts.model().materials() + type;
   const int damage = cloud.column(TM_F_DAMAGE);
-  return row[TM_CLOUD_MASS] * tm_stored_energy(m, row[cloud.column(TM_F_RHO)],
+  return row[TM_CLOUD_MASS] * tm_stored_energy(m, row[cloud.column(TM_F_RHO)], 1.0,
                                                tm_sym_load(row + cloud.column(TM_F_STRESS)),
                                                damage >= 0 && row[damage + 1] > 0.5);
 }

@@ -6,9 +6,12 @@
 #include "search_loops.h"
 
 #include "atom.h"
+#include "comm.h"
 #include "domain.h"
 #include "error.h"
 #include "update.h"
+
+#include <algorithm>
 
 using namespace LAMMPS_NS;
 
@@ -49,6 +52,14 @@ void AdaptSmoothing::init()
   smallest_h = r.smallest_h;
   largest_h = r.largest_h;
   parts.rows().cover_sizes(MARGIN * largest_h, r.smallest_dp);
+  for (const AdaptPart *p : parts.used()) {
+    const auto words = p->keywords();
+    if (mode == PSI && std::find(words.begin(), words.end(), "refine") != words.end() && parts.host()->comm->me == 0)
+      parts.host()->error->warning(FLERR,
+                                   "Fix adapt/neigh asph psi with refine: psi counts neighbors, whose number changes "
+                                   "where sizes meet; h goes wrong there by as much as a half, and bodies of several "
+                                   "levels become too soft");
+  }
   if (mode != PSI || !table.empty()) return;
   tm_asph_table t;
   tm_asph_make(parts.model().settings_in_use().kernel, parts.host()->domain->dimension, &t);

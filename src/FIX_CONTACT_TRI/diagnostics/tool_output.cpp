@@ -73,6 +73,43 @@ void ToolOutput::write_stl(const std::vector<double> &x) const
     lmp->error->one(FLERR, "Fix contact/tri {}: {}", id, msg);
 }
 
+// Where the plane z = 0 cuts the triangle: false where it does not. A corner in the plane counts as above, so that an
+// edge in the plane belongs to the triangle below.
+static bool cut_by_plane(const double *const corner[3], double *line)
+{
+  int found = 0;
+  for (int k = 0; k < 3; k++) {
+    const double *a = corner[k], *b = corner[(k + 1) % 3];
+    if ((a[2] < 0.0) == (b[2] < 0.0)) continue;
+    const double along = a[2] / (a[2] - b[2]);
+    for (int d = 0; d < 2; d++) line[3 * found + d] = a[d] + along * (b[d] - a[d]);
+    line[3 * found + 2] = 0.0;
+    found++;
+  }
+  return found == 2;
+}
+
+// Of each triangle its area, in two dimensions that per thickness: the length in which the plane of the particles cuts it, so
+// that forces and powers, which are per thickness too, give stresses and fluxes. An edge in the plane counts for both of its
+// triangles, since either may take the contacts.
+std::vector<double> ToolOutput::areas(const std::vector<double> &x) const
+{
+  const tm_mesh &m = tool.mesh();
+  std::vector<double> area(m.area, m.area + m.nt);
+  if (lmp->domain->dimension == 3) return area;
+  for (int t = 0; t < m.nt; t++) {
+    const double *corner[3];
+    for (int k = 0; k < 3; k++) corner[k] = &x[3 * (size_t) m.tri[3 * (size_t) t + k]];
+    double line[6];
+    area[t] = cut_by_plane(corner, line) ? hypot(line[3] - line[0], line[4] - line[1]) : 0.0;
+    for (int k = 0; k < 3; k++) {
+      const double *p = corner[k], *q = corner[(k + 1) % 3];
+      if (p[2] == 0.0 && q[2] == 0.0) area[t] = std::max(area[t], hypot(q[0] - p[0], q[1] - p[1]));
+    }
+  }
+  return area;
+}
+
 // names as LIGGGHTS writes them, where it has the value
 void ToolOutput::write_vtk(const std::vector<double> &x, const tm_pose &p, double temperature, TriangleValues &values,
                            bool go_on)
@@ -82,14 +119,15 @@ void ToolOutput::write_vtk(const std::vector<double> &x, const tm_pose &p, doubl
   const double *force = values.force(), *heat = values.heat();
   const int *contacts = values.contacts();
   std::vector<double> normal(nt), shear(nt), flux(nt), count(nt), T(nt, temperature), patch(nt);
-  std::vector<double> stress(3 * nt), vel(3 * nt);
+  std::vector<double> stress(3 * nt), vel(3 * nt), area = areas(x);
   for (size_t t = 0; t < nt; t++) {
-    const tm_vec3 f = tm_vec_scale(1.0 / m.area[t], tm_load3(force + 3 * t));
+    const double per_area = area[t] > 0.0 ? 1.0 / area[t] : 0.0;
+    const tm_vec3 f = tm_vec_scale(per_area, tm_load3(force + 3 * t));
     const tm_vec3 n = tm_mat_mul_vec(p.turn, tm_load3(m.normal + 3 * t));
     const double fn = tm_vec_dot(f, n);
     normal[t] = -fn;    // pressure is positive
     shear[t] = tm_vec_norm(tm_vec_axpy(f, -fn, n));
-    flux[t] = heat[t] / m.area[t];
+    flux[t] = heat[t] * per_area;
     count[t] = contacts[t];
     patch[t] = m.patch[t];
     const double *c = m.corner + 9 * t;
@@ -102,7 +140,7 @@ void ToolOutput::write_vtk(const std::vector<double> &x, const tm_pose &p, doubl
   const tm_cell_array arrays[] = {{"normal_stress_average", 1, normal.data()},
                                   {"shear_stress_average", 1, shear.data()},
                                   {"stress", 3, stress.data()},
-                                  {"area", 1, m.area},
+                                  {"area", 1, area.data()},
                                   {"vel", 3, vel.data()},
                                   {"temp", 1, T.data()},
                                   {"heat_flux", 1, flux.data()},
@@ -188,31 +226,16 @@ void ToolOutput::fill_local(const std::vector<double> &x, const tm_pose &p, Tria
   const double *force = values.force(), *heat = values.heat();
   const int *contacts = values.contacts();
   if (!local) lmp->memory->create(local, m.nt, LOCAL_COLUMNS, "contact/tri:local");
+  const std::vector<double> area = areas(x);
   for (int t = 0; t < m.nt; t++) {
     double *row = local[t];
     const int *v = m.tri + 3 * (size_t) t;
     for (int k = 0; k < 3; k++) std::copy_n(&x[3 * (size_t) v[k]], 3, row + 3 * k);
     std::copy_n(force + 3 * (size_t) t, 3, row + 9);
     const tm_vec3 n = tm_mat_mul_vec(p.turn, tm_load3(m.normal + 3 * (size_t) t));
-    const double rest[6] = {heat[t], (double) contacts[t], m.area[t], n.x, n.y, n.z};
+    const double rest[6] = {heat[t], (double) contacts[t], area[t], n.x, n.y, n.z};
     std::copy_n(rest, 6, row + 12);
   }
-}
-
-// Where the plane z = 0 cuts the triangle: false where it does not. A corner in the plane counts as above, so that an
-// edge in the plane belongs to the triangle below.
-static bool cut_by_plane(const double *const corner[3], double *line)
-{
-  int found = 0;
-  for (int k = 0; k < 3; k++) {
-    const double *a = corner[k], *b = corner[(k + 1) % 3];
-    if ((a[2] < 0.0) == (b[2] < 0.0)) continue;
-    const double along = a[2] / (a[2] - b[2]);
-    for (int d = 0; d < 2; d++) line[3 * found + d] = a[d] + along * (b[d] - a[d]);
-    line[3 * found + 2] = 0.0;
-    found++;
-  }
-  return found == 2;
 }
 
 int ToolOutput::image(const tm_pose &p, int *&kinds, double **&rows)

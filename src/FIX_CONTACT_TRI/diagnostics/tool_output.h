@@ -48,6 +48,7 @@ class ToolOutput {
   bool due(int every) const;
   std::string file_name(const ContactSettings::File &) const;
   std::vector<double> world_vertices(const tm_pose &) const;
+  std::vector<double> areas(const std::vector<double> &vertices) const;
   void write_vtk(const std::vector<double> &vertices, const tm_pose &, double temperature, TriangleValues &,
                  bool go_on);
   void write_vtp(const tm_facets &, const tm_cell_array *, int arrays, bool go_on);

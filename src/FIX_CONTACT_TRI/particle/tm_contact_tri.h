@@ -435,7 +435,7 @@ TM_FN tm_contact_result tm_contact_tri_shared(int i, tm_group group, const tm_co
     if (touch[0].distance >= tm_max(b.thickness, w->radius)) return r; /* not even near */
     n = tm_contact_within(&b, n, touch);
   }
-  if (a->uneven && n > 0) tm_store3(a->uneven + 3 * (ptrdiff_t) i, tm_vec(0, 0, 0));
+  if (a->uneven && n > 0) tm_vec_to_row(a->uneven + tm_row(i, 3), tm_vec(0, 0, 0));
   if (a->xsph_v && n > 0) tm_store3(a->xsph_v + 3 * (ptrdiff_t) i, tm_vec(0, 0, 0));
   for (int k = 0; k < n; k++) c[k] = tm_contact_add_normal(&b, touch + k, &a->pose, effects);
   if (b.layer && a->layer_dt > 0.0) tm_contact_store_layer(i, a, &b, c, n);

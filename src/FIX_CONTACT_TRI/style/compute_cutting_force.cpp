@@ -69,7 +69,7 @@ void ComputeCuttingForce::compute_vector()
   vector[1] = tm_vec_dot(F, n) / width;
   vector[2] = tm_vec_dot(F, tm_vec_cross(u, n)) / width;
   vector[3] = tm_vec_norm(F) / width;
-  vector[4] = -tm_vec_dot(F, v);
+  vector[4] = t->tool_power();
 }
 
 double ComputeCuttingForce::compute_scalar()

@@ -20,6 +20,7 @@ using namespace LAMMPS_NS;
 using namespace SPHTM_NS;
 using namespace FixConst;
 
+static constexpr double LEAST_AREA = 0.1, AREAS_APART = 3.0;
 static constexpr double STEFAN_BOLTZMANN = 5.670374419e-8;    // W/(m^2 K^4)
 
 // the modes, and how many values each takes: the strength, the surroundings
@@ -143,11 +144,26 @@ void FixSPHTMHeat::setup(int)
     return;
   }
   add_flux();
+  if (on_surface()) check_area();
+}
+
+// what a particle of a flat face has is the least that is a surface; less is the unevenness of a lattice
+void FixSPHTMHeat::check_area()
+{
   double all = 0.0;
-  MPI_Allreduce(&area, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  if (on_surface() && all == 0.0 && comm->me == 0)
-    error->warning(FLERR, "Fix sph/tm/heat {}: group {} has no free surface{}", MODES[mode].name, group->names[igroup],
-                   facing ? " that faces this way" : "");
+  MPI_Allreduce(&area_found, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  const double one = pow(scene->model().smallest_spacing(), domain->dimension - 1);
+  if (!(all > LEAST_AREA * one)) {
+    const auto text = fmt::format("Fix sph/tm/heat {}: group {} has no free surface{}", MODES[mode].name,
+                                  group->names[igroup], facing ? " that faces this way" : "");
+    if (known_area > 0.0) error->all(FLERR, "{}: area {:g} cannot be spread over it", text, known_area);
+    if (comm->me == 0) error->warning(FLERR, "{}", text);
+  } else if (known_area > 0.0 && comm->me == 0 && (known_area > AREAS_APART * all || known_area * AREAS_APART < all))
+    error->warning(FLERR,
+                   "Fix sph/tm/heat {}: area {:g} is {:.3g} times the {:g} that the particles of group {} have{}; "
+                   "is it in the units of the script (in 2d a length)?",
+                   MODES[mode].name, known_area, known_area / all, all, group->names[igroup],
+                   facing ? " facing this way" : "");
 }
 
 void FixSPHTMHeat::check_group()
@@ -234,15 +250,17 @@ void FixSPHTMHeat::add_flux()
   tm_surface_flux_args a = flux_args();
   Backend &loops = state->active().stepping();
   const HeatLoops &heat = HeatLoops::of(state->loops());
+  area_found = 0.0;
   if (known_area > 0.0) {
-    const double found = heat.surface_area(loops, atom->nlocal, a, 0);
+    area_found = heat.surface_area(loops, atom->nlocal, a, 0);
     double all = 0.0;
-    MPI_Allreduce(&found, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+    MPI_Allreduce(&area_found, &all, 1, MPI_DOUBLE, MPI_SUM, world);
     a.area_factor = all > 0.0 ? known_area / all : 0.0;
   }
   const tm_surface_flux_result r = heat.surface_flux(loops, atom->nlocal, a, 0);
   power = r.power;
   area = r.area;
+  if (!(known_area > 0.0)) area_found = area;
   state->time_step().limit(tm_decay_time_step(r.rate), TM_DT_CONDUCTION, this);
 }
 

@@ -39,6 +39,7 @@ class FixSPHTMHeat : public Fix {
   double threshold = TM_SURFACE_THRESHOLD;
   tm_surface surface = {0.0, 0.0};
   double known_area = 0.0;    // > 0: scale the surface found to this total
+  double area_found = 0.0;    // on this rank, without the keyword area
   bool facing = false;
   int held = -1;    // number of the prescribed temperature in a step with stages of conduction
   tm_vec3 direction = {0.0, 0.0, 0.0};
@@ -55,6 +56,7 @@ class FixSPHTMHeat : public Fix {
   double set_temperature(double);
   tm_surface_flux_args flux_args();
   void add_flux();
+  void check_area();
 };
 
 }    // namespace LAMMPS_NS

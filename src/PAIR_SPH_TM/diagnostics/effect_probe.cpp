@@ -38,13 +38,13 @@ EffectProbe::EffectProbe(ParticleState &s, StepResults &r, int particles) :
   plain(force, true, 3);
   plain(heat, fx & TM_FX_CONDUCTION, 1);
   plain(xsph_v, fx & TM_FX_XSPH, 3);
-  plain(uneven, fx & TM_FX_SHIFTING, 3);
+  room(uneven, fx & TM_FX_SHIFTING, 3);
   plain(surface, fx & TM_FX_SURFACE, 3);
   room(stab, fx & TM_FX_ONE_PASS, TM_REC_STAB, 2);
-  plain(moment, fx & TM_FX_ONE_PASS, TM_MOMENT_COLUMNS);
-  plain(correction, fx & TM_FX_CORRECTION, 6);
-  plain(turn, fx & TM_FX_FACES, 3);
-  plain(face_next, fx & TM_FX_FACES, TM_FACE_COLUMNS);
+  room(moment, fx & TM_FX_ONE_PASS, TM_MOMENT_COLUMNS);
+  room(correction, fx & TM_FX_CORRECTION, 6);
+  room(turn, fx & TM_FX_FACES, 3);
+  room(face_next, fx & TM_FX_FACES, TM_FACE_COLUMNS);
   plain(artificial, results.rate_args().artificial != nullptr, 1);
 }
 

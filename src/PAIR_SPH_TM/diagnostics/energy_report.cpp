@@ -45,7 +45,7 @@ void EnergyReport::sum()
   summed_at = update->ntimestep;
   using E = EnergyBalance;
   const E &b = state.energy();
-  double mine[ENTRIES] = {};
+  double mine[SUMS] = {};
   const tm_energies e =
       PairLoops::of(state.loops()).energy_sums(state.loops(), atom->nlocal, state.arrays(), state.effects());
   mine[KINETIC] = e.kinetic;
@@ -58,7 +58,8 @@ void EnergyReport::sum()
   mine[FRICTION] = b.of(E::FRICTION);
   mine[ARTIFICIAL] = b.of(E::ARTIFICIAL);
   mine[EXTERNAL] = -(b.of(E::KINETIC_WORK) - b.of(E::INTERNAL_WORK) - b.of(E::CONTACT_WORK) + b.of(E::TOOL_WORK));
-  MPI_Allreduce(mine, now, ENTRIES, MPI_DOUBLE, MPI_SUM, world);
+  mine[EXCHANGED] = state.has(TM_FX_EXPANSION) ? b.of(E::HEAT_EXCHANGED) : 0.0;
+  MPI_Allreduce(mine, now, SUMS, MPI_DOUBLE, MPI_SUM, world);
   const double unit = state.model().units().energy;
   double total = 0.0;
   for (int k = 0; k < SUM; k++) {
@@ -67,6 +68,7 @@ void EnergyReport::sum()
   }
   now[SUM] = total;
   now[FAILURE] /= unit;
+  now[EXCHANGED] /= unit;
   unstored = now[UNEXPLAINED] / unit;
   now[UNEXPLAINED] = energy_watch.unexplained(unstored);
 }
@@ -91,7 +93,8 @@ void EnergyReport::look(Look when, bool may_stop)
   if (!state.has(TM_FX_LEDGER)) return;
   sum();
   forget();    // fixes whose turn is still to come may add to it
-  const EnergyWatch::Energies energies = {now[KINETIC], now[ARTIFICIAL], now[EXTERNAL], now[SUM], unstored};
+  const EnergyWatch::Energies energies = {now[KINETIC], now[ARTIFICIAL],
+                                          std::fabs(now[EXTERNAL]) + std::fabs(now[EXCHANGED]), now[SUM], unstored};
   if (when == FIRST) {
     energy_watch.begin(energies, least_energy());
     return;

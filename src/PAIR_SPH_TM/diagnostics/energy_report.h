@@ -18,7 +18,8 @@ class EnergyReport : protected LAMMPS_NS::Pointers {
   // clang-format off
   enum Entry {
     KINETIC, ELASTIC, PLASTIC, HEAT, CONTACT, FRICTION, ARTIFICIAL, EXTERNAL, SUM, DT, CAUSE, NEIGHBORS,
-    UNEXPLAINED, FAILURE, TORN, ENTRIES
+    UNEXPLAINED, FAILURE, TORN, ENTRIES,
+    EXCHANGED = ENTRIES, SUMS    // heat from outside: no entry
   };
   // clang-format on
   static bool is_of_balance(int entry) { return entry <= SUM || entry == UNEXPLAINED || entry == FAILURE; }
@@ -30,14 +31,14 @@ class EnergyReport : protected LAMMPS_NS::Pointers {
   void set_drift_allowed(double d) { drift_allowed = d; }    // of what went in
   // at the start of a run, every so many steps, at its end; a glance does not count
   enum Look { FIRST, REGULAR, LAST, GLANCE };
-  // warns and stops in the name of fix sph/tm; lost particles take their energies with them, and nothing stops then
+  // warns and stops in the name of fix sph/tm; lost particles take their energies with them, and then nothing may stop
   void look(Look, bool may_stop);
   EnergyWatch &watch() { return energy_watch; }
 
  private:
   ParticleState &state;
   const Scene &scene;
-  double now[ENTRIES] = {};
+  double now[SUMS] = {};
   double unstored = 0.0;    // see EnergyWatch
   double near = 0.0;        // neighbors of a particle on the mean
   LAMMPS_NS::bigint summed_at = -1, counted_at = -1;

@@ -20,7 +20,7 @@ void EnergyWatch::begin(const Energies &e, double least_)
 
 void EnergyWatch::look(const Energies &e)
 {
-  most_work = std::max(most_work, std::fabs(e.external));
+  most_work = std::max(most_work, e.external);
   into = given + most_work;
   drifted = e.sum - base;
   made = e.artificial;

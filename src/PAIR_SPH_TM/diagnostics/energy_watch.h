@@ -1,5 +1,6 @@
 /* SPH-TM: what the sum of the energies says while a run goes on: how far it has drifted, and how much of what went in
-   artificial terms have taken, both over what went in: the kinetic energy of the start and the work from outside. */
+   artificial terms have taken, both over what went in: the kinetic energy of the start, the work from outside, and where
+   heat strains bodies the heat too. */
 #ifndef SPHTM_ENERGY_WATCH_H
 #define SPHTM_ENERGY_WATCH_H
 
@@ -11,7 +12,7 @@ namespace SPHTM_NS {
 class EnergyWatch {
  public:
   struct Energies {
-    double kinetic, artificial, external, sum;    // external: minus the work of all outside
+    double kinetic, artificial, external, sum;    // external: work, and heat that strains, of all outside, without sign
     // work of the stress less what became plastic work, was lost in failure or is stored; its start is subtracted here
     double unstored;
   };
@@ -44,7 +45,7 @@ class EnergyWatch {
   bool begun = false;
   double least = 0.0;
   double base = 0.0, given = 0.0;    // sum without drift; energy given at starts
-  double most_work = 0.0;            // largest work from outside so far
+  double most_work = 0.0;            // largest of what came from outside so far
   double last_kinetic = 0.0, last_sum = 0.0;
   double base_unstored = 0.0, last_unstored = 0.0;
   double drifted = 0.0, made = 0.0, into = 0.0;

@@ -40,6 +40,7 @@ namespace {
 constexpr double DENSE = 1.17, DENSE_WARNED = 1.1, THIN = 1.09, THIN_WARNED = 1.045;
 constexpr double DENSE_OF_SIZES = 1.6, THIN_OF_SIZES = 1.4;    // where particles have sizes of their own
 constexpr double CLOSE = 0.1;                                  // of the spacing: in one place
+constexpr double BODIES_WARNED = 0.1, BODIES_STOPPED = 0.4;    // deeper than at the end of the last run, in spacings
 constexpr double CLOSE_BETWEEN_RUNS = 0.7;                     // where it was not so at the end of the last run
 }    // namespace
 
@@ -84,15 +85,23 @@ void StartChecks::check_integrators()
 {
   for (const auto &f : modify->get_fix_list()) {
     if (f == &fix || !f->time_integrate) continue;
-    bigint mine = 0, all = 0;
-    for (int i = 0; i < atom->nlocal; i++) mine += (atom->mask[i] & state.group_bit()) && (atom->mask[i] & f->groupbit);
-    MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-    if (all)
-      error->all(FLERR,
-                 "Fix {} {} also integrates {} particles of group {} that fix sph/tm {} "
-                 "integrates; remove it, or "
-                 "give the two fixes groups that share no particle",
-                 f->id, f->style, all, group->names[fix.igroup], state.id());
+    const bool whole_steps = utils::strmatch(f->style, "^nv") || utils::strmatch(f->style, "^np");
+    bigint mine[2] = {0, 0}, all[2];
+    for (int i = 0; i < atom->nlocal; i++) {
+      if (!(atom->mask[i] & f->groupbit)) continue;
+      if (atom->mask[i] & state.group_bit()) mine[0]++;
+      else mine[1] += whole_steps && model().materials()[atom->type[i]].body == TM_BODY_SOLID;
+    }
+    MPI_Allreduce(mine, all, 2, MPI_LMP_BIGINT, MPI_SUM, world);
+    if (all[0])
+      error->all(FLERR, "Fix {} {} also integrates {} particles of group {} that fix sph/tm {} integrates; remove it",
+                 f->id, f->style, all[0], group->names[fix.igroup], state.id());
+    if (all[1])
+      error->all(
+          FLERR,
+          "Fix {} {} integrates {} particles of pair style sph/tm outside of group {}; it is not made for forces "
+          "that are taken in the middle of a step: remove it, and take them into the group of fix sph/tm {}",
+          f->id, f->style, all[1], group->names[fix.igroup], state.id());
   }
 }
 
@@ -187,6 +196,8 @@ void StartChecks::remember_particles()
   last_run.mean_nearest = all[0] / std::max(all[1], 1.0);
   last_run.neighbors = all[2] / std::max(all[3], 1.0);
   last_run.mass = total_mass();
+  const double depth = state.energy().deepest_of_bodies();
+  MPI_Allreduce(&depth, &last_run.depth, 1, MPI_DOUBLE, MPI_MAX, world);
   last_run.places = places_hash();
   last_run.particles = (bigint) all[3];
 }
@@ -429,9 +440,32 @@ void StartChecks::check_temperature() const
                             T);
 }
 
+// bodies of particles in each other, more than they were at the end of the last run
+void StartChecks::check_bodies(double before)
+{
+  double depth = state.energy().deepest_of_bodies();
+  MPI_Allreduce(MPI_IN_PLACE, &depth, 1, MPI_DOUBLE, MPI_MAX, world);
+  if (!(depth > before + BODIES_WARNED)) return;
+  const std::string text = fmt::format(
+      "Pair style sph/tm: bodies in contact (pair_coeff I J contact) are {:.2g} spacings inside of each other; set them "
+      "one spacing apart",
+      depth);
+  if (depth > before + BODIES_STOPPED) error->all(FLERR, "{}", text);
+  if (comm->me == 0) error->warning(FLERR, "{}: springs push them apart with {:.3g}", text, springs());
+}
+
+double StartChecks::springs()
+{
+  const double mine = state.energy().spring() / model().units().energy;
+  double all = 0.0;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
 void StartChecks::check_start()
 {
   check_temperature();
+  check_bodies(0.0);
   const tm_nearest c = scene.results().nearest();
   check_overlap(c, CLOSE);
   check_values();
@@ -460,6 +494,7 @@ void StartChecks::check_changes()
   // flow of large strain draws particles as close as it likes
   const double flow = 0.85 * last_run.nearest / dp;
   check_overlap(c, std::min(CLOSE, flow));
+  check_bodies(last_run.depth);
   check_values();
   check_strain(c);
   if (!fresh.empty()) check_filling(true);

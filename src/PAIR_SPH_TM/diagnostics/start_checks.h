@@ -52,6 +52,7 @@ class StartChecks : protected LAMMPS_NS::Pointers {
     std::vector<double> density, bulk, shear;    // of each: reference density, elastic moduli
     double nearest = 0.0;                        // the smallest distance of two
     double mean_nearest = 0.0, neighbors = 0.0, mass = 0.0;    // means and sum over all
+    double depth = 0.0;                                        // of bodies of particles in each other
     uint64_t places = 0;
     LAMMPS_NS::bigint particles = 0;
   } last_run;
@@ -69,6 +70,8 @@ class StartChecks : protected LAMMPS_NS::Pointers {
   void check_values();
   void check_temperature() const;
   void check_overlap(const tm_nearest &, double least);
+  void check_bodies(double before);
+  double springs();
   void check_filling(bool of_fresh);
   std::string spacing_in_words(double) const;
   void judge_filling(const Filling &, double of_lattice, bool sizes);

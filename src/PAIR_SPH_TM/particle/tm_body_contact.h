@@ -85,12 +85,13 @@ typedef struct {
   tm_real damping_power, friction_power;
   tm_real heat_power; /* friction heat into the particle */
   tm_real work_power; /* of the contact force on the particle */
+  tm_real depth;      /* deepest, in spacings: no sum */
 } tm_body_contact_result;
 
 TM_FN tm_body_contact_result tm_body_contact_nothing(void)
 {
   tm_body_contact_result r;
-  r.spring = r.damping_power = r.friction_power = r.heat_power = r.work_power = 0.0;
+  r.spring = r.damping_power = r.friction_power = r.heat_power = r.work_power = r.depth = 0.0;
   return r;
 }
 TM_FN void tm_body_contact_sum(tm_body_contact_result *sum, const tm_body_contact_result *r)
@@ -100,6 +101,7 @@ TM_FN void tm_body_contact_sum(tm_body_contact_result *sum, const tm_body_contac
   sum->friction_power += r->friction_power;
   sum->heat_power += r->heat_power;
   sum->work_power += r->work_power;
+  sum->depth = tm_max(sum->depth, r->depth);
 }
 
 /* Edge of particle i. */
@@ -234,10 +236,11 @@ TM_FN void tm_body_touch_one(int i, int side, tm_vec3 vi, const tm_rates_args *a
   tm_real per_psi;
   const tm_real depth = tm_body_depth(&b->surface, o.psi, &per_psi);
   if (o.psi > 0.0) { /* it may be of the surface that one beneath it touches: then springs would move with it */
-    if (a->uneven) tm_store3(a->uneven + 3 * (ptrdiff_t) i, tm_vec(0, 0, 0));
+    if (a->uneven) tm_vec_to_row(a->uneven + tm_row(i, 3), tm_vec(0, 0, 0));
     if (a->xsph_v) tm_store3(a->xsph_v + 3 * (ptrdiff_t) i, tm_vec(0, 0, 0));
   }
   if (!(o.psi > 1.0)) return;
+  out->depth = tm_max(out->depth, depth);
   const tm_body_law *law = b->law + o.law;
   const tm_real mi = tm_main_record(&a->rec, i)[tm_part(TM_REC_M)], mass = mi * o.mass / (mi + o.mass);
   const tm_real delta = o.apart * depth, slope = o.apart * per_psi, closing = slope * o.rate;

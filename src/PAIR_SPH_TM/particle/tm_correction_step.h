@@ -48,8 +48,9 @@ TM_FN tm_face tm_turned_face(const tm_real *field, const tm_real *correction, tm
 /* Those of this force point, for the next: `next` as the rate pass leaves them; kept: tm_face_kept(). */
 TM_FN void tm_face_step(tm_real *field, const tm_real *next, tm_real kept)
 {
-  tm_vec_to_row(field + tm_column(TM_FACE_NORMAL), tm_vec_scale(kept, tm_load3(next + TM_FACE_NORMAL)));
-  tm_vec_to_row(field + tm_column(TM_FACE_TURN), tm_load3(next + TM_FACE_TURN));
+  tm_vec_to_row(field + tm_column(TM_FACE_NORMAL),
+                tm_vec_scale(kept, tm_vec_from_row(next + tm_column(TM_FACE_NORMAL))));
+  tm_vec_to_row(field + tm_column(TM_FACE_TURN), tm_vec_from_row(next + tm_column(TM_FACE_TURN)));
 }
 
 /* What a step of K needs of the last: the field as it was. */

@@ -222,8 +222,8 @@ TM_FN void tm_hourglass(int i, const tm_rates_args *a, unsigned effects)
   const int kernel = tm_fx_kernel(effects), dim3 = (effects & TM_FX_3D) != 0;
   const int sizes = (a->effects & TM_FX_SMOOTHING) != 0;
   const tm_real *own = a->rec.hourglass + (ptrdiff_t) i * TM_REC_HOURGLASS;
-  tm_real *out = a->hourglass_rate + 3 * (ptrdiff_t) i;
-  out[0] = out[1] = out[2] = 0.0;
+  tm_real *out = a->hourglass_rate + tm_row(i, 3);
+  tm_vec_to_row_in(out, tm_vec(0, 0, 0), dim3);
   if (!(own[TM_HOURGLASS_K] > 0.0)) return;
   tm_real ri[TM_REC];
   tm_fetch(a->rec.main + tm_record(i, TM_REC), TM_REC, ri);
@@ -258,9 +258,7 @@ TM_FN void tm_hourglass(int i, const tm_rates_args *a, unsigned effects)
   const tm_vec3 acceleration = tm_sum_vec_total(&s.acceleration);
   const tm_real mf = ri[TM_REC_M] * a->force_unit;
   double *f = a->force + 3 * (ptrdiff_t) i;
-  out[0] = rate.x;
-  out[1] = rate.y;
-  out[2] = rate.z;
+  tm_vec_to_row_in(out, rate, dim3);
   f[0] += mf * acceleration.x;
   f[1] += mf * acceleration.y;
   f[2] += mf * acceleration.z;

@@ -69,18 +69,19 @@ TM_FN tm_update_result tm_initial_limits(int i, const tm_update_args *a, unsigne
 {
   const tm_state *s = &a->state;
   const tm_material *m = s->material + s->type[i];
+  const int dim3 = (effects & TM_FX_3D) != 0;
   const tm_real h = tm_particle_h(s, i, a->h, effects);
   tm_update_result out = tm_update_nothing();
   out.speed2 = tm_initial_speed2(s, i);
   if (seed) tm_initial_history(i, a, effects);
-  const tm_real *moment = (effects & TM_FX_ONE_PASS) ? a->moment + (ptrdiff_t) i * TM_MOMENT_COLUMNS : NULL;
+  const tm_real *moment = (effects & TM_FX_ONE_PASS) ? a->moment + tm_row(i, TM_MOMENT_COLUMNS) : NULL;
   if (moment && m->body == TM_BODY_SOLID) {
     tm_real *row = tm_field_row(s, TM_F_CORRECTION, i);
     if (row[0] == 0.0 && (effects & TM_FX_FACES))
-      tm_face_step(tm_field_row(s, TM_F_FACE, i), a->face_next + (ptrdiff_t) i * TM_FACE_COLUMNS, 1.0);
+      tm_face_step(tm_field_row(s, TM_F_FACE, i), a->face_next + tm_row(i, TM_FACE_COLUMNS), 1.0);
     if (row[0] == 0.0)
-      tm_correction_step(row, NULL, tm_sym_load(moment), NULL, tm_mat_from_row(a->gradient + tm_row(i, 9)), 0.0, 0.0,
-                         (effects & TM_FX_3D) != 0);
+      tm_correction_step(row, NULL, tm_sym_from_row_in(moment, dim3), NULL, tm_mat_from_row(a->gradient + tm_row(i, 9)),
+                         0.0, 0.0, dim3);
   }
   if (m->body == TM_BODY_SOLID) {
     const tm_real c = tm_main_record(&a->rec, i)[tm_part(TM_REC_C)];

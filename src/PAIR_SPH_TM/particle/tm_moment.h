@@ -96,10 +96,10 @@ TM_FN void tm_moment(int i, const tm_rates_args *a, unsigned effects)
   const tm_sym3 K = tm_correction_of_loose(tm_mat_symmetric(inverse), h, &face);
   if (faces) turn = tm_vec_scale(sum > 0.0 ? face / sum : 1.0, tm_face_turn(inverse));
   const tm_sym3 P = tm_sym_from_record(tm_main_record(&a->rec, i), TM_REC_P);
-  tm_sym_store(a->correction + (ptrdiff_t) i * 6, K);
+  tm_sym_to_row(a->correction + tm_row(i, 6), K);
   const tm_mat3 PK = tm_mat_mul(tm_mat_from_sym(P), tm_mat_transposed(tm_face_matrix(K, turn)));
   if (faces) {
-    tm_store3(a->turn + 3 * (ptrdiff_t) i, turn);
+    tm_vec_to_row(a->turn + tm_row(i, 3), turn);
     tm_vec_to_record(tm_stab_record(&a->rec, i), TM_STAB_FACE, b);
   }
   if (a->rec.stab) tm_mat_to_record(tm_stab_record(&a->rec, i), TM_STAB_PK, PK);

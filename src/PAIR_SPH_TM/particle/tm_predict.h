@@ -136,11 +136,11 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
   if (effects & TM_FX_HOURGLASS) tm_predict_hourglass(i, a, dev, p, effects);
   if (effects & TM_FX_ONE_PASS) {
     const tm_sym3 K = tm_turned_correction(tm_field_row(s, TM_F_CORRECTION, i), a->dt_ahead, dim3);
-    tm_sym_store(a->correction + (ptrdiff_t) i * 6, K);
+    tm_sym_to_row(a->correction + tm_row(i, 6), K);
     if (effects & TM_FX_FACES) {
       const tm_face f =
           tm_turned_face(tm_field_row(s, TM_F_FACE, i), tm_field_row(s, TM_F_CORRECTION, i), a->dt_ahead, dim3);
-      tm_store3(a->turn + 3 * (ptrdiff_t) i, f.turn);
+      tm_vec_to_row(a->turn + tm_row(i, 3), f.turn);
       tm_vec_to_record(tm_stab_record(&a->rec, i), TM_STAB_FACE, f.normal);
       tm_mat_to_record(tm_stab_record(&a->rec, i), TM_STAB_PK,
                        tm_mat_mul(tm_mat_from_sym(P), tm_mat_transposed(tm_face_matrix(K, f.turn))));

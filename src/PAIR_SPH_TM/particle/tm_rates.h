@@ -348,26 +348,24 @@ TM_FN void tm_rates_store_stabilized(int i, const tm_rates_args *a, const tm_rat
   const tm_real per_rho = (TM_SINGLE ? 1.0 / own->r[TM_REC_M] : 1.0) / own->r[TM_REC_RHO];
   const tm_sym3 M = tm_sym_scale(per_rho, tm_sym_load(sum + TM_SUM_MOMENT));
   const tm_vec3 gd = tm_vec_scale(length, tm_load3(sum + TM_SUM_GD));
-  tm_real *moment = a->moment + (ptrdiff_t) i * TM_MOMENT_COLUMNS;
+  tm_real *moment = a->moment + tm_row(i, TM_MOMENT_COLUMNS);
   const tm_vec3 g = tm_vec_scale(per_rho / (length * length), gd); /* sum V_j gradW */
   tm_real face;
-  if (a->uneven) tm_store3(a->uneven + 3 * (ptrdiff_t) i, g);
+  if (a->uneven) tm_vec_to_row_in(a->uneven + tm_row(i, 3), g, t->dim3);
   if (a->surface_of_pass && a->surface) tm_store3(a->surface + 3 * (ptrdiff_t) i, g);
   if (t->faces) {
     tm_vec3 turn, normal;
-    tm_sym_store(moment, tm_rates_face(t, own, s, M, per_rho, g, tm_rates_h(i, a), &face, &turn, &normal));
-    tm_store3(a->face_next + (ptrdiff_t) i * TM_FACE_COLUMNS + TM_FACE_NORMAL, normal);
-    tm_store3(a->face_next + (ptrdiff_t) i * TM_FACE_COLUMNS + TM_FACE_TURN, turn);
+    tm_sym_to_row_in(moment, tm_rates_face(t, own, s, M, per_rho, g, tm_rates_h(i, a), &face, &turn, &normal), t->dim3);
+    tm_real *next = a->face_next + tm_row(i, TM_FACE_COLUMNS);
+    tm_vec_to_row(next + tm_column(TM_FACE_NORMAL), normal);
+    tm_vec_to_row(next + tm_column(TM_FACE_TURN), turn);
   } else {
     const tm_sym3 K = tm_sym_inverse_bounded(M, t->dim3, TM_MOMENT_LOW);
     face = per_rho / (length * length) * tm_vec_norm(tm_sym_mul_vec(K, gd));
-    tm_sym_store(moment, tm_correction_of_loose(K, tm_rates_h(i, a), &face));
+    tm_sym_to_row_in(moment, tm_correction_of_loose(K, tm_rates_h(i, a), &face), t->dim3);
   }
   const tm_vec3 rate = tm_residual_velocity(sum[TM_SUM_WEIGHTS], gd, tm_load3(sum + TM_SUM_GV), L);
-  tm_real *out = a->hourglass_rate + 3 * (ptrdiff_t) i;
-  out[0] = rate.x;
-  out[1] = rate.y;
-  out[2] = rate.z;
+  tm_vec_to_row_in(a->hourglass_rate + tm_row(i, 3), rate, t->dim3);
 }
 
 /* Sums of particle i, in the units of pair arithmetic, into the results. */
@@ -397,8 +395,8 @@ TM_FN void tm_rates_store(int i, const tm_rates_args *a, const tm_rates_terms *t
   }
   for (int k = 0; k < 9; k++) L[k] *= lscale;
   if (t->correction || t->one_pass) {
-    const tm_sym3 K = tm_sym_load(a->correction + (ptrdiff_t) i * 6);
-    const tm_vec3 turn = t->faces ? tm_load3(a->turn + 3 * (ptrdiff_t) i) : tm_vec(0, 0, 0);
+    const tm_sym3 K = tm_sym_from_row_in(a->correction + tm_row(i, 6), t->dim3);
+    const tm_vec3 turn = t->faces ? tm_vec_from_row(a->turn + tm_row(i, 3)) : tm_vec(0, 0, 0);
     for (int r = 0; r < 9; r += 3) {
       const tm_vec3 row = tm_vec(L[r], L[r + 1], L[r + 2]);
       tm_vec3 l = tm_sym_mul_vec(K, row); /* the transpose of K = K_s + [turn] */

@@ -16,12 +16,13 @@ TM_FN int tm_has_failed(const tm_state *s, int i)
   return s->field[TM_F_DAMAGE] && tm_field_row(s, TM_F_DAMAGE, i)[tm_column(1)] > 0.5;
 }
 
-/* Elastic energy of particle i at the end of the step. */
+/* Elastic energy of particle i at the end of the step, for the balance: its density counts with the thermal strain, whose
+   work is summed beside it (tm_update.h). */
 TM_FN tm_real tm_stored_in(int i, const tm_state *s)
 {
   const tm_material *m = s->material + s->type[i];
   if (m->body != TM_BODY_SOLID) return 0.0;
-  return tm_particle_mass(s, i) * tm_stored_energy(m, *tm_field_row(s, TM_F_RHO, i),
+  return tm_particle_mass(s, i) * tm_stored_energy(m, *tm_field_row(s, TM_F_RHO, i), 1.0,
                                                    tm_sym_from_row(tm_field_row(s, TM_F_STRESS, i)),
                                                    tm_has_failed(s, i));
 }
@@ -72,8 +73,10 @@ TM_FN tm_tally_result tm_tally(int i, const tm_tally_args *a, unsigned effects)
     const tm_sym3 sigma = tm_sym_scale((effects & TM_FX_FORM_F14) ? 1.0 : rho * rho, tm_sym_from_record(r, TM_REC_P));
     const tm_real per_lz = (effects & TM_FX_PLANE_STRESS) ? 1.0 / *tm_field_row(&a->state, TM_F_THICKNESS, i) : 1.0;
     const tm_sym3 s = tm_sym_scale(per_lz, tm_sym_deviator(sigma));
-    out.value[0] =
-        r[tm_part(TM_REC_M)] * a->to_energy * tm_stored_energy(m, rho * per_lz, s, tm_has_failed(&a->state, i));
+    const tm_real T = (effects & TM_FX_EXPANSION) ? tm_heat_record(&a->rec, i)[tm_part(TM_REC_T)] : 0.0;
+    out.value[0] = r[tm_part(TM_REC_M)] * a->to_energy *
+                   tm_stored_energy(m, rho * per_lz, tm_particle_growth(&a->state, i, m, T, effects), s,
+                                    tm_has_failed(&a->state, i));
     tm_sym_store(out.value + 1, tm_sym_scale(-volume * a->to_energy, sigma));
   }
   if (a->per_particle)

@@ -216,7 +216,7 @@ TM_FN tm_real tm_update_shift(int i, const tm_update_args *a, const tm_point *q,
   const tm_state *s = &a->state;
   if (!(q->d_eps > 0.0 && eps_p > TM_SHIFT_DRAWN_BEGINS)) return v2;
   if (!(s->mask[i] & a->group) || s->mask[i] & a->held) return v2;
-  const tm_vec3 g = tm_load3(a->uneven + 3 * (ptrdiff_t) i);
+  const tm_vec3 g = tm_vec_from_row_in(a->uneven + tm_row(i, 3), dim3);
   const tm_vec3 dx =
       tm_shift(g, tm_shift_along(L, g, dim3), h, eps_p, q->d_eps, tm_tension_share(q->yield, q->p), sound * a->dt);
   double *x = s->x + 3 * (ptrdiff_t) i;
@@ -266,7 +266,7 @@ TM_FN void tm_update_gradients(int i, const tm_update_args *a, const tm_update_r
     tm_correction_step(tm_field_row(s, TM_F_CORRECTION, i), &in->last, in->K, &in->predicted, in->L,
                        0.5 * a->dt + in->last.since, 0.5 * a->dt, (effects & TM_FX_3D) != 0);
   if (effects & TM_FX_FACES)
-    tm_face_step(tm_field_row(s, TM_F_FACE, i), a->face_next + (ptrdiff_t) i * TM_FACE_COLUMNS,
+    tm_face_step(tm_field_row(s, TM_F_FACE, i), a->face_next + tm_row(i, TM_FACE_COLUMNS),
                  tm_face_kept(in->eps_p + (m->shear > 0.0 ? tm_sym_mises(in->s) / (3.0 * m->shear) : 0.0)));
 }
 
@@ -305,11 +305,12 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     const int failed = dmg && dmg[tm_column(1)] > 0.5;
     const tm_real T_half = (effects & TM_FX_EXPANSION) ? tm_predict_value(tm_field_row(s, TM_F_TEMP, i), w) : T;
     const tm_real growth = tm_particle_growth(s, i, m, T_half, effects);
+    const tm_real growth_end = tm_particle_growth(s, i, m, T + 2.0 * (T_half - T), effects);
 
     /* in plane stress what has failed keeps its thickness: with no deviator a free one would leave no pressure */
     if (lz)
       L.zz = failed ? 0.0
-                    : tm_plane_stress_rate(m, in.rho, rho_half, s0, s_half, L, energy, growth, eps_p, T, a->dt,
+                    : tm_plane_stress_rate(m, in.rho, rho_half, s0, s_half, L, energy, growth_end, eps_p, T, a->dt,
                                            pl != NULL);
     /* of the force point: work of the stress that acted, per mass, sigma(n+1/2) : L; stiffness of hourglass control */
     const tm_real p_half = tm_eos_pressure(m, growth * rho_half, energy);
@@ -364,7 +365,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       out.plastic_heat = (effects & TM_FX_HEAT) ? m->taylor_quinney * mass * plastic : 0.0;
       out.stress_work = mass * work;
       if (dmg && !failed && dmg[tm_column(1)] > 0.5)
-        out.failure = mass * (tm_stored_energy(m, q.rho, q.s, 0) - tm_stored_energy(m, q.rho, q.s, 1));
+        out.failure = mass * (tm_stored_energy(m, q.rho, 1.0, q.s, 0) - tm_stored_energy(m, q.rho, 1.0, q.s, 1));
       if (effects & (TM_FX_ENERGY | TM_FX_EXPANSION))
         out.thermal_pressure =
             -mass * a->dt / rho_half * tm_mat_trace(L) *

@@ -155,14 +155,13 @@ TM_FN tm_update_read tm_update_read_of(int i, const tm_update_args *a, int solid
   if (effects & TM_FX_PLASTICITY) r.eps_p = tm_field_row(s, TM_F_PSTRAIN, i)[0];
   if (a->artificial) r.artificial = a->artificial[i];
   if (effects & TM_FX_ONE_PASS) {
-    const tm_real *moment = a->moment + (ptrdiff_t) i * TM_MOMENT_COLUMNS;
     r.last = tm_correction_last_of(tm_field_row(s, TM_F_CORRECTION, i), dim3);
-    r.K = tm_sym_load(moment);
-    r.predicted = tm_sym_load(a->correction + (ptrdiff_t) i * 6);
+    r.K = tm_sym_from_row_in(a->moment + tm_row(i, TM_MOMENT_COLUMNS), dim3);
+    r.predicted = tm_sym_from_row_in(a->correction + tm_row(i, 6), dim3);
   }
   if (effects & TM_FX_HOURGLASS) {
     r.u = tm_vec_from_row_in(tm_field_row(s, TM_F_HOURGLASS, i) + tm_column(TM_G_U), dim3);
-    r.u_rate = tm_load3(a->hourglass_rate + 3 * (ptrdiff_t) i);
+    r.u_rate = tm_vec_from_row_in(a->hourglass_rate + tm_row(i, 3), dim3);
   }
   return r;
 }

@@ -1,7 +1,8 @@
 /* SPH-TM: elastic energy per mass, a function of the state: what the deviator s and the density store,
 
-     psi = s : s/(4 G rho) + integral of p(rho, e = 0)/rho^2 drho from rho0
+     psi = s : s/(4 G rho) + integral of p(rho, e = 0)/rho^2 drho from rho0 to g rho
 
+   with the growth g of the volume by heat, which makes no stress (tm_thermoelastic.h).
    The rate of the stress, tm_deviator_rate(), integrates to the first term. What a shock
    equation of state adds to the pressure with the internal energy, Gamma0 rho0 e, is no function of the density; its
    work is summed in tm_update.h. */
@@ -33,11 +34,11 @@ TM_FN tm_real tm_pressure_energy(const tm_material *m, tm_real rho)
 }
 
 /* psi; failed material bears compression alone. */
-TM_FN tm_real tm_stored_energy(const tm_material *m, tm_real rho, tm_sym3 s, int failed)
+TM_FN tm_real tm_stored_energy(const tm_material *m, tm_real rho, tm_real growth, tm_sym3 s, int failed)
 {
   const tm_real shape =
       failed || m->strength == TM_STRENGTH_NONE || !(m->shear > 0.0) ? 0.0 : tm_sym_ddot(s, s) / (4.0 * m->shear * rho);
-  return shape + (failed && rho < m->rho0 ? 0.0 : tm_pressure_energy(m, rho));
+  return shape + (failed && growth * rho < m->rho0 ? 0.0 : tm_pressure_energy(m, growth * rho));
 }
 
 #endif

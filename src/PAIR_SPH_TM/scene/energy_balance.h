@@ -6,6 +6,8 @@
 #include "tm_body_contact.h"
 #include "tm_update.h"
 
+#include <algorithm>
+
 namespace SPHTM_NS {
 
 class EnergyBalance {
@@ -52,6 +54,7 @@ class EnergyBalance {
     add(FRICTION, dt * (r.friction_power - r.heat_power));
     add(FRICTION_HEAT, dt * r.heat_power);
     add(CONTACT_WORK, dt * r.work_power);
+    deepest = std::max(deepest, r.depth);
   }
   // The sum of the balance stays: what motion and stress lose in a split or merge is artificial, or heat
   void add_remap(double kinetic, double elastic, double heat)
@@ -66,8 +69,10 @@ class EnergyBalance {
 
   // energy stored in contact springs in this step
   double spring() const { return contact_spring; }
-  void begin_step() { contact_spring = 0.0; }
+  void begin_step() { contact_spring = deepest = 0.0; }
   void add_spring(double energy) { contact_spring += energy; }
+  // how deep bodies of particles are in each other in this step, in spacings
+  double deepest_of_bodies() const { return deepest; }
 
   // of restart files
   const double *values() const { return sum; }
@@ -79,6 +84,7 @@ class EnergyBalance {
  private:
   double sum[TERMS] = {};
   double contact_spring = 0.0;
+  double deepest = 0.0;
   long remaps = 0;
 };
 

@@ -22,9 +22,12 @@ StepResults::StepResults(LAMMPS *lmp, Backend &where, Model &m) :
   rec_stress.live_in(where, TM_REC_STRESS, 2);
   rec_stab.live_in(where, TM_REC_STAB, 2);
   gradient.live_in(where, 9);
-  for (auto *a :
-       {&rec_heat, &rec_correction, &rec_size, &rec_hourglass, &heat, &correction, &xsph_v, &uneven, &hourglass_rate,
-        &moment, &turn, &face_next, &surface, &artificial, &near_count, &tally, &sides, &ahead, &force_internal})
+  correction.live_in(where, 6);
+  moment.live_in(where, TM_MOMENT_COLUMNS);
+  face_next.live_in(where, TM_FACE_COLUMNS);
+  for (auto *a : {&uneven, &hourglass_rate, &turn}) a->live_in(where, 3);
+  for (auto *a : {&rec_heat, &rec_correction, &rec_size, &rec_hourglass, &heat, &xsph_v, &surface, &artificial,
+                  &near_count, &tally, &sides, &ahead, &force_internal})
     a->live_in(where);
   single_main.live_in(where, TM_REC, 4);
   single_more.live_in(where, TM_MORE, 4);
