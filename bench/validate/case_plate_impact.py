@@ -25,7 +25,7 @@ create_atoms    1 region plates
 region          left block -10e-3 0 INF INF INF INF units box
 group           left region left
 pair_style      sph/tm hyperbolic 1.2 spacing ${dx} ${options}
-pair_coeff      * * density 2703 elastic 69e9 0.33 eos shock 5350 1.34 2.0 strength linear 276e6 645e6
+pair_coeff      * * density 2703 elastic 69e9 0.33 eos shock 5350 1.34 2.0 strength plastic 276e6 645e6
 fix             body all sph/tm energy yes
 velocity        left set 400 0 0 units box
 compute         p all sph/tm/atom stress/xx vonmises pstrain

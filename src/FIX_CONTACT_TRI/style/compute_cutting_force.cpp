@@ -58,7 +58,11 @@ void ComputeCuttingForce::compute_vector()
 {
   invoked_vector = update->ntimestep;
   FixContactTri *t = tool();
-  const tm_vec3 F = tm_load3(t->tool_force()), v = t->tool_velocity();
+  double of[ContactResults::FRICTION_POWER];    // force, torque, point of the torque
+  for (int n = 0; n < ContactResults::FRICTION_POWER; n++) of[n] = t->compute_vector(n);
+  const tm_vec3 F = tm_load3(of + ContactResults::FORCE), torque = tm_load3(of + ContactResults::TORQUE);
+  const tm_pose pose = t->tool_pose();
+  const tm_vec3 v = pose.velocity;
   const double speed = tm_vec_norm(v);
   tm_vec3 u = tm_load3(direction);
   if (!direction_given && speed > 0.0) u = tm_vec_scale(1.0 / speed, v);
@@ -69,7 +73,8 @@ void ComputeCuttingForce::compute_vector()
   vector[1] = tm_vec_dot(F, n) / width;
   vector[2] = tm_vec_dot(F, tm_vec_cross(u, n)) / width;
   vector[3] = tm_vec_norm(F) / width;
-  vector[4] = t->tool_power();
+  vector[4] = -tm_vec_dot(F, tm_pose_velocity_at(&pose, tm_load3(of + ContactResults::REFERENCE))) -
+              tm_vec_dot(torque, pose.omega);
 }
 
 double ComputeCuttingForce::compute_scalar()

@@ -386,16 +386,6 @@ const double *FixContactTri::results_now()
   return results.over_ranks(world, model->units(), spacing);
 }
 
-// minus the force times the velocity and the torque times the turning of the tool
-double FixContactTri::tool_power()
-{
-  const double *now = results_now();
-  const tm_pose p = motion.pose_now();
-  const tm_vec3 v = tm_pose_velocity_at(&p, tm_pose_to_world(&p, reference));
-  return -tm_vec_dot(tm_load3(now + ContactResults::FORCE), v) -
-         tm_vec_dot(tm_load3(now + ContactResults::TORQUE), p.omega);
-}
-
 double FixContactTri::compute_vector(int n)
 {
   if (n < ContactResults::REFERENCE || n >= ContactResults::FRICTION_POWER) return results_now()[n];

@@ -52,10 +52,8 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   void restart(char *) override;
   double memory_usage() override;
 
-  // for compute cutting/force: force on the tool and its velocity now, and the power that its motion gives, in the unit style
-  const double *tool_force() { return results_now() + SPHTM_NS::ContactResults::FORCE; }
-  tm_vec3 tool_velocity() const { return motion.pose_now().velocity; }
-  double tool_power();
+  // for compute cutting/force: where the tool is and how it moves now
+  tm_pose tool_pose() const { return motion.pose_now(); }
 
  protected:
   const SPHTM_NS::ContactSettings set;

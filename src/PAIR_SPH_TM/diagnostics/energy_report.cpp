@@ -88,7 +88,7 @@ double EnergyReport::least_energy()
   return LEAST * all / state.model().units().energy;
 }
 
-void EnergyReport::look(Look when, bool may_stop)
+void EnergyReport::look(Look when, bool lost)
 {
   if (!state.has(TM_FX_LEDGER)) return;
   sum();
@@ -104,7 +104,11 @@ void EnergyReport::look(Look when, bool may_stop)
   energy_watch.count(when == LAST);
   for (std::string text = energy_watch.warning(); !text.empty(); text = energy_watch.warning())
     if (comm->me == 0) error->warning(FLERR, "Fix sph/tm {}: at step {} {}", state.id(), update->ntimestep, text);
-  if (energy_watch.stops(drift_allowed) && may_stop)
+  if (!energy_watch.stops(drift_allowed)) return;
+  const int mine = lost;
+  int some = 0;
+  MPI_Allreduce(&mine, &some, 1, MPI_INT, MPI_MAX, world);
+  if (!some)
     error->all(FLERR,
                "Fix sph/tm {} stops at step {}: the sum of the energies has drifted by {:+.3g} % "
                "of the {:.6g} that "

@@ -31,8 +31,9 @@ class EnergyReport : protected LAMMPS_NS::Pointers {
   void set_drift_allowed(double d) { drift_allowed = d; }    // of what went in
   // at the start of a run, every so many steps, at its end; a glance does not count
   enum Look { FIRST, REGULAR, LAST, GLANCE };
-  // warns and stops in the name of fix sph/tm; lost particles take their energies with them, and then nothing may stop
-  void look(Look, bool may_stop);
+  // warns and stops in the name of fix sph/tm; lost: particles of this rank have left the box, with their energies, and
+  // nothing stops
+  void look(Look, bool lost);
   EnergyWatch &watch() { return energy_watch; }
 
  private:

@@ -137,7 +137,7 @@ void FixSPHTM::setup(int)
 // x(n+1/2), and the prediction of the pair style
 void FixSPHTM::initial_integrate(int)
 {
-  if (!looked) energies.look(EnergyReport::FIRST, false);    // tools and other fixes are set up by now
+  if (!looked) energies.look(EnergyReport::FIRST, some_lost);    // tools and other fixes are set up by now
   looked = true;
   table.start_clock();
   if (state.active().due(update->ntimestep)) next_reneighbor = update->ntimestep;
@@ -166,16 +166,6 @@ bool FixSPHTM::check_lost(double gone)
   drifted = 0;
   some_lost = some_lost || some;
   return some;
-}
-
-// have particles left the box, with their energies?
-bool FixSPHTM::lost_some() const
-{
-  if (stop_on_lost) return false;
-  const int mine = some_lost;
-  int all = 0;
-  MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MAX, world);
-  return all != 0;
 }
 
 void FixSPHTM::pre_exchange() { check_lost(); }
@@ -213,14 +203,14 @@ void FixSPHTM::final_integrate()
 
 void FixSPHTM::end_of_step()
 {
-  energies.look(EnergyReport::REGULAR, !lost_some());
+  energies.look(EnergyReport::REGULAR, some_lost);
   fracture.look(force->pair_match("^sph/tm", 0));
 }
 
 void FixSPHTM::post_run()
 {
   start.remember_particles();
-  if (looked) energies.look(table.steps() >= nevery ? EnergyReport::LAST : EnergyReport::GLANCE, !lost_some());
+  if (looked) energies.look(table.steps() >= nevery ? EnergyReport::LAST : EnergyReport::GLANCE, some_lost);
   table.print(energies.watch(), fracture.in_words());
   scene->neighbor_check().end_run();
 }

@@ -63,7 +63,6 @@ class FixSPHTM : public Fix, public SPHTM_NS::StepOwner {
  protected:
   FixSPHTM(class LAMMPS *, int, char **, SPHTM_NS::Backend &, std::unique_ptr<SPHTM_NS::AtomArrays>);
   bool check_lost(double gone = 0.0);    // whether there is a particle that LAMMPS deletes in the exchange that follows
-  bool lost_some() const;                // with *lost ignore*, on any rank; collective
   std::shared_ptr<SPHTM_NS::Scene> scene;
   SPHTM_NS::ParticleState state;
 
