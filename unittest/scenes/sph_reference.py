@@ -129,7 +129,11 @@ class Body(Rates):
             T, e, growth = self.T[i], q["e"][i], q["growth"][i]
             p_half = m.pressure(growth * rho_half[i], e)
 
-            def end(lzz):
+            # at n+1 the temperature has gone on as to the half step
+            warm = 2 * q["T"][i] - T
+            growth_end = m.growth(warm, self.unstrained[i]) if self.expands else 1.0
+
+            def end(lzz, growth=growth):
                 G = L[i].copy()
                 G[2, 2] += lzz
                 rho = self.rho[i] - dt * rho_half[i] * np.trace(G)
@@ -147,7 +151,7 @@ class Body(Rates):
                 lzz = None
                 while lzz != 0.5 * (lo + hi):
                     lzz = 0.5 * (lo + hi)
-                    _, _, s, _, _, p = end(lzz)
+                    _, _, s, _, _, p = end(lzz, growth_end)
                     lo, hi = (lzz, hi) if s[2, 2] - p < 0 else (lo, lzz)
             G, rho, s, d_eps, y, p = end(lzz)
             if self.failed[i]:

@@ -96,6 +96,7 @@ def bodies(row, law="contact"):
 
 fine("bodies that touch", bodies(8.5))
 warned("bodies 0.2 spacings inside of each other", bodies(8.3), S, "bodies in contact", "inside of each other", "push")
-for row in 8.0, 7.6, 5.5, 5.25:
+warned("bodies half a spacing inside of each other", bodies(8.0), S, "bodies in contact", "inside of each other", "push")
+for row in 7.8, 7.6, 5.5, 5.25:
     wrong("bodies inside of each other, first row at %g" % row, bodies(row), "Pair style sph/tm", "bodies in contact", "one spacing apart")
 run_all()

@@ -38,10 +38,10 @@ namespace {
 // lattice sum of the masses over its value on the lattice, and spacing over that of the masses: beyond the first the
 // run stops, beyond the second it warns
 constexpr double DENSE = 1.17, DENSE_WARNED = 1.1, THIN = 1.09, THIN_WARNED = 1.045;
-constexpr double DENSE_OF_SIZES = 1.6, THIN_OF_SIZES = 1.4;     // where particles have sizes of their own
-constexpr double CLOSE = 0.1;                                   // of the spacing: in one place
-constexpr double BODIES_WARNED = 0.1, BODIES_STOPPED = 0.45;    // deeper than at the end of the last run, in spacings
-constexpr double CLOSE_BETWEEN_RUNS = 0.7;                      // where it was not so at the end of the last run
+constexpr double DENSE_OF_SIZES = 1.6, THIN_OF_SIZES = 1.4;    // where particles have sizes of their own
+constexpr double CLOSE = 0.1;                                  // of the spacing: in one place
+constexpr double BODIES_WARNED = 0.1, BODIES_STOPPED = 0.6;    // deeper than at the end of the last run, in spacings
+constexpr double CLOSE_BETWEEN_RUNS = 0.7;                     // where it was not so at the end of the last run
 }    // namespace
 
 /* ---------------------------------------------------------------------- other fixes and commands */
