@@ -91,6 +91,10 @@ double EnergyReport::least_energy()
 void EnergyReport::look(Look when, bool lost)
 {
   if (!state.has(TM_FX_LEDGER)) return;
+  const int mine = lost;
+  int some = 0;
+  MPI_Allreduce(&mine, &some, 1, MPI_INT, MPI_MAX, world);
+  if (some) energy_watch.lose();
   sum();
   forget();    // fixes whose turn is still to come may add to it
   const EnergyWatch::Energies energies = {now[KINETIC], now[ARTIFICIAL],
@@ -104,11 +108,7 @@ void EnergyReport::look(Look when, bool lost)
   energy_watch.count(when == LAST);
   for (std::string text = energy_watch.warning(); !text.empty(); text = energy_watch.warning())
     if (comm->me == 0) error->warning(FLERR, "Fix sph/tm {}: at step {} {}", state.id(), update->ntimestep, text);
-  if (!energy_watch.stops(drift_allowed)) return;
-  const int mine = lost;
-  int some = 0;
-  MPI_Allreduce(&mine, &some, 1, MPI_INT, MPI_MAX, world);
-  if (!some)
+  if (energy_watch.stops(drift_allowed))
     error->all(FLERR,
                "Fix sph/tm {} stops at step {}: the sum of the energies has drifted by {:+.3g} % "
                "of the {:.6g} that "

@@ -39,7 +39,7 @@ void EnergyWatch::count(bool last)
 bool EnergyWatch::stops(double drift_allowed)
 {
   beyond = says() && std::fabs(drift()) > drift_allowed ? beyond + 1 : 0;
-  return beyond >= STOPPING || (beyond && drifting == LASTING);
+  return !lost && (beyond >= STOPPING || (beyond && drifting == LASTING));
 }
 
 std::string EnergyWatch::in_words() const
@@ -67,10 +67,12 @@ std::string EnergyWatch::warning()
   return "";
 }
 
+// 2 more in the place of said_drift: particles were lost
 std::vector<double> EnergyWatch::state() const
 {
-  return {(double) begun,           base,          given,        most_work, last_kinetic, last_sum, (double) said_drift,
-          (double) said_artificial, base_unstored, last_unstored};
+  return {
+      (double) begun,           base,          given,        most_work, last_kinetic, last_sum, said_drift + 2.0 * lost,
+      (double) said_artificial, base_unstored, last_unstored};
 }
 
 void EnergyWatch::restore(const double *v)
@@ -81,7 +83,8 @@ void EnergyWatch::restore(const double *v)
   most_work = v[3];
   last_kinetic = v[4];
   last_sum = v[5];
-  said_drift = v[6] != 0.0;
+  said_drift = v[6] == 1.0 || v[6] == 3.0;
+  lost = v[6] >= 2.0;
   said_artificial = v[7] != 0.0;
   base_unstored = v[8];
   last_unstored = v[9];

@@ -33,7 +33,9 @@ class EnergyWatch {
   double went_in() const { return into; }
   // a warning that is due, each once, or ""
   std::string warning();
-  bool stops(double drift_allowed);    // asked once after each count
+  bool
+  stops(double drift_allowed);    // asked once after each count; never where particles have left with their energies
+  void lose() { lost = true; }
   std::string in_words() const;
 
   // of restart files
@@ -49,7 +51,7 @@ class EnergyWatch {
   double last_kinetic = 0.0, last_sum = 0.0;
   double base_unstored = 0.0, last_unstored = 0.0;
   double drifted = 0.0, made = 0.0, into = 0.0;
-  bool said_drift = false, said_artificial = false;
+  bool said_drift = false, said_artificial = false, lost = false;
   int drifting = 0, making = 0, beyond = 0;    // looks in a row
 };
 
