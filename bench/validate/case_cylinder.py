@@ -1,6 +1,6 @@
 """A cylinder of perfectly plastic metal, as high as it is wide, upset to half of its height between plates with friction. Forces are over
 F = Y A (1 + 2 mu R/(3 h)), with A h the volume and A = pi R^2: exact without friction, and the slab method's estimate with it. With friction a cylinder as high
-as this barrels, and its side folds onto the plates, which that leaves out: there the reference is rigid_plastic.py, with 12, 24 and 48 squares.
+as this barrels, and its side folds onto the plates, which that leaves out: there the reference is rigid_plastic.py, with 24 and 48 squares.
 
 What was chosen: Y = 400 MPa, plates at 10 m/s each; the default and kept pairs. Means over 2 % of the height about each reduction."""
 import os
