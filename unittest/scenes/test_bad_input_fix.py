@@ -116,6 +116,8 @@ wrong("fix dt/reset", {"more": "fix 2 all dt/reset 10 NULL NULL 1e-5"}, "Fix 2 d
 wrong("pair_modify compute no", {"more": "pair_modify compute no"}, F, "pair_modify compute yes")
 wrong("a dynamic group", {"fix": "variable fast atom vx>0\ngroup quick dynamic all var fast\nfix body quick sph/tm"},
       F, "dynamic group")
+warned("nve beside an empty group", {"fix": "group none empty\nfix body none sph/tm", "more": "fix 2 all nve"}, "Fix 2 nve",
+       "64 particles", "outside of group none")
 warned("degrees Celsius", dict(coeff(JC + HEAT), **fix("temperature 20")), F, "20 K", "kelvin")
 warned("no particles", {"work": "region work block 1 2 1 2 INF INF units box"}, F, "no particles")
 warned("an empty group", {"fix": "group nobody empty\nfix body nobody sph/tm"}, F, "group nobody is empty")

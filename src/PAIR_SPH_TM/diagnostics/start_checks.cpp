@@ -93,12 +93,13 @@ void StartChecks::check_integrators()
     if (all[0])
       error->all(FLERR, "Fix {} {} also integrates {} particles of group {} that fix sph/tm {} integrates; remove it",
                  f->id, f->style, all[0], group->names[fix.igroup], state.id());
-    if (all[1])
-      error->all(
-          FLERR,
-          "Fix {} {} integrates {} particles of pair style sph/tm outside of group {}; it is not made for forces "
-          "that are taken in the middle of a step: remove it, and take them into the group of fix sph/tm {}",
-          f->id, f->style, all[1], group->names[fix.igroup], state.id());
+    if (!all[1]) continue;
+    const std::string what = fmt::format(
+        "Fix {} {} integrates {} particles of pair style sph/tm outside of group {}; it is not made for forces "
+        "that are taken in the middle of a step: remove it, and take them into the group of fix sph/tm {}",
+        f->id, f->style, all[1], group->names[fix.igroup], state.id());
+    if (group->count(fix.igroup)) error->all(FLERR, what);
+    if (comm->me == 0) error->warning(FLERR, what);    // an empty group: forces alone are asked for
   }
 }
 
