@@ -18,8 +18,8 @@ static void check_viscosity(void)
     for (int i = 0; i < 2; i++) {
       const int j = 1 - i;
       const tm_vec3 dx = tm_vec_sub(x[i], x[j]), dv = tm_vec_sub(v[i], v[j]);
-      pi[i] = tm_viscosity_pair(1.2, 2.1, 0.7, tm_vec_dot(dv, dx), tm_vec_dot(dx, dx), tm_vec_norm(dx),
-                                0.5 * (c[i] + c[j]), rho[i] + rho[j], &inv_r, &inv_rho_sum);
+      pi[i] = tm_viscosity_pair(2.1, 0.7, tm_vec_dot(dv, dx), tm_vec_dot(dx, dx), tm_vec_norm(dx),
+                                1.2 * 0.5 * (c[i] + c[j]), rho[i] + rho[j], &inv_r, &inv_rho_sum);
     }
     UT_TRUE(pi[0] == pi[1]);
     const tm_vec3 dx = tm_vec_sub(x[0], x[1]), dv = tm_vec_sub(v[0], v[1]);

@@ -45,7 +45,7 @@ static void make(int dimension, int side, double noise)
         tm_real *s = stab + n * TM_REC_STAB, *g = hourglass + n * TM_REC_HOURGLASS;
         for (int d = 0; d < 3; d++) g[d] = s[TM_STAB_W + d] = d < dim ? ut_random(-0.1, 0.1) : 0.0;
         g[TM_HOURGLASS_K] = s[TM_STAB_K] = ut_random(1, 3);
-        s[TM_STAB_C] = rec(n)[TM_REC_C] = sqrt(s[TM_STAB_K] / rho);
+        s[TM_STAB_C] = 0.5 * (rec(n)[TM_REC_C] = sqrt(s[TM_STAB_K] / rho));
       }
   memset(&args, 0, sizeof args);
   args.rec.main = main_;

@@ -178,7 +178,7 @@ POINT(artificial)
 {
   (void) m;
   tm_pair inv_r, inv_rho_sum;
-  out[0] = tm_viscosity_pair(in[0], in[1], 1.2, in[2], in[3], sqrt(in[3]), in[4], 2.0 * in[5], &inv_r, &inv_rho_sum);
+  out[0] = tm_viscosity_pair(in[1], 1.2, in[2], in[3], sqrt(in[3]), in[0] * in[4], 2.0 * in[5], &inv_r, &inv_rho_sum);
   out[1] = tm_balsara(in[2], in[4], 40, 1.2);
   out[2] = tm_xsph_pair(in[0], in[5], in[3]);
   out[3] = tm_power_int(in[3], 4) + tm_power_int(in[3], 11);

@@ -39,6 +39,16 @@ class Rates:
             q["sigma"] = sigma * self.lz[:, None, None]
         return q
 
+    def shock_alpha(self, ahead, alpha):
+        """Linear viscosity of each particle: that in shocks comes with compression that is fast for what the metal bears."""
+        flows = np.array([m.strength[0] != "elastic" for m in self.mat])
+        if not (self.shock and self.one_pass and not self.faces and ahead and self.old):
+            return np.full(self.n, alpha)
+        c, rho = self.q["c"], self.q.get("rho3", self.q["rho"])
+        rise = 10 * np.maximum(self.old[0]["rho"] / rho, 0) * self.own_h / c
+        Z = rise / np.maximum(self.flow / (rho * c ** 2), 5e-4)
+        return np.maximum(alpha, np.where(flows, self.shock * Z ** 4 / (1 + Z ** 4), 0.0))
+
     def contact(self, out, touch, r, d, vij, dt):
         """Two bodies: F15 (9)-(16) of each particle against the smooth surface psi of the other body, from both sides
         with half of the stiffness; DFAC = 1 is critical damping of the reduced mass; friction takes 1.5 times the sliding
@@ -309,8 +319,8 @@ class Rates:
         alpha, beta = self.viscosity
         vx = np.sum(vij * d, axis=2)
         mu = np.where(vx < 0, h * vx / (r ** 2 + 0.01 * h ** 2), 0.0)
-        c_mean, rho_mean = 0.5 * (q["c"][:, None] + q["c"][None]), 0.5 * (rho[:, None] + rho[None])
-        pi = (-alpha * c_mean * mu + beta * mu ** 2) / rho_mean
+        ac, rho_mean = self.shock_alpha(ahead, alpha) * q["c"], 0.5 * (rho[:, None] + rho[None])
+        pi = (-0.5 * (ac[:, None] + ac[None]) * mu + beta * mu ** 2) / rho_mean
         if self.balsara:
             pi = pi * 0.5 * (self.switch[:, None] + self.switch[None])
         art -= pi[..., None] * gm

@@ -19,11 +19,14 @@ class Body(Rates):
     """viscosity, artstress, correction, hourglass (a number or "auto"): None takes the default of the pair style, which
     with tensile (stabilize artstress), with an artificial stress and with the form F14 is that of Fraser 2014."""
 
-    def __init__(self, dim, x, v, kind, materials, box, kernel, h, spacing, viscosity=None, artstress=None,
+    def __init__(self, dim, x, v, kind, materials, box, kernel, h, spacing, viscosity=None, artstress=None, shock=None,
                  component=False, xsph=0.0, form="f15", correction=None, balsara=False, plane_stress=False,
                  temperature=293.15, heat=False, meets=None, load=(0.0, 0.0, 0.0), balanced=False, follow=None,
                  every=1, hourglass=None, tensile=False, expands=False, compression=False, dissipation=None):
         tensile = tensile or form == "f14" or bool(artstress and artstress[0] > 0)
+        self.shock = shock
+        if shock is None:
+            self.shock = 0.0 if tensile or viscosity else 1.0
         viscosity = viscosity or ((1.0, 1.0) if tensile else (0.0, 1.0))
         artstress = artstress or ((0.3, 4) if tensile else (0.0, 4))
         correction = not tensile if correction is None else correction
@@ -49,7 +52,7 @@ class Body(Rates):
             m.start = float(temperature) if compression else None
         self.eps, self.eps_rate, self.e, self.D = np.zeros(n), np.zeros(n), np.zeros(n), np.zeros(n)
         self.shifted = []
-        self.failed = np.zeros(n, bool)
+        self.failed, self.flow = np.zeros(n, bool), np.zeros(n)    # flow: stress, of the last step
         self.lz = np.ones(n)
         self.switch, self.u = np.ones(n), np.zeros((n, 3))
         self.w, self.w_rate = np.zeros((n, 3)), np.zeros((n, 3))    # of hourglass control: displacement and its last rate
@@ -186,6 +189,7 @@ class Body(Rates):
                 way = shift(o["face"][i], G, self.dim, self.own_h[i], self.eps[i], d_eps, y, p, q["c"][i] * dt)
                 x[i] += way
                 self.shifted += [self.eps[i]] if np.any(way) else []    # the plastic strain at which it was
+            self.flow[i] = y
             self.eps[i] += d_eps
             self.eps_rate[i] = d_eps / dt
             self.lz[i] += dt * self.lz[i] * lzz

@@ -46,16 +46,15 @@ checks.above("6 particles: a neck, local strain", d.pstrain, 0.9)
 checks.above("6 particles: particles that have failed by damage", d.failed, 1)
 checks.true("6 particles: which is no numerical fracture", d.torn == 0 and "numerical fracture: none" in d.result.output, "%g" % d.torn)
 
-for rows, curve, parts in (6, 0.03, 0.14), (8, 0.03, 0.05):    # over finite elements: the stress, the strain at half of it
-    d = drawn(rows, 0.25, adapt="threshold inf")
-    name = "kept, %d particles: " % rows
-    same(name, d, 7, 0.003)
-    checks.below(name + "stress at a strain of 0.15", abs(d.off[0.15]), curve)
-    checks.near(name + "half of it", d.half or 1.0, HALF, relative=parts)
-    checks.near(name + "strain of the first failure", d.first or 1.0, HALF, relative=parts)
-    checks.above(name + "a neck, local strain", d.pstrain, 0.9)
-    checks.above(name + "failed by damage, over a cross section", d.failed / rows ** 2, 1.0)
-    checks.true(name + "which is no numerical fracture", d.torn == 0 and "numerical fracture: none" in d.result.output, "%g" % d.torn)
-    checks.below(name + "broken, and goes on: stress at the end over the largest", abs(d.last), 0.2)
-    checks.below(name + "drift of the energy sum over the work", abs(d.t["f_body[9]"][-1] - d.t["f_body[9]"][0]) / abs(d.t["f_body[8]"]).max(), 0.001)
+d = drawn(8, 0.25, adapt="threshold inf")    # with 4 and 6: case_weldox.py
+name = "kept, 8 particles: "
+same(name, d, 7, 0.003)
+checks.below(name + "stress at a strain of 0.15", abs(d.off[0.15]), 0.03)
+checks.near(name + "half of it", d.half or 1.0, HALF, relative=0.05)
+checks.near(name + "strain of the first failure", d.first or 1.0, HALF, relative=0.05)
+checks.above(name + "a neck, local strain", d.pstrain, 0.9)
+checks.above(name + "failed by damage, over a cross section", d.failed / 64, 1.0)
+checks.true(name + "which is no numerical fracture", d.torn == 0 and "numerical fracture: none" in d.result.output, "%g" % d.torn)
+checks.below(name + "broken, and goes on: stress at the end over the largest", abs(d.last), 0.2)
+checks.below(name + "drift of the energy sum over the work", abs(d.t["f_body[9]"][-1] - d.t["f_body[9]"][0]) / abs(d.t["f_body[8]"]).max(), 0.001)
 checks.end()

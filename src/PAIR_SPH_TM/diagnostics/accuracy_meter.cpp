@@ -185,6 +185,9 @@ void AccuracyMeter::audit(const InUse &in_use)
   const int members = (int) p.member.size(), n = p.centers;
 
   // records of what is not in use, and of sizes as they should be
+  const double alpha = absent & TM_FX_VISCOSITY ? VISCOSITY_DEFAULT : model.settings_in_use().visc_alpha;
+  if ((absent & TM_FX_VISCOSITY) && (used & TM_FX_ONE_PASS) && !(used & TM_FX_FACES))
+    for (int k = 0; k < members; k++) p.stab[k * TM_REC_STAB + TM_STAB_C] = alpha * p.main[k * TM_REC + TM_REC_C];
   tm_records rec = p.records(), sized;
   std::vector<double> K, turn, stress, sizes;
   p.correction.clear();
@@ -220,7 +223,7 @@ void AccuracyMeter::audit(const InUse &in_use)
   // other corrections than those in use, of second order where faces are off and of linear order where they are on
   AuditSurroundings::Stabilized other;
   if (((used | absent) & TM_FX_FACES) && (used & TM_FX_ONE_PASS))
-    other = AuditSurroundings::stabilized(p, around, (absent & TM_FX_FACES) != 0);
+    other = AuditSurroundings::stabilized(p, around, (absent & TM_FX_FACES) != 0, alpha);
   auto take = [&](int cause, tm_records records, unsigned effects) {
     const bool others = ((effects ^ used) & TM_FX_FACES) != 0;
     if (others) records.stab = other.stab.data();

@@ -151,7 +151,7 @@ std::vector<AuditSurroundings::Around> AuditSurroundings::of_members(AuditSearch
 }
 
 AuditSurroundings::Stabilized AuditSurroundings::stabilized(const AuditPatch &p, const std::vector<Around> &around,
-                                                            bool faces)
+                                                            bool faces, double alpha)
 {
   Stabilized s;
   s.stab = p.stab;
@@ -160,7 +160,7 @@ AuditSurroundings::Stabilized AuditSurroundings::stabilized(const AuditPatch &p,
     double *record = s.stab.data() + k * TM_REC_STAB;
     std::copy_n(c.PK, (int) TM_REC_CORRECTION, record + TM_STAB_PK);
     if (faces) std::copy_n(c.normal, 3, record + TM_STAB_FACE);
-    else record[TM_STAB_C] = p.main[k * TM_REC + TM_REC_C];
+    else record[TM_STAB_C] = alpha * p.main[k * TM_REC + TM_REC_C];
     if (k >= (size_t) p.centers) continue;
     s.K.insert(s.K.end(), c.K, c.K + 6);
     s.turn.insert(s.turn.end(), c.turn, c.turn + 3);

@@ -32,7 +32,7 @@ class AuditSurroundings : protected LAMMPS_NS::Pointers {
   AuditSurroundings(LAMMPS_NS::LAMMPS *, ParticleState &, const Scene &);
   std::vector<Around> of_members(AuditSearch &, const AuditPatch &, unsigned effects);
   // of second order at faces, or of linear order
-  static Stabilized stabilized(const AuditPatch &, const std::vector<Around> &, bool faces);
+  static Stabilized stabilized(const AuditPatch &, const std::vector<Around> &, bool faces, double alpha);
 
   double moments = 0.0;    // processor time of the corrections of one particle, summed over the audits
 

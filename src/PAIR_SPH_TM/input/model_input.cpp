@@ -43,7 +43,8 @@ Settings read_settings(LAMMPS *lmp, int narg, char **arg)
                "and 4, got {}",
                arg[1]);
 
-  bool viscosity = false, artstress = false, hourglass = false, correction = false, tensile = false;    // given
+  bool viscosity = false, shock = false, artstress = false, hourglass = false, correction = false,
+       tensile = false;    // given
   Keywords k(lmp, "Pair style sph/tm", narg - 2, arg + 2);
   while (k.next()) {
     if (k.is("spacing")) {
@@ -63,6 +64,9 @@ Settings read_settings(LAMMPS *lmp, int narg, char **arg)
       viscosity = true;
       set.visc_alpha = k.not_negative("alpha");
       set.visc_beta = k.not_negative("beta");
+    } else if (k.is("shock")) {
+      shock = true;
+      set.shock = k.share("alpha");
     } else if (k.is("balsara")) set.balsara = k.yes();
     else if (k.is("artstress")) {
       k.need(2);
@@ -92,7 +96,7 @@ Settings read_settings(LAMMPS *lmp, int narg, char **arg)
     else if (k.is("precision")) set.mixed = k.second("double", "mixed");
     else
       error->all(FLERR,
-                 "Unknown pair style sph/tm keyword {}: known are spacing, viscosity, "
+                 "Unknown pair style sph/tm keyword {}: known are spacing, viscosity, shock, "
                  "balsara, stabilize, artstress, hourglass, xsph, form, correction, plane, precision",
                  k.name());
   }
@@ -102,6 +106,14 @@ Settings read_settings(LAMMPS *lmp, int narg, char **arg)
   if (tensile && !artstress) set.art_eps = 0.3;
   if (tensile && !hourglass) set.hourglass = 0.0;
   if (tensile && !correction) set.correction = false;
+  const bool one_pass = set.correction && set.hourglass != 0.0 && set.art_eps == 0.0;
+  if (shock && set.shock > 0.0 && !(one_pass && set.faces != FACES_ALWAYS))
+    error->all(
+        FLERR,
+        "Pair style sph/tm shock {:.8g} needs hourglass control and gradient correction without artificial stress, as "
+        "they are by default, and no correction second; else give viscosity a first value",
+        set.shock);
+  if ((viscosity && !shock) || !one_pass || set.faces == FACES_ALWAYS) set.shock = shock ? set.shock : 0.0;
   if (set.spacing <= 0.0) error->all(FLERR, "Pair style sph/tm needs the keyword spacing with the particle spacing");
   if (set.correction && set.form_f14) error->all(FLERR, "Pair style sph/tm correction yes needs form f15");
   set.h = set.ratio * set.spacing;

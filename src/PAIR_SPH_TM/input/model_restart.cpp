@@ -170,7 +170,7 @@ std::vector<std::string> changes(const Settings &then, const Settings &now)
   // clang-format off
   static const struct { const char *name; double S::*value; } numbers[] = {
       {"ratio", &S::ratio}, {"spacing", &S::spacing}, {"viscosity alpha", &S::visc_alpha},
-      {"viscosity beta", &S::visc_beta}, {"artstress", &S::art_eps}, {"xsph", &S::xsph}, {"hourglass", &S::hourglass}};
+      {"viscosity beta", &S::visc_beta}, {"shock", &S::shock}, {"artstress", &S::art_eps}, {"xsph", &S::xsph}, {"hourglass", &S::hourglass}};
   static const struct { const char *name; bool S::*value; } flags[] = {
       {"artstress component", &S::art_component}, {"artstress balanced", &S::art_balanced}, {"form f14", &S::form_f14},
       {"balsara", &S::balsara}, {"plane stress", &S::plane_stress},

@@ -11,6 +11,7 @@
 #include "tm_eos.h"
 #include "tm_heat.h"
 #include "tm_hourglass.h"
+#include "tm_shock.h"
 #include "tm_single.h"
 #include "tm_size.h"
 #include "tm_state.h"
@@ -23,17 +24,18 @@
 typedef struct {
   tm_state state;
   tm_records rec;
-  tm_real dt_ahead;         /* time from the state to the force point: dt/2, or 0 at set-up */
-  tm_real art_eps;          /* artificial stress epsilon, 0..1 */
-  const tm_real *gradient;  /* tm_gradient_table, with particles of their own size */
-  int art_component;        /* nonzero: F14 (18) per component instead of principal axes */
-  const tm_real *share;     /* tm_tensile_table where the artificial stress is balanced, else NULL */
-  tm_real hourglass;        /* xi of hourglass control, below 0: from the stress */
-  tm_real h;                /* smallest smoothing length: the time of damping by hourglass control is that over c */
-  tm_real *correction;      /* 6, K at the force point, with one pass */
-  tm_real *turn;            /* 3, its antisymmetric part, with TM_FX_FACES */
-  tm_real ratio;            /* h over spacing, of particles without a size of their own */
-  tm_records_single single; /* the record is rounded into these too, where there is a main one */
+  tm_real dt_ahead;          /* time from the state to the force point: dt/2, or 0 at set-up */
+  tm_real art_eps;           /* artificial stress epsilon, 0..1 */
+  const tm_real *gradient;   /* tm_gradient_table, with particles of their own size */
+  int art_component;         /* nonzero: F14 (18) per component instead of principal axes */
+  const tm_real *share;      /* tm_tensile_table where the artificial stress is balanced, else NULL */
+  tm_real hourglass;         /* xi of hourglass control, below 0: from the stress */
+  tm_real visc_alpha, shock; /* linear viscosity: its least coefficient, and that in shocks */
+  tm_real h;                 /* smallest smoothing length: the time of damping by hourglass control is that over c */
+  tm_real *correction;       /* 6, K at the force point, with one pass */
+  tm_real *turn;             /* 3, its antisymmetric part, with TM_FX_FACES */
+  tm_real ratio;             /* h over spacing, of particles without a size of their own */
+  tm_records_single single;  /* the record is rounded into these too, where there is a main one */
 } tm_predict_args;
 
 /* Velocity of particle i at the force point. */
@@ -70,7 +72,6 @@ TM_FN void tm_predict_hourglass(int i, const tm_predict_args *a, tm_sym3 dev, tm
     out[tm_part(TM_STAB_W + 1)] = W.y;
     out[tm_part(TM_STAB_W + 2)] = W.z;
     out[tm_part(TM_STAB_K)] = k;
-    if (!(effects & TM_FX_FACES)) out[tm_part(TM_STAB_C)] = c;
   } else {
     tm_real *out = a->rec.hourglass + (ptrdiff_t) i * TM_REC_HOURGLASS;
     out[0] = W.x;
@@ -78,6 +79,19 @@ TM_FN void tm_predict_hourglass(int i, const tm_predict_args *a, tm_sym3 dev, tm
     out[2] = W.z;
     out[TM_HOURGLASS_K] = k;
   }
+}
+
+/* alpha c of the linear viscosity, the shock switch of tm_shock.h in it, but not at the set-up, which knows no rates or those of
+   another set-up; h1: rates of the last step, rho: density now, k: rho c^2. */
+TM_FN tm_real tm_predict_viscous_speed(int i, const tm_predict_args *a, const tm_real *h1, tm_real rho, tm_real k,
+                                       tm_real c, unsigned effects)
+{
+  if (!(k > 0.0)) return 0.0;
+  const int elastic = a->state.material[a->state.type[i]].strength == TM_STRENGTH_ELASTIC;
+  if (elastic || !(a->dt_ahead > 0.0)) return a->visc_alpha * c;
+  const tm_real yield = (effects & TM_FX_PLASTICITY) ? tm_field_row(&a->state, TM_F_PSTRAIN, i)[tm_column(2)] : 0.0;
+  return c * tm_shock_alpha(a->visc_alpha, a->shock, h1[tm_column(TM_H_RHO)] / rho,
+                            tm_particle_h(&a->state, i, a->h, effects), c, yield / k);
 }
 
 /* The record of particle i, all but the artificial stress. */
@@ -134,6 +148,8 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
     tm_size_record(tm_field_row(s, TM_F_SIZE, i), r[tm_part(TM_REC_M)] / rho_sum, a->gradient, tm_fx_kernel(effects),
                    dim3, a->rec.size + (ptrdiff_t) i * TM_REC_SIZE);
   if (effects & TM_FX_HOURGLASS) tm_predict_hourglass(i, a, dev, p, effects);
+  if ((effects & TM_FX_ONE_PASS) && !(effects & TM_FX_FACES))
+    tm_stab_record(&a->rec, i)[tm_part(TM_STAB_C)] = tm_predict_viscous_speed(i, a, h1, rho, rho * c * c, c, effects);
   if (effects & TM_FX_ONE_PASS) {
     const tm_sym3 K = tm_turned_correction(tm_field_row(s, TM_F_CORRECTION, i), a->dt_ahead, dim3);
     tm_sym_to_row(a->correction + tm_row(i, 6), K);

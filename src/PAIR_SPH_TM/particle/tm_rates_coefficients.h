@@ -21,8 +21,8 @@ enum {
   TM_COL_CONDUCTED,                         /* power per volume into i */
   TM_COL_PER_RHO,                           /* 1/rho_j */
   TM_COL_SMOOTH,                            /* m_j/rho_mean W */
-  TM_COL_SOUND,                             /* sound speed, with one pass in the extended instantiation or with faces */
-  TM_COL_Q,                                 /* r/h, and W'/r: of loops that test effects at run time */
+  TM_COL_SOUND, /* as in tm_rates_own, with one pass in the extended instantiation or with faces */
+  TM_COL_Q,     /* r/h, and W'/r: of loops that test effects at run time */
   TM_COL_G,
   TM_COLUMNS
 };
@@ -66,9 +66,9 @@ typedef struct {
   tm_pair stress[TM_MORE]; /* artificial stress */
   tm_pair correction[TM_REC_CORRECTION];
   tm_pair stab[TM_REC_STAB];
-  tm_pair T, k; /* temperature, conductivity */
-  tm_pair inv_rho, sound;
-  tm_pair mass, density; /* in single, where weights are symmetric; else 1 */
+  tm_pair T, k;                         /* temperature, conductivity */
+  tm_pair inv_rho, sound, sound_factor; /* alpha c of a pair is sound_factor times the sum of both sounds */
+  tm_pair mass, density;                /* in single, where weights are symmetric; else 1 */
   tm_pair visc_alpha, visc_beta, norm_of_one;
   int art_n;
 } tm_rates_own;
@@ -113,7 +113,11 @@ TM_FN void tm_rates_load(int i, const tm_rates_args *a, const tm_rates_terms *t,
              tm_rates_stab_fetched(t) - TM_STAB_LATE, own->stab + TM_STAB_LATE);
   own->visc_alpha = !t->viscosity ? 0 : TM_SINGLE ? (tm_pair) a->single.visc_alpha : (tm_pair) a->visc_alpha;
   own->visc_beta = !t->viscosity ? 0 : TM_SINGLE ? (tm_pair) a->single.visc_beta : (tm_pair) a->visc_beta;
-  own->sound = t->faces ? tm_rates_sound(own, own->stab[TM_STAB_K], own->r[TM_REC_RHO]) : own->r[TM_REC_C];
+  /* one rounding of the product, so that both particles have the same bits where products are fused with sums */
+  own->sound_factor = TM_PAIR(0.5) * (t->one_pass && !t->faces ? 1 : own->visc_alpha);
+  own->sound = t->faces      ? tm_rates_sound(own, own->stab[TM_STAB_K], own->r[TM_REC_RHO])
+               : t->one_pass ? own->stab[TM_STAB_C]
+                             : own->r[TM_REC_C];
   own->norm_of_one = (tm_pair) a->norm_of_one;
   own->art_n = a->art_n;
 }
@@ -166,8 +170,8 @@ TM_FN void tm_rates_coefficients(const tm_chunk *c, const tm_rates_terms *t, con
   if (t->viscosity) {
     const tm_pair vx = own->r[4] - col[4][tm_at(l)], vy = own->r[5] - col[5][tm_at(l)];
     const tm_pair vz = t->dim3 ? own->r[6] - col[6][tm_at(l)] : 0;
-    const tm_pair pi = tm_viscosity_pair(own->visc_alpha, own->visc_beta, p.h, vx * dx + vy * dy + vz * dz, r2, r,
-                                         TM_PAIR(0.5) * (own->sound + c_of[tm_at(l)]), own->r[TM_REC_RHO] + rhoj,
+    const tm_pair pi = tm_viscosity_pair(own->visc_beta, p.h, vx * dx + vy * dy + vz * dz, r2, r,
+                                         own->sound_factor * (own->sound + c_of[tm_at(l)]), own->r[TM_REC_RHO] + rhoj,
                                          &inv_r, &inv_rho_sum);
     const tm_pair shear =
         t->balsara && !t->extended ? TM_PAIR(0.5) * (own->r[TM_REC_BALSARA] + col[TM_REC_BALSARA][tm_at(l)]) : 1;

@@ -33,8 +33,8 @@ enum { TM_SIZE_INV_H = 0, TM_SIZE_FACTOR = 1, TM_SIZE_TENSILE = 2, TM_SIZE_DP = 
 enum { TM_HOURGLASS_K = 3, TM_REC_HOURGLASS = 4 };
 
 /* With both in the rate pass (TM_FX_ONE_PASS): P K row major, the displacement of hourglass control with the share of its
-   rate that damps, rho c^2, longitudinal sound speed; the rest is not used. With TM_FX_FACES P K^T, and b of tm_face.h in
-   place of the sound speed. */
+   rate that damps, rho c^2, alpha c of the linear viscosity; the rest is not used. With TM_FX_FACES P K^T, and b of tm_face.h in
+   place of alpha c. */
 enum { TM_STAB_PK = 0, TM_STAB_W = 9, TM_STAB_K = 12, TM_STAB_C = 13, TM_STAB_USED = 14, TM_REC_STAB = 16 };
 enum { TM_STAB_FACE = 13 };
 enum { TM_STAB_FETCHED = TM_SINGLE ? (int) TM_REC_STAB : (int) TM_STAB_USED }; /* columns that come together */

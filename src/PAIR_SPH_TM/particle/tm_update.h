@@ -58,7 +58,8 @@ TM_FN tm_real tm_plane_stress_rate(const tm_material *m, tm_real rho, tm_real rh
                                    int plastic)
 {
   const tm_real stiff = dt * (m->bulk + 4.0 / 3.0 * m->shear);
-  const tm_real tol = 1e-10 * m->young * 1e-3;
+  const tm_real tol =
+      1e-15 * m->young; /* of strain: rates of small strains want it, and another turn squares the error */
   tm_real l0 = -(L.xx + L.yy) * m->poisson / (1.0 - m->poisson), f0, l1, f1;
   L.zz = l0;
   tm_point q = tm_constitutive(m, rho, rho_half, s, s_half, L, e, growth, eps_p, T, dt, plastic);

@@ -2,7 +2,8 @@
 
    Viscosity (Monaghan 1992; the Pi of F14 (6), (15), added to -sigma/rho^2):
      Pi_ij = (-alpha c mu + beta mu^2)/rho,  mu = h v_ij.x_ij/(r^2 + 0.01 h^2)
-   for approaching pairs (v_ij.x_ij < 0), 0 otherwise. c and rho are means of the pair.
+   for approaching pairs (v_ij.x_ij < 0), 0 otherwise. alpha c and rho are means of the pair; alpha is one of all particles,
+   or rises in shocks (tm_shock.h).
    Balsara 1995: factor |div v|/(|div v| + |curl v| + 1e-4 c/h) keeps it out of shear.
 
    Artificial stress, F14 (15)-(18): the pair gets (R_i + R_j) f^n, f = W(r)/W(dp).
@@ -20,15 +21,16 @@
 /* r^2 + 0.01 h^2, in the denominator of mu */
 TM_FN tm_pair tm_viscosity_soft2(tm_pair h, tm_pair r2) { return r2 + TM_PAIR(0.01) * h * h; }
 
-/* [hot] Pi_ij, and 1/r and 1/rho_sum with the same division. vx = v_ij.x_ij, r2 = r^2, rho_sum = rho_i + rho_j, h > 0, r > 0. */
-TM_FN tm_pair tm_viscosity_pair(tm_pair alpha, tm_pair beta, tm_pair h, tm_pair vx, tm_pair r2, tm_pair r,
-                                tm_pair c_mean, tm_pair rho_sum, tm_pair *inv_r, tm_pair *inv_rho_sum)
+/* [hot] Pi_ij, and 1/r and 1/rho_sum with the same division. vx = v_ij.x_ij, r2 = r^2, alpha_c the mean of alpha c,
+   rho_sum = rho_i + rho_j, h > 0, r > 0. */
+TM_FN tm_pair tm_viscosity_pair(tm_pair beta, tm_pair h, tm_pair vx, tm_pair r2, tm_pair r, tm_pair alpha_c,
+                                tm_pair rho_sum, tm_pair *inv_r, tm_pair *inv_rho_sum)
 {
   const tm_pair soft2 = tm_viscosity_soft2(h, r2), inv = tm_pair_inverse(r2 * (soft2 * rho_sum));
   const tm_pair mu = h * tm_pair_min(vx, 0) * (r2 * rho_sum * inv);
   *inv_r = r * (soft2 * rho_sum) * inv;
   *inv_rho_sum = r2 * soft2 * inv;
-  return (beta * mu - alpha * c_mean) * mu * (2 * (r2 * soft2) * inv);
+  return (beta * mu - alpha_c) * mu * (2 * (r2 * soft2) * inv);
 }
 
 /* Pi_ij W'/r of a pair whose distance, densities and sound speeds stay as they were at one time,

@@ -1,0 +1,75 @@
+"""The shock switch of the linear viscosity: behind a shock between two plates of hardening aluminum stress, deviator and plastic strain
+are those of the jump conditions (bench/validate/case_plate_impact.py) with the default, and with slow flow the switch stays off: a block
+that is pressed slowly has the same forces, and no more work of artificial terms, as without it."""
+import os
+import sys
+
+from sphtm_scene import SOURCE, Checks, run
+
+sys.path.insert(0, os.path.join(SOURCE, "bench", "validate"))
+import case_plate_impact as impact                                                        # noqa: E402
+
+checks = Checks()
+
+
+def behind(options):
+    r = run(impact.SCRIPT, {"dx": 1e-4, "options": options})
+    found = impact.measure(r, {"dx": 1e-4})
+    errors = [found[q][0] / k - 1 for q, k in zip(impact.COMPARED, impact.behind())]
+    print("%-16s longitudinal stress %+.2f %%, von Mises stress %+.1f %%, plastic strain %+.1f %%, work of artificial terms %.3f"
+          % (options or "default", *(100 * e for e in errors), found["artificial share"][0]))
+    return errors, found["artificial share"][0]
+
+
+default, share = behind("")
+for name, e, most in zip(impact.COMPARED, default, (0.003, 0.11, 0.03)):
+    checks.below("default: " + name, abs(e), most)
+without, little = behind("shock 0")
+for name, e, least in zip(impact.COMPARED, without, (0.01, 0.6, 0.15)):
+    checks.above("fails without the switch: " + name, abs(e), least)
+given, _ = behind("viscosity 0 1")
+checks.true("a viscosity on the line is that alone", given == without, "%s, %s" % (given, without))
+half, _ = behind("viscosity 0 1 shock 0.5")
+checks.true("half of it is between", default[2] < half[2] < without[2] and abs(default[1]) < abs(half[1]) < abs(without[1]), str(half))
+
+# compression at 20 m/s over 10 mm of the same metal, by a tenth
+PRESS = """
+units           si
+dimension       2
+boundary        f f p
+atom_style      atomic
+newton          off
+lattice         sq 2.5e-4 origin 0.5 0.5 0
+region          box block -2e-3 12e-3 -2e-3 7e-3 $(-0.5*2.5e-4) $(0.5*2.5e-4) units box
+create_box      1 box
+region          work block 0 10e-3 0 5e-3 INF INF units box
+create_atoms    1 region work
+pair_style      sph/tm hyperbolic 1.2 spacing 2.5e-4 ${options}
+pair_coeff      * * density 2703 elastic 69e9 0.33 strength plastic 276e6 645e6
+fix             body all sph/tm energy yes
+region          left block INF 1e-3 INF INF INF INF units box
+region          right block 9e-3 INF INF INF INF INF units box
+group           left region left
+group           right region right
+variable        v equal 10*(1-exp(-time/5e-6))
+variable        w equal -v_v
+fix             l left sph/tm/drive v_v NULL NULL
+fix             r right sph/tm/drive v_w NULL NULL
+thermo_style    custom step time f_body[1] f_body[7] f_body[8] f_body[9]
+thermo          100
+variable        over equal time-5e-5
+fix             end all halt 1 v_over >= 0 error continue message no
+run             100000
+"""
+
+
+def pressed(options):
+    t = run(PRESS, {"options": options}).thermo[-1]
+    return t["f_body[7]"][-1] / t["f_body[8]"][-1], t["f_body[8]"][-1]
+
+
+(on, work), (off, same) = pressed(""), pressed("shock 0")
+print("pressed by a tenth at 20 m/s: artificial share %.5f, without %.5f; work %.6g, %.6g" % (on, off, work, same))
+checks.near("pressed: work", work, same, relative=0.002)
+checks.below("pressed: artificial share above that without the switch", on - off, 0.001)
+checks.end()
