@@ -88,7 +88,7 @@ TM_FN tm_real tm_predict_viscous_speed(int i, const tm_predict_args *a, const tm
 {
   if (!(k > 0.0)) return 0.0;
   const int elastic = a->state.material[a->state.type[i]].strength == TM_STRENGTH_ELASTIC;
-  if (elastic || !(a->dt_ahead > 0.0)) return a->visc_alpha * c;
+  if (!(a->shock > 0.0 && a->dt_ahead > 0.0) || elastic) return a->visc_alpha * c;
   const tm_real yield = (effects & TM_FX_PLASTICITY) ? tm_field_row(&a->state, TM_F_PSTRAIN, i)[tm_column(2)] : 0.0;
   return c * tm_shock_alpha(a->visc_alpha, a->shock, h1[tm_column(TM_H_RHO)] / rho,
                             tm_particle_h(&a->state, i, a->h, effects), c, yield / k);
