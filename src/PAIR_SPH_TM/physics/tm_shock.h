@@ -8,7 +8,8 @@
 
    Z is 1 where the longitudinal stress rises by a tenth of the flow stress in the time that sound takes for h. A shock that
    makes metal flow passes in 2 to 4 of these times, so Z is far above 1 there, and also behind it where particles ring by more
-   than that tenth. In metal that is cut or forged the density changes far more slowly. Without a flow stress TM_SHOCK_LEAST
+   than that tenth. In metal that is cut or forged the density changes far more slowly; but particles that flow fast move against
+   each other by as much, so the foot of a Taylor bar gets 3 to 6 % too small: hence an option. Without a flow stress TM_SHOCK_LEAST
    rho c^2 takes its place; what is elastic has no switch, since ringing leaves nothing behind there.
 
    Own construction; a coefficient for each particle that rises in shocks is that of Morris and Monaghan 1997 (doi
