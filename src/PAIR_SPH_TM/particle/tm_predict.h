@@ -115,9 +115,12 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
   const tm_real lz = (effects & TM_FX_PLANE_STRESS) ? *tm_field_row(s, TM_F_THICKNESS, i) : 1.0;
   const tm_real rho_sum = rho * lz;
   const tm_real scale = (effects & TM_FX_FORM_F14) ? lz : lz / (rho_sum * rho_sum);
+  const tm_sym3 K = (effects & TM_FX_ONE_PASS)
+                        ? tm_turned_correction(tm_field_row(s, TM_F_CORRECTION, i), a->dt_ahead, dim3)
+                        : tm_sym(1, 1, 1, 0, 0, 0);
   /* not at the set-up, which knows no rates or those of another set-up */
   const tm_real q = tm_shocked(i, s, m->body == TM_BODY_SOLID ? a->shock : 0.0, h1[tm_column(TM_H_RHO)], rho, c,
-                               tm_particle_h(s, i, a->h, effects), 2.0 * a->dt_ahead, effects);
+                               tm_particle_h(s, i, a->h, effects), 2.0 * a->dt_ahead, K, effects);
   const tm_sym3 sigma = tm_sym_add_iso(dev, -p - q);
   tm_sym3 P = tm_sym_scale(scale, sigma);
   if (s->field[TM_F_LAYER]) /* not thicker in plane stress: the force is that on the whole thickness */
@@ -142,7 +145,6 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
   if ((effects & TM_FX_ONE_PASS) && !(effects & TM_FX_FACES))
     tm_stab_record(&a->rec, i)[tm_part(TM_STAB_C)] = a->visc_alpha * c;
   if (effects & TM_FX_ONE_PASS) {
-    const tm_sym3 K = tm_turned_correction(tm_field_row(s, TM_F_CORRECTION, i), a->dt_ahead, dim3);
     tm_sym_to_row(a->correction + tm_row(i, 6), K);
     if (effects & TM_FX_FACES) {
       const tm_face f =

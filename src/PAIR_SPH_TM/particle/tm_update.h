@@ -182,7 +182,8 @@ TM_FN tm_real tm_update_artificial(int i, const tm_update_args *a, const tm_upda
 {
   if (!a->artificial) return 0.0;
   tm_real power = in->artificial;
-  const tm_real q = tm_shocked(i, &a->state, a->shock, in->rate[TM_H_RHO], rho, in->sound, h, a->dt, effects);
+  const tm_real q =
+      tm_shocked(i, &a->state, a->shock, in->rate[TM_H_RHO], rho, in->sound, h, a->dt, in->predicted, effects);
   power -= in->rec_mass / rho * q * tm_mat_trace(L);
   if ((effects & TM_FX_ARTSTRESS) && a->share) {
     const tm_real *r = tm_main_record(&a->rec, i), *R = tm_stress_record(&a->rec, i);
