@@ -40,24 +40,22 @@ class Rates:
             q["sigma"] = sigma * self.lz[:, None, None]
         return q
 
-    def stretch(self, ahead):
-        """Size of the corrections: the root of the mean square in the axes of space."""
-        if not self.one_pass:
-            return np.full(self.n, 1.6 if self.correction else 1.0)
-        K = self.turned_moments(None, None, ahead)[:, :self.dim, :self.dim]
-        return np.sqrt(np.sum(K ** 2, axis=(1, 2)) / self.dim)
+    def inside(self, ahead):
+        """1 where the correction is 1, falling to 0 where it is off by 0.3."""
+        K = self.turned_moments(None, None, ahead)[:, :self.dim, :self.dim] - np.eye(self.dim)
+        return np.maximum(1 - np.sum(K ** 2, axis=(1, 2)) / self.dim / 0.3 ** 2, 0)
 
     def shock_pressure(self, ahead, rho, c):
-        """Bulk viscosity: compression that is fast for what the metal bears, bounded by what a rate bears that is a step old."""
-        if not (self.shock and ahead and self.old) or self.plane_stress:
+        """Bulk viscosity inside a body: compression that is fast for what the metal bears, bounded by what a rate bears that is a
+        step old."""
+        if not (self.shock and self.one_pass and ahead and self.old) or self.plane_stress:
             return np.zeros(self.n)
         flows = np.array([m.strength[0] != "elastic" for m in self.mat])
         squeezed = np.maximum(self.old[0]["rho"] / rho, 0) * self.own_h / c
         Z = 10 * squeezed / np.maximum(self.flow / (rho * c ** 2), 5e-4)
-        fast = 1.7 * self.stretch(ahead)    # of the shortest waves, in h/c
-        turn = fast * c * 2 * ahead / self.own_h
-        bound = 0.85 * np.maximum(1 - turn, 0) / (fast * turn)
-        return np.where(flows, np.minimum(self.shock * Z ** 2 / (1 + Z ** 2), bound) * rho * c ** 2 * squeezed, 0.0)
+        turn = 1.7 * c * 2 * ahead / self.own_h    # of the shortest waves in a step
+        b = np.minimum(self.shock * Z ** 2 / (1 + Z ** 2), 0.85 * np.maximum(1 - turn, 0) / (1.7 * turn))
+        return np.where(flows, self.inside(ahead) * b * rho * c ** 2 * squeezed, 0.0)
 
     def contact(self, out, touch, r, d, vij, dt):
         """Two bodies: F15 (9)-(16) of each particle against the smooth surface psi of the other body, from both sides

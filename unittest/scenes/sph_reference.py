@@ -19,12 +19,12 @@ class Body(Rates):
     """viscosity, artstress, correction, hourglass (a number or "auto"): None takes the default of the pair style, which
     with tensile (stabilize artstress), with an artificial stress and with the form F14 is that of Fraser 2014."""
 
-    def __init__(self, dim, x, v, kind, materials, box, kernel, h, spacing, viscosity=None, artstress=None, shock=None,
+    def __init__(self, dim, x, v, kind, materials, box, kernel, h, spacing, viscosity=None, artstress=None, shock=0.0,
                  component=False, xsph=0.0, form="f15", correction=None, balsara=False, plane_stress=False,
                  temperature=293.15, heat=False, meets=None, load=(0.0, 0.0, 0.0), balanced=False, follow=None,
                  every=1, hourglass=None, tensile=False, expands=False, compression=False, dissipation=None):
         tensile = tensile or form == "f14" or bool(artstress and artstress[0] > 0)
-        self.shock = (0.0 if tensile else 0.6) if shock is None else shock
+        self.shock = shock
         viscosity = viscosity or ((1.0, 1.0) if tensile else (0.0, 1.0))
         artstress = artstress or ((0.3, 4) if tensile else (0.0, 4))
         correction = not tensile if correction is None else correction

@@ -21,8 +21,10 @@ wrong("unknown pair_style keyword", style("hyperbolic 1.2 spacing 1e-3 viscous 1
 wrong("viscosity with one value", style("hyperbolic 1.2 spacing 1e-3 viscosity 1"), S, "viscosity", "2 values")
 wrong("negative viscosity", style("hyperbolic 1.2 spacing 1e-3 viscosity -1 1"), S, "viscosity alpha", "-1", ">= 0")
 wrong("shock above 1", style("hyperbolic 1.2 spacing 1e-3 shock 1.5"), S, "shock", "1.5")
-wrong("shock in plane stress", style("hyperbolic 1.2 spacing 1e-3 plane stress shock 0.5"), S, "shock 0.5", "plane stress")
-wrong("negative shock", style("hyperbolic 1.2 spacing 1e-3 shock -0.1"), S, "shock", "-0.1")
+wrong("shock with artificial stress", style("hyperbolic 1.2 spacing 1e-3 shock 1 stabilize artstress"), S, "shock 1", "artificial stress",
+      "viscosity")
+wrong("shock without hourglass control", style("hyperbolic 1.2 spacing 1e-3 shock 0.5 hourglass 0"), S, "shock 0.5", "hourglass")
+wrong("shock with correction second", style("hyperbolic 1.2 spacing 1e-3 correction second shock 1"), S, "shock 1", "correction second")
 wrong("viscosity beta nan", style("hyperbolic 1.2 spacing 1e-3 viscosity 1 nan"), S, "viscosity beta", "nan")
 wrong("artstress 2", style("hyperbolic 1.2 spacing 1e-3 artstress 2 4"), S, "artstress", "0 to 1", "2")
 wrong("artstress exponent 0", style("hyperbolic 1.2 spacing 1e-3 artstress 0.3 0"), S, "artstress exponent", "1 to 8",
