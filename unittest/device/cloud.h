@@ -154,7 +154,7 @@ TM_FN tm_update_args cloud_update(cloud *w)
   a.force_internal = w->force_internal;
   a.source = w->source;
   a.group = 1;
-  a.dt = w->dt; a.h = w->h; a.visc_alpha = 0.7;
+  a.dt = w->dt; a.h = w->h; a.visc_alpha = 0.7; a.shock = 0.6;
   a.accel_unit = 1.0;
   a.temperature = 300.0;
   a.heat_rate = 3.0; a.k_max = 60.0;
@@ -191,7 +191,7 @@ STAGE(predict)
   tm_predict_args a;
   a.state = cloud_state(w);
   a.rec = cloud_records(w);
-  a.dt_ahead = 0.5 * w->dt;
+  a.dt_ahead = 0.5 * w->dt; a.visc_alpha = 0.7; a.shock = 0.6;
   a.art_eps = 0.3; a.hourglass = (w->effects & TM_FX_ONE_PASS) ? -1.0 : 0.1;
   a.h = w->h; a.correction = w->correction; a.turn = w->turn;
   a.art_component = w->dim == 2;

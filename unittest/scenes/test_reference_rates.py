@@ -127,8 +127,8 @@ for dim in (2, 3):
          balanced=True)
     case("plastic, sorted every 2 steps", dim, "hyperbolic", PLASTIC, sort=1)
     case("shock equation of state", dim, "wendland/c2", SHOCK, speed=300.0)
-    case("shock switch", dim, "hyperbolic", SHOCK, "shock 0.8", speed=300.0, shock=0.8)
-    case("shock switch, with a linear viscosity and heat", dim, "quintic", HOT, "viscosity 0.1 1 shock 1", heat=True, viscosity=(0.1, 1), shock=1.0)
+    case("bulk viscosity of shocks", dim, "hyperbolic", SHOCK, "shock 0.8", speed=300.0, shock=0.8)
+    case("bulk viscosity of shocks, with a linear viscosity and heat", dim, "quintic", HOT, "viscosity 0.1 1 shock 1", heat=True, viscosity=(0.1, 1), shock=1.0)
     case("xsph", dim, "hyperbolic", ELASTIC, "xsph 0.5", xsph=0.5)
     case("balsara", dim, "hyperbolic", PLASTIC, "balsara yes", balsara=True)
     case("artificial stress and correction", dim, "hyperbolic", PLASTIC, "stabilize artstress correction yes", tensile=True,

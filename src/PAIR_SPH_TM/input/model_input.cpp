@@ -65,7 +65,7 @@ Settings read_settings(LAMMPS *lmp, int narg, char **arg)
       set.visc_alpha = k.not_negative("alpha");
       set.visc_beta = k.not_negative("beta");
     } else if (k.is("shock")) {
-      set.shock = k.share("alpha");
+      set.shock = k.share("coefficient");
     } else if (k.is("balsara")) set.balsara = k.yes();
     else if (k.is("artstress")) {
       k.need(2);
@@ -105,13 +105,16 @@ Settings read_settings(LAMMPS *lmp, int narg, char **arg)
   if (tensile && !artstress) set.art_eps = 0.3;
   if (tensile && !hourglass) set.hourglass = 0.0;
   if (tensile && !correction) set.correction = false;
-  const bool one_pass = set.correction && set.hourglass != 0.0 && set.art_eps == 0.0;
-  if (set.shock > 0.0 && !(one_pass && set.faces != FACES_ALWAYS))
+  const bool one_pass = set.correction && set.hourglass != 0.0 && set.art_eps == 0.0 && set.faces != FACES_ALWAYS;
+  if (set.shock > 0.0 && !one_pass)
     error->all(
         FLERR,
         "Pair style sph/tm shock {:.8g} needs hourglass control and gradient correction without artificial stress, as "
         "they are by default, and no correction second; else give viscosity a first value",
         set.shock);
+  if (set.shock > 0.0 && set.plane_stress)
+    error->all(FLERR, "Pair style sph/tm shock {:.8g} has no effect with plane stress, where there is no such pressure",
+               set.shock);
   if (set.spacing <= 0.0) error->all(FLERR, "Pair style sph/tm needs the keyword spacing with the particle spacing");
   if (set.correction && set.form_f14) error->all(FLERR, "Pair style sph/tm correction yes needs form f15");
   set.h = set.ratio * set.spacing;

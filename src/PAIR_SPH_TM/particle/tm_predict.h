@@ -11,7 +11,7 @@
 #include "tm_eos.h"
 #include "tm_heat.h"
 #include "tm_hourglass.h"
-#include "tm_shock.h"
+#include "tm_shocked.h"
 #include "tm_single.h"
 #include "tm_size.h"
 #include "tm_state.h"
@@ -24,18 +24,19 @@
 typedef struct {
   tm_state state;
   tm_records rec;
-  tm_real dt_ahead;          /* time from the state to the force point: dt/2, or 0 at set-up */
-  tm_real art_eps;           /* artificial stress epsilon, 0..1 */
-  const tm_real *gradient;   /* tm_gradient_table, with particles of their own size */
-  int art_component;         /* nonzero: F14 (18) per component instead of principal axes */
-  const tm_real *share;      /* tm_tensile_table where the artificial stress is balanced, else NULL */
-  tm_real hourglass;         /* xi of hourglass control, below 0: from the stress */
-  tm_real visc_alpha, shock; /* linear viscosity: its least coefficient, and that in shocks */
-  tm_real h;                 /* smallest smoothing length: the time of damping by hourglass control is that over c */
-  tm_real *correction;       /* 6, K at the force point, with one pass */
-  tm_real *turn;             /* 3, its antisymmetric part, with TM_FX_FACES */
-  tm_real ratio;             /* h over spacing, of particles without a size of their own */
-  tm_records_single single;  /* the record is rounded into these too, where there is a main one */
+  tm_real dt_ahead;         /* time from the state to the force point: dt/2, or 0 at set-up */
+  tm_real art_eps;          /* artificial stress epsilon, 0..1 */
+  const tm_real *gradient;  /* tm_gradient_table, with particles of their own size */
+  int art_component;        /* nonzero: F14 (18) per component instead of principal axes */
+  const tm_real *share;     /* tm_tensile_table where the artificial stress is balanced, else NULL */
+  tm_real hourglass;        /* xi of hourglass control, below 0: from the stress */
+  tm_real visc_alpha;       /* linear viscosity of pairs */
+  tm_real shock;            /* bulk viscosity in shocks */
+  tm_real h;                /* smallest smoothing length: the time of damping by hourglass control is that over c */
+  tm_real *correction;      /* 6, K at the force point, with one pass */
+  tm_real *turn;            /* 3, its antisymmetric part, with TM_FX_FACES */
+  tm_real ratio;            /* h over spacing, of particles without a size of their own */
+  tm_records_single single; /* the record is rounded into these too, where there is a main one */
 } tm_predict_args;
 
 /* Velocity of particle i at the force point. */
@@ -81,17 +82,15 @@ TM_FN void tm_predict_hourglass(int i, const tm_predict_args *a, tm_sym3 dev, tm
   }
 }
 
-/* alpha c of the linear viscosity, the shock switch of tm_shock.h in it, but not at the set-up, which knows no rates or those of
-   another set-up; h1: rates of the last step, rho: density now, k: rho c^2. */
-TM_FN tm_real tm_predict_viscous_speed(int i, const tm_predict_args *a, const tm_real *h1, tm_real rho, tm_real k,
-                                       tm_real c, unsigned effects)
+/* The pressure in shocks, but not at the set-up, which knows no rates or those of another set-up. */
+TM_FN_APART tm_real tm_predict_shock(int i, const tm_predict_args *a, tm_real rho_rate, tm_real rho, tm_real c,
+                                     unsigned effects)
 {
-  if (!(k > 0.0)) return 0.0;
-  const int elastic = a->state.material[a->state.type[i]].strength == TM_STRENGTH_ELASTIC;
-  if (!(a->shock > 0.0 && a->dt_ahead > 0.0) || elastic) return a->visc_alpha * c;
-  const tm_real yield = (effects & TM_FX_PLASTICITY) ? tm_field_row(&a->state, TM_F_PSTRAIN, i)[tm_column(2)] : 0.0;
-  return c * tm_shock_alpha(a->visc_alpha, a->shock, h1[tm_column(TM_H_RHO)] / rho,
-                            tm_particle_h(&a->state, i, a->h, effects), c, yield / k);
+  if (!(effects & TM_FX_ONE_PASS)) return 0.0;
+  const tm_sym3 K =
+      tm_turned_correction(tm_field_row(&a->state, TM_F_CORRECTION, i), a->dt_ahead, (effects & TM_FX_3D) != 0);
+  return tm_shocked(i, &a->state, a->shock, rho_rate, rho, c, tm_particle_h(&a->state, i, a->h, effects),
+                    2.0 * a->dt_ahead, K, effects);
 }
 
 /* The record of particle i, all but the artificial stress. */
@@ -127,7 +126,10 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
   const tm_real lz = (effects & TM_FX_PLANE_STRESS) ? *tm_field_row(s, TM_F_THICKNESS, i) : 1.0;
   const tm_real rho_sum = rho * lz;
   const tm_real scale = (effects & TM_FX_FORM_F14) ? lz : lz / (rho_sum * rho_sum);
-  const tm_sym3 sigma = tm_sym_add_iso(dev, -p);
+  const tm_real q = a->shock > 0.0 && m->body == TM_BODY_SOLID
+                        ? tm_predict_shock(i, a, h1[tm_column(TM_H_RHO)], rho, c, effects)
+                        : 0.0;
+  const tm_sym3 sigma = tm_sym_add_iso(dev, -p - q);
   tm_sym3 P = tm_sym_scale(scale, sigma);
   if (s->field[TM_F_LAYER]) /* not thicker in plane stress: the force is that on the whole thickness */
     P = tm_sym_axpy(P, scale / lz, tm_layer_stress(tm_field_row(s, TM_F_LAYER, i)));
@@ -149,7 +151,7 @@ TM_FN void tm_predict(int i, const tm_predict_args *a, unsigned effects)
                    dim3, a->rec.size + (ptrdiff_t) i * TM_REC_SIZE);
   if (effects & TM_FX_HOURGLASS) tm_predict_hourglass(i, a, dev, p, effects);
   if ((effects & TM_FX_ONE_PASS) && !(effects & TM_FX_FACES))
-    tm_stab_record(&a->rec, i)[tm_part(TM_STAB_C)] = tm_predict_viscous_speed(i, a, h1, rho, rho * c * c, c, effects);
+    tm_stab_record(&a->rec, i)[tm_part(TM_STAB_C)] = a->visc_alpha * c;
   if (effects & TM_FX_ONE_PASS) {
     const tm_sym3 K = tm_turned_correction(tm_field_row(s, TM_F_CORRECTION, i), a->dt_ahead, dim3);
     tm_sym_to_row(a->correction + tm_row(i, 6), K);

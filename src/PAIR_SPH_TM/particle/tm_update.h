@@ -20,6 +20,7 @@
 #include "tm_heat.h"
 #include "tm_residual.h"
 #include "tm_shift.h"
+#include "tm_shocked.h"
 #include "tm_stored_energy.h"
 #include "tm_strength.h"
 #include "tm_update_args.h"
@@ -173,18 +174,24 @@ TM_FN void tm_update_energy(tm_real *e, tm_real gain, tm_real dt)
   e[tm_column(1)] = gain / dt;
 }
 
-/* Heating by artificial terms, power: of the pairs, and what the balance of the artificial stress takes
-   out of the motion, -m rho share R : L. */
-TM_FN tm_real tm_update_artificial(int i, const tm_update_args *a, tm_real power, tm_mat3 L, unsigned effects)
+/* Energy that artificial terms give to the particle in the step: those of the pairs, what the balance of the artificial stress takes
+   out of the motion, -m rho share R : L, and the pressure q of shocks, -m/rho q tr L. rho: of the force point; before the flow stress
+   is written. */
+TM_FN tm_real tm_update_artificial(int i, const tm_update_args *a, const tm_update_read *in, tm_real rho, tm_real h,
+                                   tm_mat3 L, unsigned effects)
 {
+  if (!a->artificial) return 0.0;
+  tm_real power = in->artificial;
+  if (a->shock > 0.0)
+    power -= in->rec_mass / rho * tm_mat_trace(L) *
+             tm_shocked(i, &a->state, a->shock, in->rate[TM_H_RHO], rho, in->sound, h, a->dt, in->predicted, effects);
   if ((effects & TM_FX_ARTSTRESS) && a->share) {
-    const tm_real *r = tm_main_record(&a->rec, i), *q = tm_stress_record(&a->rec, i);
+    const tm_real *r = tm_main_record(&a->rec, i), *R = tm_stress_record(&a->rec, i);
     const tm_real *size = (effects & TM_FX_SMOOTHING) ? tm_field_row(&a->state, TM_F_SIZE, i) : NULL;
-    const tm_sym3 R = tm_sym(q[tm_part(0)], q[tm_part(1)], q[tm_part(2)], q[tm_part(3)], q[tm_part(4)], q[tm_part(5)]);
     power -= r[tm_part(TM_REC_M)] * r[tm_part(TM_REC_RHO)] * tm_share_of(a->share, size, a->ratio) *
-             tm_sym_ddot(R, tm_mat_symmetric(L));
+             tm_sym_ddot(tm_sym_from_record(R, 0), tm_mat_symmetric(L));
   }
-  return power;
+  return a->dt * power;
 }
 
 /* The rates of the last step become the older history and those of this step the newer: first what is known before the
@@ -329,6 +336,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     tm_point q =
         tm_constitutive(m, in.rho, rho_half, s0, s_half, L, energy, growth, eps_p, T, a->dt, pl != NULL && !failed);
     if (failed) q.s = s_acting;
+    const tm_real artificial = tm_update_artificial(i, a, &in, rho_half, h, L, effects);
     const tm_real plastic = q.yield * q.d_eps / q.rho;
 
     const tm_real inv_dt = 1.0 / a->dt;
@@ -347,7 +355,6 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     }
     if (a->uneven && !failed) out.speed2 = tm_update_shift(i, a, &q, L, v2, h, eps_p, sound, dim3);
     if (s->field[TM_F_LAYER]) tm_layer_end_of_step(tm_field_row(s, TM_F_LAYER, i));
-    const tm_real artificial = a->artificial ? a->dt * tm_update_artificial(i, a, in.artificial, L, effects) : 0.0;
     if (dmg && !failed) {
       const tm_real p = tm_eos_pressure(m, growth * q.rho, energy);
       dmg[0] += tm_damage_increment(m, -p, tm_sym_mises(q.s), q.d_eps, q.d_eps * inv_dt, T);

@@ -36,6 +36,7 @@ typedef struct {
   int group;                    /* x and v are integrated for these */
   int held;                     /* groups that other fixes move or hold: not shifted */
   tm_real dt, visc_alpha;
+  tm_real shock;            /* bulk viscosity in shocks */
   tm_real hourglass;        /* xi of hourglass control, below 0: from the stress */
   tm_real h;                /* smoothing length of all, where particles have none of their own */
   tm_real accel_unit;       /* force of the unit style / mass -> acceleration */

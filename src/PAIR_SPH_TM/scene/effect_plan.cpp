@@ -170,8 +170,7 @@ void Reasons::settings()
 {
   const Settings &set = model.settings_in_use();
   const bool monaghan = set.visc_alpha > 0.0 || set.visc_beta > 0.0;
-  if ((monaghan || set.shock > 0.0) && mechanics)
-    on(TM_FX_VISCOSITY, monaghan ? "pair_style viscosity is not 0" : "pair_style shock is not 0");
+  if (monaghan && mechanics) on(TM_FX_VISCOSITY, "pair_style viscosity is not 0");
   if (set.art_eps > 0.0 && solid) on(TM_FX_ARTSTRESS, "pair_style artstress is not 0");
   if (set.correction && mechanics) on(TM_FX_CORRECTION, "pair_style correction yes");
   if (set.balsara) on(TM_FX_BALSARA, "pair_style balsara yes");

@@ -26,7 +26,7 @@ struct Settings {
   double spacing = 0.0;
   double h = 0.0;
   double visc_alpha = 0.0, visc_beta = 1.0;
-  double shock = 0.0;    // linear viscosity in shocks, of pairs in one pass
+  double shock = 0.0;    // bulk viscosity in shocks
   double art_eps = 0.0;
   int art_n = 4;
   bool art_component = false, art_balanced = false;
