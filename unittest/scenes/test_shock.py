@@ -1,6 +1,5 @@
 """Bulk viscosity in shocks (pair_style sph/tm shock): behind a shock between two plates of hardening aluminum or copper stress, deviator and
-plastic strain are those of the jump conditions (bench/validate/case_plate_impact.py), the energies add up and the temperature has what the
-shock dissipates; slow flow has none of it: a block that is pressed at 20 m/s has the same forces, and no more work of artificial terms."""
+plastic strain are those of the jump conditions (bench/validate/case_plate_impact.py), and the energies add up; slow flow has none of it: a block that is pressed at 20 m/s has the same forces, and no more work of artificial terms."""
 import os
 import sys
 
