@@ -85,6 +85,17 @@ checks.true("Johnson-Cook: the reason of heat", "plastic work" in lines["heat"][
 expect("no conductivity", scene(STEEL + " heat 0 477 0.9"), plain | {"plasticity", "shifting", "heat", "artificial-heat"})
 expect("damage, shock", scene(STEEL + " eos shock 4570 1.49 1.9 damage strain 1.0"),
        plain | {"plasticity", "shifting", "damage", "internal-energy"})
+said = lambda result: re.findall(r"^sph/tm shock (\d) +(.*)|WARNING: (Pair style sph/tm shock .*?) \(", result.output, re.M)
+shocked = STEEL + " eos shock 4570 1.49 1.9"
+for name, result, due, why in (("shock equation of state", scene(shocked), "1", "type 1"),
+                               ("linear equation of state", scene(STEEL), "0", "needs shock 1"),
+                               ("shock equation of state, elastic", scene("strength elastic eos shock 4570 1.49 1.9"), None, None),
+                               ("shock equation of state, shock 0", scene(shocked, "shock 0"), None, None),
+                               ("shock equation of state, correction second", scene(shocked, "correction second"), "0", "second order"),
+                               ("shock equation of state, artificial stress", scene(shocked, "stabilize artstress"), "0", "one pass"),
+                               ("shock 0.5, elastic", scene("strength elastic", "shock 0.5"), "", "no material flows")):
+    found = said(result)
+    checks.true("bulk viscosity of shocks, " + name, found == [] if due is None else len(found) == 1 and found[0][0] == due and why in "".join(found[0]), str(found))
 expect("thermal expansion", scene(YIELDS + " expansion 1.2e-5 " + HEAT),
        plain | {"plasticity", "shifting", "expansion", "compression-heat"} | heated)
 expect("shock, heat constants", scene("strength elastic eos shock 4570 1.49 1.9 " + HEAT),

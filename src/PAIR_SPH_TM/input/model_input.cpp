@@ -65,7 +65,8 @@ Settings read_settings(LAMMPS *lmp, int narg, char **arg)
       set.visc_alpha = k.not_negative("alpha");
       set.visc_beta = k.not_negative("beta");
     } else if (k.is("shock")) {
-      set.shock = k.share("coefficient");
+      if (k.take("auto")) set.shock = -1.0;
+      else set.shock = k.share("coefficient");
     } else if (k.is("balsara")) set.balsara = k.yes();
     else if (k.is("artstress")) {
       k.need(2);

@@ -88,6 +88,8 @@ struct Reasons {
   std::map<unsigned, std::string> why;
   bool every_pair_stored;
   bool mechanics = false, solid = false, flows = false, softens = false, shock = false;
+  bool lasting = false;        // a material in which ringing behind a shock leaves something behind
+  std::string shocked = {};    // the first of them that has a shock equation of state
   std::string why_no_faces = {}, why_no_shifting = {};
   std::string conducts = {}, expands = {}, compresses = {};    // the first material that does, or heats by compression
 
@@ -113,6 +115,7 @@ void Reasons::materials()
     if (m.body != TM_BODY_SOLID) continue;
     mechanics = true;
     solid = solid || m.strength != TM_STRENGTH_NONE;
+    lasting = lasting || m.strength != TM_STRENGTH_ELASTIC;
     const int flow = tm_strength_flow(m.strength);
     flows = flows || flow != TM_FLOW_NONE;
     if (flow != TM_FLOW_NONE) on(TM_FX_PLASTICITY, of_type(t) + " yields");
@@ -124,6 +127,7 @@ void Reasons::materials()
     if (m.eos == TM_EOS_SHOCK) {
       on(TM_FX_ENERGY, of_type(t) + " has a shock equation of state");
       shock = true;
+      if (shocked.empty() && m.strength != TM_STRENGTH_ELASTIC) shocked = of_type(t);
       if (m.eos_gamma > 0.0 && compresses.empty()) compresses = of_type(t) + " has a shock equation of state";
     } else if (m.expansion.n || m.expansion.value > 0.0) {
       if (expands.empty()) expands = of_type(t) + " has a thermal expansion";
@@ -277,6 +281,28 @@ void EffectPlan::derive(const Model &model, int dimension)
     why_no_faces = "lists keep pairs; thin parts bend too softly";
   }
   write_report(r.why, {{TM_FX_FACES, why_no_faces}, {unsigned(TM_FX_SHIFTING), r.why_no_shifting}});
+  bulk_viscosity(model, r.shocked, r.lasting);
+}
+
+// of shocks: behind the effects, since it needs one pass
+void EffectPlan::bulk_viscosity(const Model &model, const std::string &shock_eos, bool lasting)
+{
+  const double given = model.settings_in_use().shock;
+  std::string why_not;
+  if (!lasting) why_not = "no material flows";
+  else if (!(effects & TM_FX_ONE_PASS))
+    why_not = "needs gradient correction and hourglass control in one pass, and no lists that keep pairs";
+  else if (effects & TM_FX_PLANE_STRESS) why_not = "there is none in plane stress";
+  else if (effects & TM_FX_FACES) why_not = "faces are of second order";
+
+  shock = !why_not.empty() ? 0.0 : given < 0.0 ? (shock_eos.empty() ? 0.0 : 1.0) : given;
+  if (given > 0.0 && !why_not.empty()) warnings.push_back("Pair style sph/tm shock has no effect: " + why_not);
+  if (given >= 0.0 || !lasting) return;
+  std::string line = shock > 0.0 ? "sph/tm shock 1" : "sph/tm shock 0";
+  line.resize(32, ' ');
+  if (shock_eos.empty()) line += "no material has a shock equation of state; stress behind shocks needs shock 1";
+  else line += why_not.empty() ? shock_eos + " has a shock equation of state" : why_not;
+  report.push_back(line);
 }
 
 // forced off, but a material or a fix has a use for it

@@ -45,12 +45,14 @@ class EffectPlan {
   std::string heat_reason;            // why heat is on
   std::vector<std::string> warnings;
   std::string contradiction;    // what makes the set impossible, or empty
+  double shock = 0.0;           // coefficient of the bulk viscosity in shocks, tm_shock.h
 
  private:
   bool separate_passes = false, every_pair_stored = false;
   unsigned forced_on = 0, forced_off = 0, asked_for = 0;
   std::vector<std::pair<unsigned, std::string>> asked;
   void warn(const std::map<unsigned, std::string> &why, bool softens);
+  void bulk_viscosity(const Model &, const std::string &shock_eos, bool lasting);
   void write_report(const std::map<unsigned, std::string> &why, const std::map<unsigned, std::string> &why_not);
 };
 

@@ -26,7 +26,7 @@ struct Settings {
   double spacing = 0.0;
   double h = 0.0;
   double visc_alpha = 0.0, visc_beta = 1.0;
-  double shock = 0.0;    // bulk viscosity in shocks
+  double shock = -1.0;    // bulk viscosity in shocks; below 0: 1 where a material has a shock equation of state
   double art_eps = 0.0;
   int art_n = 4;
   bool art_component = false, art_balanced = false;

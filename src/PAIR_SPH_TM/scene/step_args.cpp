@@ -66,7 +66,7 @@ tm_update_args update_args(ParticleState &state, StepResults &results)
   a.dt = state.time_step().now();
   a.h = set.h;
   a.visc_alpha = set.visc_alpha;
-  a.shock = set.shock;
+  a.shock = state.effect_plan().shock;
   a.hourglass = set.hourglass;
   a.accel_unit = model.units().force;
   a.temperature = state.start_temperatures().of_all();

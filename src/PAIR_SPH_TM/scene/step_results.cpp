@@ -124,7 +124,7 @@ tm_predict_args StepResults::predict_args(ParticleState &state, const tm_state &
   a.ratio = set.ratio;
   a.hourglass = set.hourglass;
   a.visc_alpha = set.visc_alpha;
-  a.shock = set.shock;
+  a.shock = state.effect_plan().shock;
   a.h = state.has(TM_FX_SMOOTHING) ? set.ratio * model.smallest_spacing() : set.h;
   a.correction = correction.loop_write();
   a.turn = turn.loop_write();
