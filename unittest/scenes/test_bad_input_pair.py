@@ -8,6 +8,7 @@ fine("base script in 3D", THREE_D)
 
 wrong("pair_style without arguments", style(""), S, "kernel", "spacing")
 wrong("pair_style with a kernel only", style("hyperbolic"), S, "spacing")
+warned("lengths in m in units metal", {"units": "units metal"}, "spacing 0.001", "1e-13 m in units metal", "less than an atom")
 wrong("unknown kernel", style("gauss 1.2 spacing 1e-3"), S, "kernel", "gauss", "hyperbolic", "wendland/c4")
 for bad in ("0", "-1.2", "nan", "inf", "0.5", "20", "abc"):
     wrong("ratio " + bad, style("hyperbolic %s spacing 1e-3" % bad), S if bad != "abc" else "", bad)

@@ -120,6 +120,38 @@ FC = "compute fc all cutting/force tool\n"
 RUN = FC + "thermo_style custom step f_tool[1] c_fc\nrun 5\nthermo_style one\n"
 
 
+# --- what is most likely wrong about a tool or about what is asked of it -----------------------------------------------
+
+def plane(folder, order):
+    """Of two triangles at x = 5e-3 in front of the block, whose normals are along x or against it by the order of their corners."""
+    corners = {"a": (5e-3, -2e-3, -2e-3), "b": (5e-3, 8e-3, -2e-3), "c": (5e-3, 8e-3, 8e-3), "d": (5e-3, -2e-3, 8e-3)}
+    facets = ["facet normal 0 0 0\nouter loop\n%sendloop\nendfacet\n" % "".join("vertex %g %g %g\n" % corners[k] for k in triple) for triple in order]
+    with open(os.path.join(folder, "plane.stl"), "w") as f: f.write("solid plane\n%sendsolid plane\n" % "".join(facets))
+    return folder
+
+
+def mistakes():
+    at = "\nfix wall all contact/tri file plane.stl %s\nrun 0"
+    toward, away = ("acb", "adc"), ("abc", "acd")
+    judge("an open plane that faces the block", scene(at % "", folder=plane(new_folder(), toward)), "open edges", warned=True)
+    for name, said, text, order in (("away from it", True, "", away), ("away from it, flip yes", False, "flip yes", away),
+                                    ("away from it, sides two", False, "sides two", away), ("toward it", False, "", toward)):
+        lines = [w for w in scene(at % text, folder=plane(new_folder(), order)).warnings() if "lie behind its triangles" in w]
+        checks.true("an open plane that faces %s: a warning" % name if said else "an open plane that faces %s: none" % name,
+                    len(lines) == said and all("fix contact/tri wall" in w.lower() and "flip yes" in w for w in lines), str(lines))
+    judge("a tool a thousand times too small", scene("run 0", tool="scale 1e-3"), T, "of the spacing of the particles", "scale", warned=True)
+    judge("a tool of 20 K", scene("run 0", tool="temperature 20"), "temperature is 20 K", "kelvin", warned=True)
+    judge("a tool of 293 K", scene("run 0", tool="temperature 293"))
+    judge("a tool of 300, then 25 K", scene("run 0\nfix_modify tool temperature 25\nrun 0", tool="temperature 300"), "is 25 K", "kelvin", warned=True)
+    judge("air of 20 K", scene("fix air all sph/tm/heat convection 100 20\nrun 0", heat=" heat 200 900 0.9"), "Tinf is 20 K", "kelvin", warned=True)
+    C = "compute c all cutting/force tool %s\nthermo_style custom step c_c\nrun 1"
+    judge("away along direction", scene(C % "direction 0 2 0"), "Compute cutting/force c", "away 0 1 0", "direction 0 1 0")
+    judge("away against direction", scene(C % "direction 1 0 0 away -3 0 0"), "Compute cutting/force c", "away -1 0 0")
+    move = "fix_modify tool move linear %s\n"
+    judge("a tool that moves along away", scene(move % "0 1 0" + C % ""), "Compute cutting/force c", "moves along away", warned=True)
+    judge("a tool that moves across", scene(move % "-1 0 0" + C % ""))
+
+
 def prints(name, result, value):
     found = re.findall(r"^VALUE (\S+)", result.output, re.M)
     checks.true(name, result.status == 0 and found and abs(float(found[-1]) - value) < 1e-12 + 1e-6 * abs(value),
@@ -267,6 +299,7 @@ def restarts_by_variable():
 if __name__ == "__main__":
     jumps()
     heat()
+    mistakes()
     values()
     restarts()
     restarts_by_variable()

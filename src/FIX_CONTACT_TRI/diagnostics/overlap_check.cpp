@@ -3,6 +3,7 @@
 #include "domain.h"
 #include "error.h"
 #include "lammps.h"
+#include "tm_closest.h"
 #include "tm_winding.h"
 
 #include "fmt/format.h"
@@ -100,15 +101,47 @@ void OverlapCheck::stop(const std::string &who, const tm_mesh *closed) const
   MPI_Barrier(lmp->world);
 }
 
+int OverlapCheck::samples() const { return std::min(lmp->atom->nlocal, 20 + 10000000 / std::max(query.mesh.nt, 1)); }
+
+// in the frame of the mesh: is x in front of the triangle that is nearest?
+static bool in_front(const tm_tri_view &mesh, tm_vec3 x)
+{
+  double least = 1e300;
+  bool front = false;
+  for (int t = 0; t < mesh.nt; t++) {
+    const double *corner = mesh.corner + 9 * t;
+    const tm_vec3 n = tm_load3(mesh.normal + 3 * t);
+    const tm_closest c = tm_closest_on_triangle(x, tm_load3(corner), tm_load3(corner + 3), tm_load3(corner + 6), n);
+    const bool ahead = tm_vec_dot(tm_vec_sub(x, c.point), n) > 0.0;
+    if (c.dist2 < least * (1.0 - 1e-9)) front = ahead;
+    else if (c.dist2 <= least * (1.0 + 1e-9)) front = front || ahead;    // an edge of two triangles
+    least = std::min(least, c.dist2);
+  }
+  return front;
+}
+
+bool OverlapCheck::faces_away() const
+{
+  const Atom &atom = *lmp->atom;
+  int mine[2] = {0, 0}, all[2];    // asked, in front
+  for (int k = 0; k < samples() && !mine[1]; k++) {
+    const int i = (int) ((double) k / samples() * atom.nlocal);
+    if (!query.in_contact(i)) continue;
+    mine[0] = 1;
+    mine[1] = in_front(query.mesh, query.local(tm_load3(atom.x[i])));
+  }
+  MPI_Allreduce(mine, all, 2, MPI_INT, MPI_MAX, lmp->world);
+  return all[0] && !all[1];
+}
+
 /* Contact finds particles up to one spacing deep. Some of the particles are tested for lying deeper than that in a
-   closed tool: as many as some tenths of a second allow. */
+   closed tool. */
 int OverlapCheck::sample_inside(const tm_mesh &mesh) const
 {
   const Atom &atom = *lmp->atom;
-  const int n = atom.nlocal, samples = std::min(n, 20 + 10000000 / std::max(mesh.nt, 1));
   const tm_tri_view view = tm_mesh_view(&mesh);
-  for (int k = 0; k < samples; k++) {
-    const int i = (int) ((double) k / samples * n);
+  for (int k = 0; k < samples(); k++) {
+    const int i = (int) ((double) k / samples() * atom.nlocal);
     if (query.in_contact(i) && tm_winding_inside(&view, mesh.volume, query.local(tm_load3(atom.x[i])))) return i;
   }
   return -1;

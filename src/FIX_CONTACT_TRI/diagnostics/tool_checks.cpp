@@ -155,7 +155,7 @@ void ToolChecks::conductors(const Model &model, const std::vector<int> &fillings
 
 static constexpr double FAR_AWAY = 3.0, FAR_LARGER = 100.0;    // over the diagonal of the simulation box
 
-void ToolChecks::far_from_box(const tm_pose &pose) const
+void ToolChecks::far_from_box(const tm_pose &pose, double spacing) const
 {
   tm_vec3 corner[8];
   corners(pose, corner);
@@ -182,6 +182,9 @@ void ToolChecks::far_from_box(const tm_pose &pose) const
                         who, sqrt(gap2), gap, remedy);
   else if (size > FAR_LARGER)
     lmp->error->warning(FLERR, "{}: the tool is {:.3g} times as large as the simulation box; {}", who, size, remedy);
+  else if (tool2 < spacing * spacing)
+    lmp->error->warning(FLERR, "{}: the tool is {:.3g} across, {:.3g} of the spacing of the particles; {}", who,
+                        sqrt(tool2), sqrt(tool2) / spacing, remedy);
 }
 
 // types of this kind of body (TM_BODY_SOLID ...) that have particles in the group, on any rank

@@ -25,7 +25,7 @@ class ToolChecks {
   void filling(int groups) const;
   // particles that only conduct heat, but for the fillings of tools (types): the tool does not reach them
   void conductors(const Model &, const std::vector<int> &fillings);
-  void far_from_box(const tm_pose &) const;    // or far larger: a unit is wrong
+  void far_from_box(const tm_pose &, double spacing) const;    // or far larger, or lost in it: a unit is wrong
   // turns heat on as a state where the tool needs it, and warns where it cannot be
   void heat(ParticleState &);
   // a step: largest speed of the tool, sound speed of the particles (0: there are none)

@@ -121,12 +121,12 @@ bool ContactSettings::read_heat(Keywords &k)
     temperature_given = true;
     k.need(1);
     if (utils::strmatch(k.ahead(0), "^v_")) temperature_variable = k.value() + 2;
-    else temperature = k.positive();
+    else warn_of_celsius(lmp, k.what(), temperature = k.positive());
   } else if (k.is("lumped")) {
     k.need(3);
     const double mass = k.positive("mass");
     lumped_capacity = mass * k.positive("heat capacity");
-    temperature = k.positive("temperature");
+    warn_of_celsius(lmp, k.what("temperature"), temperature = k.positive("temperature"));
     temperature_given = heat_given = true;
   } else if (k.is("share")) share = k.share();
   else if (k.is("effusivity")) effusivity = k.not_negative();

@@ -4,6 +4,7 @@
 #include "argument.h"
 #include "fix_contact_tri.h"
 
+#include "comm.h"
 #include "error.h"
 #include "modify.h"
 #include "update.h"
@@ -38,10 +39,22 @@ ComputeCuttingForce::ComputeCuttingForce(LAMMPS *lmp, int narg, char **arg) : Co
     else if (k.is("width")) width = k.positive();
     else k.unknown("direction, away, width");
   }
+  if (direction_given && is_along(direction))
+    error->all(
+        FLERR,
+        "Compute cutting/force {}: away {:.6g} {:.6g} {:.6g} is along direction {:.6g} {:.6g} {:.6g}: there is no "
+        "thrust force across it; give away another direction",
+        id, away[0], away[1], away[2], direction[0], direction[1], direction[2]);
   vector = new double[size_vector];
 }
 
 ComputeCuttingForce::~ComputeCuttingForce() { delete[] vector; }
+
+bool ComputeCuttingForce::is_along(const double *u) const
+{
+  const tm_vec3 across = tm_vec_cross(tm_load3(u), tm_load3(away));
+  return tm_vec_norm(across) < 1e-6;
+}
 
 FixContactTri *ComputeCuttingForce::tool() const
 {
@@ -66,6 +79,15 @@ void ComputeCuttingForce::compute_vector()
   const double speed = tm_vec_norm(v);
   tm_vec3 u = tm_load3(direction);
   if (!direction_given && speed > 0.0) u = tm_vec_scale(1.0 / speed, v);
+  const double along[3] = {u.x, u.y, u.z};
+  if (!warned && is_along(along)) {
+    warned = true;
+    if (comm->me == 0)
+      error->warning(FLERR,
+                     "Compute cutting/force {}: the tool moves along away, {:.6g} {:.6g} {:.6g}: thrust and side force "
+                     "are 0; give away another direction",
+                     id, away[0], away[1], away[2]);
+  }
   tm_vec3 n = tm_load3(away);
   n = tm_vec_axpy(n, -tm_vec_dot(n, u), u);
   if (tm_vec_norm(n) > 0.0) n = tm_vec_scale(1.0 / tm_vec_norm(n), n);

@@ -60,7 +60,9 @@ int FixContactTri::modify_param(int narg, char **arg)
   }
   if (strcmp(arg[0], "temperature") == 0) {
     if (narg < 2) utils::missing_cmd_args(FLERR, "fix_modify temperature of fix contact/tri", error);
-    temperature.set(positive(lmp, "Fix_modify temperature of fix contact/tri", arg[1]));
+    const std::string what = "Fix_modify temperature of fix contact/tri";
+    temperature.set(positive(lmp, what, arg[1]));
+    warn_of_celsius(lmp, what, temperature.now());
     return 2;
   }
   return 0;
@@ -102,7 +104,7 @@ void FixContactTri::init()
   laws.make(set, *model, state->start_temperatures().of_all(), domain->dimension);
   if (first) {
     report();
-    checks.far_from_box(motion.pose_now());
+    checks.far_from_box(motion.pose_now(), spacing);
   }
   std::vector<int> fillings;    // types of the particles that fill tools
   int groups = 0;               // of tools with the same
@@ -210,8 +212,14 @@ void FixContactTri::check_overlap()
         OVERLAP_ALLOWED + OVERLAP_GROWS + results.within(world) / spacing;    // that deep contact has brought them
   } else if (restored || motion.clock() != 0.0) return;
   const bool closed = tool.mesh().closed && !set.two_sided;
-  OverlapCheck(lmp, query(), spacing, allowed)
-      .stop(fmt::format("Fix contact/tri {}", id), closed ? &tool.mesh() : nullptr);
+  const ToolQuery asked = query();
+  const OverlapCheck check(lmp, asked, spacing, allowed);
+  check.stop(fmt::format("Fix contact/tri {}", id), closed ? &tool.mesh() : nullptr);
+  if (!overlap_checked && !tool.mesh().closed && !set.two_sided && check.faces_away() && comm->me == 0)
+    error->warning(FLERR,
+                   "Fix contact/tri {}: all particles lie behind its triangles, whose normals are away from them, and "
+                   "never touch them; use 'flip yes', or 'sides two'",
+                   id);
 }
 
 void FixContactTri::setup(int vflag)

@@ -71,6 +71,7 @@ void FixSPHTMHeat::read(EqualValue &value, const char *which, Keywords &k)
   const double v = value.varies() ? 1.0 : value.now();
   if (mode == TEMPERATURE && !(v > 0.0)) error->all(FLERR, "{} must be > 0, got {}", what, v);
   if ((mode == CONVECTION || mode == RADIATION) && !(v >= 0.0)) error->all(FLERR, "{} must be >= 0, got {}", what, v);
+  if (!value.varies() && (mode == TEMPERATURE || &value == &T_inf)) warn_of_celsius(lmp, what, v);
 }
 
 void FixSPHTMHeat::read_keywords(Keywords &k)

@@ -1,5 +1,6 @@
 #include "model_checks.h"
 
+#include "material_constants.h"
 #include "model.h"
 #include "particle_state.h"
 #include "restart_block.h"
@@ -114,7 +115,13 @@ void check_volume(LAMMPS *lmp, const Model &model, const ParticleState &state)
 void check_bins(LAMMPS *lmp, const Model &model)
 {
   const double spacing = model.settings_in_use().spacing;
-  constexpr double MOST = 100.0;
+  constexpr double MOST = 100.0, ATOM = 1e-10;    // m
+  const StyleUnits *unit = find_style_units(lmp->update->unit_style);
+  if (unit && spacing * unit->length < ATOM && lmp->comm->me == 0)
+    lmp->error->warning(FLERR,
+                        "Pair style sph/tm spacing {:.8g} is {:.3g} m in units {}, less than an atom; are lengths in "
+                        "another unit?",
+                        spacing, spacing * unit->length, unit->style);
   const double bin = 0.5 * (model.support() + lmp->neighbor->skin);
   for (int d = 0; d < 3; d++)
     if (bin > MOST * lmp->domain->prd[d])

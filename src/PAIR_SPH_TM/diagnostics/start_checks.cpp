@@ -1,5 +1,6 @@
 #include "start_checks.h"
 
+#include "argument.h"
 #include "scene.h"
 #include "tm_filling.h"
 
@@ -243,13 +244,10 @@ void StartChecks::judge_filling(const Filling &mine, double of_lattice, bool siz
 // degrees Celsius, most likely
 void StartChecks::check_temperature() const
 {
-  constexpr double COLD = 100.0;
-  const double T = state.start_temperatures().of_all();
-  if (T >= COLD || comm->me) return;
   for (int t = 1; t <= atom->ntypes; t++)
     if (tm_strength_flow(model().materials()[t].strength) == TM_FLOW_THERMAL || state.has(TM_FX_HEAT))
-      return error->warning(FLERR, "Fix sph/tm {}: particles begin at {:.6g} K; temperatures are in kelvin", state.id(),
-                            T);
+      return warn_of_celsius(lmp, fmt::format("Fix sph/tm {}: temperature at which particles begin", state.id()),
+                             state.start_temperatures().of_all());
 }
 
 // bodies of particles in each other, more than they were at the end of the last run

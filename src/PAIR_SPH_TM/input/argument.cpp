@@ -1,7 +1,9 @@
 #include "argument.h"
 
+#include "comm.h"
 #include "error.h"
 #include "lammps.h"
+#include "update.h"
 #include "utils.h"
 
 #include <algorithm>
@@ -55,6 +57,13 @@ int integer_within(LAMMPS *lmp, const std::string &what, const char *text, int l
   const double v = utils::is_integer(text) ? strtod(text, nullptr) : NAN;
   if (!(v >= lo && v <= hi)) lmp->error->all(FLERR, "{} must be an integer from {} to {}, got {}", what, lo, hi, text);
   return (int) v;
+}
+
+void warn_of_celsius(LAMMPS *lmp, const std::string &what, double temperature)
+{
+  constexpr double COLD = 100.0;    // K
+  if (!(temperature < COLD) || lmp->comm->me || strcmp(lmp->update->unit_style, "lj") == 0) return;
+  lmp->error->warning(FLERR, "{} is {:.6g} K; temperatures are in kelvin", what, temperature);
 }
 
 bool yes_no(LAMMPS *lmp, const std::string &what, const char *text, const char *choice)

@@ -18,6 +18,8 @@ double not_negative(LAMMPS_NS::LAMMPS *lmp, const std::string &what, const char 
 // above lo, at most hi
 double number_within(LAMMPS_NS::LAMMPS *lmp, const std::string &what, const char *text, double lo, double hi);
 int integer_within(LAMMPS_NS::LAMMPS *lmp, const std::string &what, const char *text, int lo, int hi);
+// of a temperature that is most likely in degrees Celsius: a warning
+void warn_of_celsius(LAMMPS_NS::LAMMPS *lmp, const std::string &what, double temperature);
 bool yes_no(LAMMPS_NS::LAMMPS *lmp, const std::string &what, const char *text, const char *choice = "yes or no");
 
 // The keywords of a style, their options and their values, read from left to right; an option stands behind its
