@@ -79,11 +79,13 @@ COMPARED = {"longitudinal stress": ("Pa", 0.02), "von Mises stress": ("Pa", 0.05
 PAIRS = (("aluminum", 400), ("steel", 200), ("copper", 100), ("copper", 400), ("copper", 1500))
 ROWS = {"%s_%d" % pair: {"variables": {"metal": coefficients(pair[0]), "speed": pair[1]}, "title": "%s, %d m/s" % pair,
                          "reference": {q: (float(k), 0.0) for q, k in zip(COMPARED, behind(*pair))}} for pair in PAIRS}
-SETTINGS = {"dx_100": {}, "dx_50": {"dx": 5e-5}, "dx_25": {"dx": 2.5e-5},
-            "shock_0.5": {"dx": 5e-5, "options": "shock 0.5"}, "courant_0.6": {"dx": 5e-5, "body": "courant 0.6"}, "no_shock": {"dx": 5e-5, "options": "shock 0"},
-            "no_shock_25": {"dx": 2.5e-5, "options": "shock 0"}, "linear_1": {"dx": 5e-5, "options": "shock 0 viscosity 1 1"}}
-SAID = {"dx_100": "0.1 mm", "dx_50": "0.05 mm", "dx_25": "0.025 mm", "shock_0.5": "0.05 mm, *shock 0.5*", "courant_0.6": "0.05 mm, *courant 0.6*",
-        "no_shock": "0.05 mm, *shock 0*", "no_shock_25": "0.025 mm, *shock 0*", "linear_1": "0.05 mm, *shock 0 viscosity 1 1*"}
+FINE, FINEST = {"dx": 5e-5}, {"dx": 2.5e-5}
+SETTINGS = {"dx_100": {}, "dx_50": FINE, "dx_25": FINEST, "shock_1_100": {"options": "shock 1"}, "shock_1": dict(FINE, options="shock 1"),
+            "shock_1_25": dict(FINEST, options="shock 1"), "courant_0.6": dict(FINE, body="courant 0.6"), "no_shock": dict(FINE, options="shock 0"),
+            "no_shock_25": dict(FINEST, options="shock 0"), "linear_1": dict(FINE, options="shock 0 viscosity 1 1")}
+SAID = {"dx_100": "0.1 mm", "dx_50": "0.05 mm", "dx_25": "0.025 mm", "shock_1_100": "0.1 mm, *shock 1*", "shock_1": "0.05 mm, *shock 1*",
+        "shock_1_25": "0.025 mm, *shock 1*", "courant_0.6": "0.05 mm, *courant 0.6*", "no_shock": "0.05 mm, *shock 0*",
+        "no_shock_25": "0.025 mm, *shock 0*", "linear_1": "0.05 mm, *shock 0 viscosity 1 1*"}
 BASE = {"dx": 1e-4}
 MESH, QUICK = ("dx_100", "dx_50", "dx_25"), "dx_100"
 SPACING = {"dx_100": 4, "dx_50": 2, "dx_25": 1}

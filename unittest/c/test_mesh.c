@@ -223,9 +223,37 @@ static void round_trips(void)
   tm_mesh_free(&m);
 }
 
+/* Two boxes in a file, the second alone turned inside out: none where both are right, or where it is a cavity of the first. */
+static int turned_box(tm_vec3 lo, tm_vec3 hi, int turned)
+{
+  tm_soup s = ut_soup(24 * 4);
+  ut_box(&s, tm_vec(0, 0, 0), tm_vec(1, 1, 1), 2);
+  const int first = s.n;
+  ut_box(&s, lo, hi, 2);
+  for (int t = first; t < s.n && turned; t++)
+    for (int d = 0; d < 3; d++) {
+      double *q = s.corner + 9 * (size_t) t, keep = q[d];
+      q[d] = q[3 + d];
+      q[3 + d] = keep;
+    }
+  tm_mesh m = ut_build(&s);
+  const int found = tm_mesh_inside_out(&m), right = found < 0 || m.corner[9 * (size_t) found] > 1.5;
+  UT_TRUE(m.closed && m.volume > 0.0 && right);
+  tm_mesh_free(&m);
+  return found >= 0;
+}
+static void bodies(void)
+{
+  const tm_vec3 lo = tm_vec(2, 0, 0), hi = tm_vec(2.5, 0.5, 0.5);
+  UT_TRUE(turned_box(lo, hi, 1));
+  UT_TRUE(!turned_box(lo, hi, 0));
+  UT_TRUE(!turned_box(tm_vec(0.2, 0.2, 0.2), tm_vec(0.7, 0.7, 0.7), 1)); /* a cavity */
+}
+
 int main(void)
 {
   corpus();
+  bodies();
   every_length();
   limit_of_size();
   wedge_topology();

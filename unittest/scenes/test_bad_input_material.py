@@ -57,6 +57,8 @@ wrong("zerilli/armstrong and damage by rate", coeff(GOOD + ZA + "65e6 0 890e6 0.
 warned("zerilli/armstrong in MPa", coeff(GOOD + ZA + "65 0 890 0.0028 0.000115 0 1 1 1356"),
        "za_c0 + za_c1 + za_c2 + za_c5 955", "MPa?")
 wrong("unknown eos", coeff(GOOD + " eos ideal"), C, "eos", "ideal", "shock")
+warned("shock c0 in km/s", coeff(GOOD + " strength plastic 3e8 0 eos shock 5.2 1.4 2"), "c0 5.2", "bulk modulus", "units of the run")
+fine("shock c0 in m/s", coeff(GOOD + " strength plastic 3e8 0 eos shock 5200 1.4 2"))
 wrong("shock c0 0", coeff(GOOD + " eos shock 0 1.4 2"), C, "c0", "0")
 wrong("tait without exponent", coeff(GOOD + " eos tait"), C, "tait", "missing")
 wrong("damage of an elastic material", coeff(GOOD + " damage strain 0.3"), C, "damage", "plastic")

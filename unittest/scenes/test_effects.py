@@ -77,6 +77,7 @@ lines = expect("plastic", plastic, plain | {"plasticity", "shifting"})
 checks.true("plastic: the reason names the type", "type 1" in lines["plasticity"][1], lines["plasticity"][1])
 checks.true("plastic: the line of faces says what that means", "material flows" in lines["faces"][1] and "correction second" in lines["faces"][1],
             lines["faces"][1])
+checks.true("plastic: the line of heat says what is missing", "type 1" in lines["heat"][1] and "no heat constants" in lines["heat"][1], lines["heat"][1])
 expect("plastic, heat constants", scene(YIELDS + " " + HEAT), plain | {"plasticity", "shifting"} | heated)
 expect("plastic, heat constants, chi 0", scene(YIELDS + " heat 38 477 0"), plain | {"plasticity", "shifting"})
 expect("Johnson-Cook, no heat constants", scene(STEEL), plain | {"plasticity", "shifting"})
@@ -85,14 +86,15 @@ checks.true("Johnson-Cook: the reason of heat", "plastic work" in lines["heat"][
 expect("no conductivity", scene(STEEL + " heat 0 477 0.9"), plain | {"plasticity", "shifting", "heat", "artificial-heat"})
 expect("damage, shock", scene(STEEL + " eos shock 4570 1.49 1.9 damage strain 1.0"),
        plain | {"plasticity", "shifting", "damage", "internal-energy"})
-said = lambda result: re.findall(r"^sph/tm shock (\d) +(.*)|WARNING: (Pair style sph/tm shock .*?) \(", result.output, re.M)
+said = lambda result: re.findall(r"^sph/tm shock (\S+) +(.*)|WARNING: (Pair style sph/tm shock .*?) \(", result.output, re.M)
 shocked = STEEL + " eos shock 4570 1.49 1.9"
-for name, result, due, why in (("shock equation of state", scene(shocked), "1", "type 1"),
-                               ("linear equation of state", scene(STEEL), "0", "needs shock 1"),
+for name, result, due, why in (("shock equation of state", scene(shocked), "0.5", "type 1"),
+                               ("linear equation of state", scene(STEEL), "0", "needs shock 0.5"),
                                ("shock equation of state, elastic", scene("strength elastic eos shock 4570 1.49 1.9"), None, None),
-                               ("shock equation of state, shock 0", scene(shocked, "shock 0"), None, None),
+                               ("shock equation of state, shock 0", scene(shocked, "shock 0"), "0", "asked for"),
+                               ("linear equation of state, shock 1", scene(STEEL, "shock 1"), "1", "asked for"),
                                ("shock equation of state, correction second", scene(shocked, "correction second"), "0", "second order"),
-                               ("shock equation of state, artificial stress", scene(shocked, "stabilize artstress"), "0", "one pass"),
+                               ("shock equation of state, artificial stress", scene(shocked, "stabilize artstress"), "0", "needs gradient correction"),
                                ("shock 0.5, elastic", scene("strength elastic", "shock 0.5"), "", "no material flows")):
     found = said(result)
     checks.true("bulk viscosity of shocks, " + name, found == [] if due is None else len(found) == 1 and found[0][0] == due and why in "".join(found[0]), str(found))

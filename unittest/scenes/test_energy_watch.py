@@ -47,6 +47,12 @@ r = scene("run 1500\nrun 1500\n", style=BARE + "1 1")
 said = [w for w in r.warnings() if "artificial terms" in w]
 checks.true("viscosity: warns once, in all runs", r.status == 0 and len(said) == 1 and "have taken" in said[0], "%s" % r.warnings())
 
+# a shove at the start, whose energy is a hundredth of what comes later: what was said then is said anew at the end
+r = scene("velocity all scale 1\nrun 1200\nvelocity all set v_vx10 0 0 units box\nrun 1200\n".replace("velocity all scale 1\n", "variable vx10 atom 200*sin(200*x)\n"),
+          style=BARE + "1 1")
+said = [w for w in r.warnings() if "artificial terms" in w]
+checks.true("viscosity: warns again at the end of a run with ten times the energy", r.status == 0 and len(said) == 2, "%s" % r.warnings())
+
 r = scene(LITTLE)
 checks.true("energy from nowhere stops the run", r.status == 1 and "stops at step 300" in r.errors() and
             all(w in r.errors() for w in ("the sum of the energies has drifted by +", "energy/drift", "not to be trusted")),

@@ -144,6 +144,23 @@ def mistakes():
     judge("a tool of 293 K", scene("run 0", tool="temperature 293"))
     judge("a tool of 300, then 25 K", scene("run 0\nfix_modify tool temperature 25\nrun 0", tool="temperature 300"), "is 25 K", "kelvin", warned=True)
     judge("air of 20 K", scene("fix air all sph/tm/heat convection 100 20\nrun 0", heat=" heat 200 900 0.9"), "Tinf is 20 K", "kelvin", warned=True)
+    folder = new_folder()
+    for name, order in (("right", "abcd"), ("turned", "badc")):
+        lines = []
+        for k, (lo, hi) in enumerate((((6e-3, 0, 0), (8e-3, 2e-3, 2e-3)), ((6e-3, 3e-3, 0), (7e-3, 4e-3, 1e-3)))):
+            turn = k == 1 and name == "turned"
+            at = lambda i, j, l: tuple((lo, hi)[n][d] for d, n in enumerate((i, j, l)))
+            quads = [((0, 0, 0), (0, 0, 1), (0, 1, 1), (0, 1, 0)), ((1, 0, 0), (1, 1, 0), (1, 1, 1), (1, 0, 1)),
+                     ((0, 0, 0), (1, 0, 0), (1, 0, 1), (0, 0, 1)), ((0, 1, 0), (0, 1, 1), (1, 1, 1), (1, 1, 0)),
+                     ((0, 0, 0), (0, 1, 0), (1, 1, 0), (1, 0, 0)), ((0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))]
+            for q in quads:
+                for three in ((0, 1, 2), (0, 2, 3)):
+                    corner = [at(*q[n]) for n in (three[::-1] if turn else three)]
+                    lines.append("facet normal 0 0 0\nouter loop\n%sendloop\nendfacet\n" % "".join("vertex %g %g %g\n" % c for c in corner))
+        with open(os.path.join(folder, name + ".stl"), "w") as f: f.write("solid two\n%sendsolid two\n" % "".join(lines))
+    two = "\nfix two all contact/tri file %s.stl\nrun 0"
+    judge("two bodies in a file", scene(two % "right", folder=folder))
+    judge("two bodies in a file, one inside out", scene(two % "turned", folder=folder), "contact/tri", "turned.stl", "one of the bodies", "0.003", "flip no")
     C = "compute c all cutting/force tool %s\nthermo_style custom step c_c\nrun 1"
     judge("away along direction", scene(C % "direction 0 2 0"), "Compute cutting/force c", "away 0 1 0", "direction 0 1 0")
     judge("away against direction", scene(C % "direction 1 0 0 away -3 0 0"), "Compute cutting/force c", "away -1 0 0")

@@ -70,8 +70,11 @@ void AdaptLists::setup()
         FLERR,
         "Fix adapt/neigh threshold {}: with gradient correction and hourglass control, the "
         "default of pair_style sph/tm, a threshold between 0 and inf takes 1.5 to 1.7 times the "
-        "time of 'threshold 0 margin 0.15', which is the fastest",
-        threshold);
+        "time of 'threshold 0 margin 0.15', which is the fastest{}",
+        threshold,
+        state.has(TM_FX_PLASTICITY) ? "; metal that flows is not shifted with it: chips tear, and forces of cuts came "
+                                      "out up to 16 % lower"
+                                    : "");
 }
 
 void AdaptLists::end_of_step()

@@ -9,17 +9,20 @@
 
 #include "tm_tri_view.h"
 
+/* Solid angle of the triangle with these corners (9) from p. */
+TM_FN tm_real tm_winding_angle(const double *q, tm_vec3 p)
+{
+  const tm_vec3 a = tm_vec_sub(tm_load3(q), p), b = tm_vec_sub(tm_load3(q + 3), p);
+  const tm_vec3 c = tm_vec_sub(tm_load3(q + 6), p);
+  const tm_real la = tm_vec_norm(a), lb = tm_vec_norm(b), lc = tm_vec_norm(c);
+  return 2.0 * atan2(tm_vec_dot(a, tm_vec_cross(b, c)),
+                     la * lb * lc + tm_vec_dot(a, b) * lc + tm_vec_dot(b, c) * la + tm_vec_dot(c, a) * lb);
+}
+
 TM_FN tm_real tm_winding_number(const tm_tri_view *m, tm_vec3 p)
 {
   tm_real sum = 0.0;
-  for (ptrdiff_t t = 0; t < m->nt; t++) {
-    const double *q = m->corner + 9 * t;
-    const tm_vec3 a = tm_vec_sub(tm_load3(q), p), b = tm_vec_sub(tm_load3(q + 3), p);
-    const tm_vec3 c = tm_vec_sub(tm_load3(q + 6), p);
-    const tm_real la = tm_vec_norm(a), lb = tm_vec_norm(b), lc = tm_vec_norm(c);
-    sum += 2.0 * atan2(tm_vec_dot(a, tm_vec_cross(b, c)),
-                       la * lb * lc + tm_vec_dot(a, b) * lc + tm_vec_dot(b, c) * la + tm_vec_dot(c, a) * lb);
-  }
+  for (ptrdiff_t t = 0; t < m->nt; t++) sum += tm_winding_angle(m->corner + 9 * t, p);
   return sum / (4.0 * TM_PI);
 }
 

@@ -85,6 +85,14 @@ std::string TriTool::load(MPI_Comm world, const Shape &shape, bool two_sided)
     return fmt::format("the normals of mesh file {} point into the body; add 'flip yes', or 'flip "
                        "no' where the particles belong inside it",
                        shape.file);
+  const int turned = shape.flip < 0 ? tm_mesh_inside_out(&mesh_) : -1;
+  if (turned >= 0) {
+    const double *x = mesh_.corner + 9 * (size_t) turned;
+    return fmt::format("the normals of one of the bodies in mesh file {} point into it, that with a corner at {:.6g} "
+                       "{:.6g} {:.6g}; turn it round (admesh, MeshLab), or add 'flip no' where the particles belong "
+                       "inside it",
+                       shape.file, x[0], x[1], x[2]);
+  }
   return "";
 }
 

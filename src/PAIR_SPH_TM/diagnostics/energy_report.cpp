@@ -59,6 +59,7 @@ void EnergyReport::sum()
   mine[ARTIFICIAL] = b.of(E::ARTIFICIAL);
   mine[EXTERNAL] = -(b.of(E::KINETIC_WORK) - b.of(E::INTERNAL_WORK) - b.of(E::CONTACT_WORK) + b.of(E::TOOL_WORK));
   mine[EXCHANGED] = state.has(TM_FX_EXPANSION) ? b.of(E::HEAT_EXCHANGED) : 0.0;
+  mine[SHOCK] = b.of(E::SHOCK);
   MPI_Allreduce(mine, now, SUMS, MPI_DOUBLE, MPI_SUM, world);
   const double unit = state.model().units().energy;
   double total = 0.0;
@@ -69,6 +70,7 @@ void EnergyReport::sum()
   now[SUM] = total;
   now[FAILURE] /= unit;
   now[EXCHANGED] /= unit;
+  now[SHOCK] /= unit;
   unstored = now[UNEXPLAINED] / unit;
   now[UNEXPLAINED] = energy_watch.unexplained(unstored);
 }
@@ -98,7 +100,8 @@ void EnergyReport::look(Look when, bool lost)
   sum();
   forget();    // fixes whose turn is still to come may add to it
   const EnergyWatch::Energies energies = {now[KINETIC], now[ARTIFICIAL],
-                                          std::fabs(now[EXTERNAL]) + std::fabs(now[EXCHANGED]), now[SUM], unstored};
+                                          now[SHOCK],   std::fabs(now[EXTERNAL]) + std::fabs(now[EXCHANGED]),
+                                          now[SUM],     unstored};
   if (when == FIRST) {
     energy_watch.begin(energies, least_energy());
     return;

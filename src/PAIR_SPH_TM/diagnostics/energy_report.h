@@ -19,7 +19,7 @@ class EnergyReport : protected LAMMPS_NS::Pointers {
   enum Entry {
     KINETIC, ELASTIC, PLASTIC, HEAT, CONTACT, FRICTION, ARTIFICIAL, EXTERNAL, SUM, DT, CAUSE, NEIGHBORS,
     UNEXPLAINED, FAILURE, TORN, ENTRIES,
-    EXCHANGED = ENTRIES, SUMS    // heat from outside: no entry
+    EXCHANGED = ENTRIES, SHOCK, SUMS    // heat from outside, bulk viscosity of shocks: no entries
   };
   // clang-format on
   static bool is_of_balance(int entry) { return entry <= SUM || entry == UNEXPLAINED || entry == FAILURE; }

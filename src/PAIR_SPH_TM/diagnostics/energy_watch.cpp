@@ -23,7 +23,8 @@ void EnergyWatch::look(const Energies &e)
   most_work = std::max(most_work, e.external);
   into = given + most_work;
   drifted = e.sum - base;
-  made = e.artificial;
+  made = e.artificial - e.shock;
+  shocked = e.shock;
   last_kinetic = e.kinetic;
   last_sum = e.sum;
   last_unstored = e.unstored;
@@ -34,6 +35,8 @@ void EnergyWatch::count(bool last)
   auto more = [&](int &looks, bool over) { looks = !over ? 0 : last ? LASTING : looks + 1; };
   more(drifting, says() && std::fabs(drift()) > DRIFT_WARNED);
   more(making, says() && std::fabs(artificial()) > ARTIFICIAL_WARNED);
+  if (last && said_at > 0.0 && into > 10.0 * said_at)
+    said_artificial = false;    // what was said then was of a first touch
 }
 
 bool EnergyWatch::stops(double drift_allowed)
@@ -44,10 +47,13 @@ bool EnergyWatch::stops(double drift_allowed)
 
 std::string EnergyWatch::in_words() const
 {
+  const std::string in_shocks =
+      shocked != 0.0 ? fmt::format(", the bulk viscosity of shocks {:+.3g} %", 100.0 * shocked / into) : "";
   return fmt::format(
-      "{:.6g} went in; the sum drifted by {:+.3g} % of it, artificial terms took {:+.3g} %; {:+.3g} % is "
+      "{:.6g} went in; the sum drifted by {:+.3g} % of it, artificial terms took {:+.3g} %{}; {:+.3g} % is "
       "work of the stress that is neither stored nor dissipated",
-      into, 100.0 * drift(), 100.0 * artificial(), into > 0.0 ? 100.0 * unexplained(last_unstored) / into : 0.0);
+      into, 100.0 * drift(), 100.0 * artificial(), in_shocks,
+      into > 0.0 ? 100.0 * unexplained(last_unstored) / into : 0.0);
 }
 
 std::string EnergyWatch::warning()
@@ -59,6 +65,7 @@ std::string EnergyWatch::warning()
   }
   if (!said_artificial && making >= LASTING) {
     said_artificial = true;
+    said_at = into;
     return fmt::format("artificial terms (viscosity, artificial stress, hourglass resistance) have "
                        "{} {:.3g} % of the {:.6g} "
                        "that went in",

@@ -12,7 +12,9 @@ namespace SPHTM_NS {
 class EnergyWatch {
  public:
   struct Energies {
-    double kinetic, artificial, external, sum;    // external: work, and heat that strains, of all outside, without sign
+    // shock: of artificial, the bulk viscosity of shocks, which have to dissipate; external: work, and heat that strains,
+    // of all outside, without sign
+    double kinetic, artificial, shock, external, sum;
     // work of the stress less what became plastic work, was lost in failure or is stored; its start is subtracted here
     double unstored;
   };
@@ -26,8 +28,8 @@ class EnergyWatch {
   // the look counts; last: of a run, where one is enough
   void count(bool last);
   bool says() const { return into > least; }
-  double drift() const { return into > 0.0 ? drifted / into : 0.0; }    // over what went in
-  double artificial() const { return into > 0.0 ? made / into : 0.0; }
+  double drift() const { return into > 0.0 ? drifted / into : 0.0; }      // over what went in
+  double artificial() const { return into > 0.0 ? made / into : 0.0; }    // but in shocks
   // work of the stress that is neither stored nor dissipated, of what was said to be unstored
   double unexplained(double unstored) const { return begun ? unstored - base_unstored : 0.0; }
   double went_in() const { return into; }
@@ -50,7 +52,8 @@ class EnergyWatch {
   double most_work = 0.0;            // largest of what came from outside so far
   double last_kinetic = 0.0, last_sum = 0.0;
   double base_unstored = 0.0, last_unstored = 0.0;
-  double drifted = 0.0, made = 0.0, into = 0.0;
+  double drifted = 0.0, made = 0.0, shocked = 0.0, into = 0.0;
+  double said_at = 0.0;    // what had gone in when artificial terms were last warned of
   bool said_drift = false, said_artificial = false, lost = false;
   int drifting = 0, making = 0, beyond = 0;    // looks in a row
 };

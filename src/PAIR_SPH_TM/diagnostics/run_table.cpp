@@ -128,20 +128,20 @@ void RunTable::print(const EnergyWatch &energy, const std::string &fracture)
 
   const double loops = part[RunClock::PREDICT] + part[RunClock::RATES] + part[RunClock::UPDATE];
   double effects_sum = 0.0;
-  for (const auto &s : share) effects_sum += s.second * loops;
+  for (const auto &s : share) effects_sum += std::max(s.second, 0.0) * loops;    // below 0: lost in the noise
   line("mechanics", loops + part[RunClock::DRIFT] - effects_sum, bytes[0],
        share.empty() ? "and all effects in its loops: too short a run to tell them apart" : "");
   for (const unsigned bit : effects_by_name()) {
     if (!state.has(bit)) continue;
     double seconds = 0.0;
     const auto s = share.find(bit);
-    if (s != share.end()) seconds += s->second * loops;
+    if (s != share.end()) seconds += std::max(s->second, 0.0) * loops;
     if (bit == TM_FX_CORRECTION) seconds += part[RunClock::MOMENTS];
     if (bit == TM_FX_HOURGLASS) seconds += part[RunClock::HOURGLASS];
     if (bit == TM_FX_FRACTURE) seconds += part[RunClock::FRACTURE];
     if (bit == TM_FX_CONDUCTION) seconds += part[RunClock::THERMAL];
     if (bit == TM_FX_BODIES) seconds += part[RunClock::BODIES];
-    line(effect_name(bit), seconds, bytes[bit]);
+    line(effect_name(bit), seconds, bytes[bit], s != share.end() && s->second < 0.0 ? "less than the noise" : "");
   }
   double lists = part[RunClock::ROWS];    // and what goes with them
   for (const auto &f : modify->get_fix_list()) {

@@ -161,6 +161,8 @@ std::string StopReport::likely_cause(int i, int status)
       may(scene_has("^sph/tm/heat"), "a heat source or flux (fix sph/tm/heat) larger than meant");
       may(temperature_set, "a temperature given by fix_modify");
       may(tool || bodies, "friction heat of a speed or pressure out of range");
+      may(state.has(TM_FX_ENERGY), "a shock: particles at the face where bodies meet get far hotter than those behind, "
+                                   "raise temperature/max");
       may(state.has(TM_FX_PLASTICITY), "plastic work of a material whose constants are in another unit");
       break;
     default:

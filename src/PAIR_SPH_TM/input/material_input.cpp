@@ -62,6 +62,7 @@ class MaterialReader {
   void apply_changes();
   void check_damage();
   void check_expansion();
+  void check_sound();
 };
 
 double MaterialReader::number(Words &w, const std::string &what, Range range)
@@ -225,6 +226,21 @@ void MaterialReader::check_damage()
                    what, m.d5);
 }
 
+// c0 of a shock equation of state is the bulk sound speed
+void MaterialReader::check_sound()
+{
+  if (m.body != TM_BODY_SOLID || m.eos != TM_EOS_SHOCK || lmp->comm->me) return;
+  const StyleUnits *u = find_style_units(lmp->update->unit_style);
+  const double speed = u ? u->length / u->time : 1.0, unit = u ? u->density * speed * speed / u->pressure : 1.0;
+  const double ratio = unit * m.rho0 * m.eos_c0 * m.eos_c0 / (m.young / (3.0 * (1.0 - 2.0 * m.poisson)));
+  if (ratio < 0.5 || ratio > 2.0)
+    error->warning(
+        FLERR,
+        "{}: eos shock c0 {:.6g}: density c0^2 is {:.3g} times the bulk modulus that elastic gives, of a metal "
+        "they are the same within a tenth; is c0 in the units of the run?",
+        where, m.eos_c0, ratio);
+}
+
 // with a shock equation of state the internal energy expands: 3 alpha = gamma c_p/c0^2
 void MaterialReader::check_expansion()
 {
@@ -261,6 +277,7 @@ tm_material MaterialReader::finish(const std::string &source)
                "{}: damage johnson/cook with d4 or d5 needs the reference rate and the "
                "temperatures of strength johnson/cook; use 0 for both",
                where);
+  check_sound();
   check_expansion();
   check_damage();
   m.shear = m.young / (2.0 * (1.0 + m.poisson));

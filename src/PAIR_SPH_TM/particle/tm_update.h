@@ -175,16 +175,20 @@ TM_FN void tm_update_energy(tm_real *e, tm_real gain, tm_real dt)
 }
 
 /* Energy that artificial terms give to the particle in the step: those of the pairs, what the balance of the artificial stress takes
-   out of the motion, -m rho share R : L, and the pressure q of shocks, -m/rho q tr L. rho: of the force point; before the flow stress
-   is written. */
+   out of the motion, -m rho share R : L, and the pressure q of shocks, -m/rho q tr L, also in *shock. rho: of the force point; before
+   the flow stress is written. */
 TM_FN tm_real tm_update_artificial(int i, const tm_update_args *a, const tm_update_read *in, tm_real rho, tm_real h,
-                                   tm_mat3 L, unsigned effects)
+                                   tm_mat3 L, unsigned effects, tm_real *shock)
 {
   if (!a->artificial) return 0.0;
   tm_real power = in->artificial;
-  if (a->shock > 0.0)
-    power -= in->rec_mass / rho * tm_mat_trace(L) *
-             tm_shocked(i, &a->state, a->shock, in->rate[TM_H_RHO], rho, in->sound, h, a->dt, in->predicted, effects);
+  if (a->shock > 0.0) {
+    const tm_real q =
+        tm_shocked(i, &a->state, a->shock, in->rate[TM_H_RHO], rho, in->sound, h, a->dt, in->predicted, effects);
+    const tm_real taken = in->rec_mass / rho * tm_mat_trace(L) * q;
+    power -= taken;
+    *shock = -a->dt * taken;
+  }
   if ((effects & TM_FX_ARTSTRESS) && a->share) {
     const tm_real *r = tm_main_record(&a->rec, i), *R = tm_stress_record(&a->rec, i);
     const tm_real *size = (effects & TM_FX_SMOOTHING) ? tm_field_row(&a->state, TM_F_SIZE, i) : NULL;
@@ -336,7 +340,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
     tm_point q =
         tm_constitutive(m, in.rho, rho_half, s0, s_half, L, energy, growth, eps_p, T, a->dt, pl != NULL && !failed);
     if (failed) q.s = s_acting;
-    const tm_real artificial = tm_update_artificial(i, a, &in, rho_half, h, L, effects);
+    const tm_real artificial = tm_update_artificial(i, a, &in, rho_half, h, L, effects, &out.shock);
     const tm_real plastic = q.yield * q.d_eps / q.rho;
 
     const tm_real inv_dt = 1.0 / a->dt;

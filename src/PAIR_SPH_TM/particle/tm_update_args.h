@@ -59,6 +59,7 @@ typedef struct {
      heat: thermal energy gained, without that of the artificial terms */
   tm_real stress_work, plastic, plastic_heat, failure, thermal_pressure, compression, artificial, kinetic_work,
       internal_work, heat;
+  tm_real shock; /* of artificial, what the bulk viscosity of shocks gives */
 } tm_update_result;
 
 TM_FN tm_update_result tm_update_nothing(void)
@@ -69,7 +70,7 @@ TM_FN tm_update_result tm_update_nothing(void)
   r.dt[0] = r.dt[1] = r.dt[2] = TM_DT_NO_LIMIT;
   r.speed2 = 0.0;
   r.stress_work = r.plastic = r.plastic_heat = r.failure = r.thermal_pressure = r.compression = r.artificial = 0.0;
-  r.kinetic_work = r.internal_work = r.heat = 0.0;
+  r.kinetic_work = r.internal_work = r.heat = r.shock = 0.0;
   return r;
 }
 
@@ -94,6 +95,7 @@ TM_FN void tm_update_sum(tm_update_result *sum, const tm_update_result *r, int l
   sum->kinetic_work += r->kinetic_work;
   sum->internal_work += r->internal_work;
   sum->heat += r->heat;
+  sum->shock += r->shock;
 }
 
 /* What of a particle an update reads in scenes without rare effects, 0 where an effect is off: all of it before anything is

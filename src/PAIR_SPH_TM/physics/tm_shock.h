@@ -17,7 +17,9 @@
    heat. The rate is that of the last step; what its lag bears limits b, tm_shock_bound(). At free faces, and for particles that lose
    their neighbors, gradients answer faster than that: w = 1 - (|K - 1|/0.3)^2, not below 0, lets q act inside alone, where the
    correction K is near 1. Without w single particles at a tool made up to a
-   tenth of its work out of nothing, with it a hundredth in one of the tests of layers: hence an option. Without a flow stress
+   tenth of its work out of nothing. It is on where a material has a shock equation of state (effect_plan.cpp). shock trades what is
+   behind a front against its width, in h about shock c/u, u the jump of the velocity: bounds of q by the compression there is
+   already, or by a part that is quadratic in the rate, made the one worse as they made the other better. Without a flow stress
    TM_SHOCK_LEAST rho c^2 takes its place; what is elastic has no q, since ringing leaves nothing behind there. */
 #ifndef TM_SHOCK_H
 #define TM_SHOCK_H

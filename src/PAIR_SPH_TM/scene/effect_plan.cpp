@@ -2,6 +2,8 @@
 
 #include "model.h"
 
+#include "fmt/format.h"
+
 #include <map>
 
 namespace SPHTM_NS {
@@ -90,7 +92,7 @@ struct Reasons {
   bool mechanics = false, solid = false, flows = false, softens = false, shock = false;
   bool lasting = false;        // a material in which ringing behind a shock leaves something behind
   std::string shocked = {};    // the first of them that has a shock equation of state
-  std::string why_no_faces = {}, why_no_shifting = {};
+  std::string why_no_faces = {}, why_no_shifting = {}, why_no_heat = {};
   std::string conducts = {}, expands = {}, compresses = {};    // the first material that does, or heats by compression
 
   void on(unsigned bit, const std::string &reason) { why.emplace(bit, reason); }
@@ -122,6 +124,8 @@ void Reasons::materials()
     if (m.heat && m.taylor_quinney > 0.0 && flow != TM_FLOW_NONE)
       on(TM_FX_HEAT, of_type(t) + (flow == TM_FLOW_THERMAL ? " heats by plastic work and softens with temperature"
                                                            : " heats by plastic work"));
+    if (!m.heat && flow != TM_FLOW_NONE && why_no_heat.empty())
+      why_no_heat = of_type(t) + " flows, but has no heat constants: it does not warm up";
     softens = softens || flow == TM_FLOW_THERMAL;
     if (m.damage != TM_DAMAGE_NONE) on(TM_FX_DAMAGE, of_type(t) + " has a damage law");
     if (m.eos == TM_EOS_SHOCK) {
@@ -280,28 +284,35 @@ void EffectPlan::derive(const Model &model, int dimension)
     r.why.erase(TM_FX_FACES);
     why_no_faces = "lists keep pairs; thin parts bend too softly";
   }
-  write_report(r.why, {{TM_FX_FACES, why_no_faces}, {unsigned(TM_FX_SHIFTING), r.why_no_shifting}});
+  write_report(r.why, {{TM_FX_HEAT, r.why_no_heat},
+                       {TM_FX_FACES, why_no_faces},
+                       {unsigned(TM_FX_SHIFTING), r.why_no_shifting}});
   bulk_viscosity(model, r.shocked, r.lasting);
 }
 
 // of shocks: behind the effects, since it needs one pass
 void EffectPlan::bulk_viscosity(const Model &model, const std::string &shock_eos, bool lasting)
 {
+  constexpr double USUAL = 0.5;    // wide enough that little rings behind a front, narrow enough for plates of few rows
   const double given = model.settings_in_use().shock;
   std::string why_not;
   if (!lasting) why_not = "no material flows";
-  else if (!(effects & TM_FX_ONE_PASS))
-    why_not = "needs gradient correction and hourglass control in one pass, and no lists that keep pairs";
   else if (effects & TM_FX_PLANE_STRESS) why_not = "there is none in plane stress";
+  else if (!(effects & TM_FX_CORRECTION)) why_not = "it needs gradient correction";
+  else if (!(effects & TM_FX_HOURGLASS)) why_not = "it needs hourglass control";
+  else if (effects & TM_FX_ARTSTRESS) why_not = "there is artificial stress";
+  else if (!(effects & TM_FX_ONE_PASS)) why_not = "lists of fix adapt/neigh keep pairs";
   else if (effects & TM_FX_FACES) why_not = "faces are of second order";
 
-  shock = !why_not.empty() ? 0.0 : given < 0.0 ? (shock_eos.empty() ? 0.0 : 1.0) : given;
+  shock = !why_not.empty() ? 0.0 : given >= 0.0 ? given : shock_eos.empty() ? 0.0 : USUAL;
   if (given > 0.0 && !why_not.empty()) warnings.push_back("Pair style sph/tm shock has no effect: " + why_not);
-  if (given >= 0.0 || !lasting) return;
-  std::string line = shock > 0.0 ? "sph/tm shock 1" : "sph/tm shock 0";
+  if (!lasting) return;
+  std::string line = fmt::format("sph/tm shock {:g}", shock);
   line.resize(32, ' ');
-  if (shock_eos.empty()) line += "no material has a shock equation of state; stress behind shocks needs shock 1";
-  else line += why_not.empty() ? shock_eos + " has a shock equation of state" : why_not;
+  if (!why_not.empty()) line += why_not;
+  else if (given >= 0.0) line += "asked for in pair_style";
+  else if (shock_eos.empty()) line += "no material has a shock equation of state; stress behind shocks needs shock 0.5";
+  else line += shock_eos + " has a shock equation of state";
   report.push_back(line);
 }
 

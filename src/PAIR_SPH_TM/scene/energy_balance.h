@@ -29,6 +29,7 @@ class EnergyBalance {
     HEAT_EXCHANGED,     // other heat given to particles (conduction from tools, fluxes)
     CONTACT_WORK,       // work of contact forces on particles
     TOOL_WORK,          // work of the tool drives on the particles and contacts
+    SHOCK,              // of ARTIFICIAL, the bulk viscosity of shocks
     TERMS
   };
 
@@ -46,6 +47,7 @@ class EnergyBalance {
     add(KINETIC_WORK, r.kinetic_work);
     add(INTERNAL_WORK, r.internal_work);
     add(HEAT, r.heat);
+    add(SHOCK, r.shock);
   }
   void add_body_contact(const tm_body_contact_result &r, double dt)
   {
