@@ -16,14 +16,16 @@ from sph_shift import shift
 
 
 class Body(Rates):
-    """viscosity, artstress, correction, hourglass (a number or "auto"): None takes the default of the pair style, which
+    """viscosity, artstress, shock, correction, hourglass (a number or "auto"): None takes the default of the pair style, which
     with tensile (stabilize artstress), with an artificial stress and with the form F14 is that of Fraser 2014."""
 
-    def __init__(self, dim, x, v, kind, materials, box, kernel, h, spacing, viscosity=None, artstress=None, shock=0.0,
+    def __init__(self, dim, x, v, kind, materials, box, kernel, h, spacing, viscosity=None, artstress=None, shock=None,
                  component=False, xsph=0.0, form="f15", correction=None, balsara=False, plane_stress=False,
                  temperature=293.15, heat=False, meets=None, load=(0.0, 0.0, 0.0), balanced=False, follow=None,
                  every=1, hourglass=None, tensile=False, expands=False, compression=False, dissipation=None):
         tensile = tensile or form == "f14" or bool(artstress and artstress[0] > 0)
+        if shock is None:
+            shock = 0.5 if any(m.eos[0] == "shock" and m.strength[0] != "elastic" for m in materials.values()) else 0.0
         self.shock = shock
         viscosity = viscosity or ((1.0, 1.0) if tensile else (0.0, 1.0))
         artstress = artstress or ((0.3, 4) if tensile else (0.0, 4))
