@@ -5,7 +5,7 @@
    flows that should rest (case_plate_impact.py). So in compression a pressure can be added, as von Neumann and Richtmyer 1950 (doi
    10.1063/1.1699639) did, here linear in the rate (Landshoff 1955), as in every code of finite elements for impact:
 
-     q = b w rho c^2 x,   b = shock Z^2/(1 + Z^2),   Z = 10 x/(Y/(rho c^2)),   x = r/(1 + r/0.4),   r = (h/c) (drho/dt)/rho > 0
+     q = b w rho c^2 x,   b = shock Z^2/(1 + Z^2),   Z = 10 x/(Y/(rho c^2)),   x = r/sqrt(1 + (r/0.3)^2),   r = (h/c) (drho/dt)/rho > 0
 
    r is the rate in h/c, below 0.1 in a front; where faces meet at a jump u of the velocity it is 1.2 u/c in the first step, and q would heat
    those rows by more than the shock that follows: x bounds that.
@@ -29,7 +29,7 @@
 #include "tm_tensor.h"
 
 #define TM_SHOCK_RISE 10.0
-#define TM_SHOCK_FASTEST 0.4
+#define TM_SHOCK_FASTEST 0.3
 /* Least flow stress, over rho c^2: that of soft aluminum. */
 #define TM_SHOCK_LEAST 5e-4
 /* Turn of the shortest waves in h/c where a particle has neighbors all around: 1.1 in a lattice (tm_time_step.h), and what disorder adds. */
@@ -57,7 +57,7 @@ TM_FN tm_real tm_shock_bound(tm_real h, tm_real c, tm_real dt)
 TM_FN tm_real tm_shock_pressure(tm_real shock, tm_real rate, tm_real h, tm_real c, tm_real rho, tm_real yield,
                                 tm_real dt)
 {
-  const tm_real r = tm_max(rate, 0.0) * h / c, x = r / (1.0 + r / TM_SHOCK_FASTEST);
+  const tm_real r = tm_max(rate, 0.0) * h / c, bend = r / TM_SHOCK_FASTEST, x = r / sqrt(1.0 + bend * bend);
   const tm_real rho_c2 = rho * c * c;
   const tm_real Z = TM_SHOCK_RISE * x / tm_max(yield / rho_c2, TM_SHOCK_LEAST);
   const tm_real b = tm_min(shock * (1.0 - 1.0 / (1.0 + Z * Z)), tm_shock_bound(h, c, dt));
