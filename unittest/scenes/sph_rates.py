@@ -52,7 +52,6 @@ class Rates:
             return np.zeros(self.n)
         flows = np.array([m.strength[0] != "elastic" for m in self.mat])
         squeezed = np.maximum(self.old[0]["rho"] / rho, 0) * self.own_h / c
-        squeezed = squeezed / np.sqrt(1 + (squeezed / 0.3) ** 2)
         Z = 10 * squeezed / np.maximum(self.flow / (rho * c ** 2), 5e-4)
         turn = 1.7 * c * 2 * ahead / self.own_h    # of the shortest waves in a step
         b = np.minimum(self.shock * Z ** 2 / (1 + Z ** 2), 0.85 * np.maximum(1 - turn, 0) / (1.7 * turn))

@@ -5,10 +5,8 @@
    flows that should rest (case_plate_impact.py). So in compression a pressure can be added, as von Neumann and Richtmyer 1950 (doi
    10.1063/1.1699639) did, here linear in the rate (Landshoff 1955), as in every code of finite elements for impact:
 
-     q = b w rho c^2 x,   b = shock Z^2/(1 + Z^2),   Z = 10 x/(Y/(rho c^2)),   x = r/sqrt(1 + (r/0.3)^2),   r = (h/c) (drho/dt)/rho > 0
+     q = b w rho c h rate,   b = shock Z^2/(1 + Z^2),   Z = 10 (h/c) rate/(Y/(rho c^2)),   rate = (drho/dt)/rho > 0
 
-   r is the rate in h/c, below 0.1 in a front; where faces meet at a jump u of the velocity it is 1.2 u/c in the first step, and q would heat
-   those rows by more than the shock that follows: x bounds that.
    Z is 1 where the longitudinal stress rises by a tenth of the flow stress in the time that sound takes for h. A shock that makes
    metal flow passes in 2 to 4 of these times, so Z is far above 1 there. In metal that is cut or forged the density changes far
    more slowly, and elastic waves pass with what the flow stress bears: there q is small, in slow flow by the cube of the rate.
@@ -29,7 +27,6 @@
 #include "tm_tensor.h"
 
 #define TM_SHOCK_RISE 10.0
-#define TM_SHOCK_FASTEST 0.3
 /* Least flow stress, over rho c^2: that of soft aluminum. */
 #define TM_SHOCK_LEAST 5e-4
 /* Turn of the shortest waves in h/c where a particle has neighbors all around: 1.1 in a lattice (tm_time_step.h), and what disorder adds. */
@@ -57,11 +54,11 @@ TM_FN tm_real tm_shock_bound(tm_real h, tm_real c, tm_real dt)
 TM_FN tm_real tm_shock_pressure(tm_real shock, tm_real rate, tm_real h, tm_real c, tm_real rho, tm_real yield,
                                 tm_real dt)
 {
-  const tm_real r = tm_max(rate, 0.0) * h / c, bend = r / TM_SHOCK_FASTEST, x = r / sqrt(1.0 + bend * bend);
+  const tm_real squeezed = tm_max(rate, 0.0) * h / c; /* in h/c */
   const tm_real rho_c2 = rho * c * c;
-  const tm_real Z = TM_SHOCK_RISE * x / tm_max(yield / rho_c2, TM_SHOCK_LEAST);
+  const tm_real Z = TM_SHOCK_RISE * squeezed / tm_max(yield / rho_c2, TM_SHOCK_LEAST);
   const tm_real b = tm_min(shock * (1.0 - 1.0 / (1.0 + Z * Z)), tm_shock_bound(h, c, dt));
-  return b * rho_c2 * x;
+  return b * rho_c2 * squeezed;
 }
 
 #endif
