@@ -95,6 +95,8 @@ for name, result, due, why in (("shock equation of state", scene(shocked), "0.5"
                                ("linear equation of state, shock 1", scene(STEEL, "shock 1"), "1", "asked for"),
                                ("shock equation of state, correction second", scene(shocked, "correction second"), "0", "second order"),
                                ("shock equation of state, artificial stress", scene(shocked, "stabilize artstress"), "0", "needs gradient correction"),
+                               ("shock equation of state, lists that keep pairs",
+                                scene(shocked, fix="\nfix lists all adapt/neigh threshold inf"), "0", "keep pairs"),
                                ("shock 0.5, elastic", scene("strength elastic", "shock 0.5"), "", "no material flows")):
     found = said(result)
     checks.true("bulk viscosity of shocks, " + name, found == [] if due is None else len(found) == 1 and found[0][0] == due and why in "".join(found[0]), str(found))

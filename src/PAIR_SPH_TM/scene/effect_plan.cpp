@@ -298,10 +298,10 @@ void EffectPlan::bulk_viscosity(const Model &model, const std::string &shock_eos
   std::string why_not;
   if (!lasting) why_not = "no material flows";
   else if (effects & TM_FX_PLANE_STRESS) why_not = "there is none in plane stress";
+  else if (separate_passes) why_not = "lists of fix adapt/neigh keep pairs";
   else if (!(effects & TM_FX_CORRECTION)) why_not = "it needs gradient correction";
   else if (!(effects & TM_FX_HOURGLASS)) why_not = "it needs hourglass control";
   else if (effects & TM_FX_ARTSTRESS) why_not = "there is artificial stress";
-  else if (!(effects & TM_FX_ONE_PASS)) why_not = "lists of fix adapt/neigh keep pairs";
   else if (effects & TM_FX_FACES) why_not = "faces are of second order";
 
   shock = !why_not.empty() ? 0.0 : given >= 0.0 ? given : shock_eos.empty() ? 0.0 : USUAL;
