@@ -190,16 +190,17 @@ static void near(void)
   a.support_radius2 = 2.25;
   a.count = each;
   tm_nearest all = tm_nearest_nothing();
-  double closest = 1e300, sum = 0.0;
+  double closest = 1e300, sum = 0.0, dense = 0.0;
   int have = 0, who = -1, whom = -1;
   for (int i = 0; i < N; i++) {
     int within = 0;
-    double mine = 1e300;
+    double mine = 1e300, density = 0.0;
     for (int k = 0; k < count[0][i]; k++) {
       const int j = entry(i, k);
       double r2 = 0.0;
       for (int d = 0; d < 3; d++) r2 += (x[3 * i + d] - x[3 * j + d]) * (x[3 * i + d] - x[3 * j + d]);
       within += r2 < 2.25;
+      density += r2 < 2.25 ? (1.0 - r2 / 2.25) * (1.0 - r2 / 2.25) : 0.0;
       mine = fmin(mine, sqrt(r2));
       if (sqrt(r2) < closest) {
         closest = sqrt(r2);
@@ -212,13 +213,16 @@ static void near(void)
     if (count[0][i]) {
       UT_NEAR(c.distance, mine, 1e-15);
       UT_TRUE(c.i == i && c.count == 1.0 && c.sum == c.distance);
+      UT_NEAR(c.density, density, 1e-14 * (1.0 + density));
       sum += mine;
+      dense += density;
       have++;
     } else UT_TRUE(c.i == -1 && c.count == 0.0 && c.sum == 0.0);
     tm_nearest_sum(&all, &c);
   }
   UT_NEAR(all.distance, closest, 1e-15);
   UT_NEAR(all.sum, sum, 1e-13);
+  UT_NEAR(all.density, dense, 1e-12);
   UT_TRUE(all.i == who && all.j == whom && all.count == have && have < N);
   a.count = NULL;
   UT_TRUE(tm_near_count(0, &a) == each[0]);
@@ -234,6 +238,7 @@ static void near(void)
       within += r2 < 2.25 * (0.5 + 0.01 * i) * (0.5 + 0.01 * j);
     }
     UT_TRUE(tm_near_count(i, &a) == within);
+    UT_TRUE((tm_nearest_neighbor(i, &a).density > 0.0) == (within > 0));
   }
 
   tm_nearest one = tm_nearest_nothing(), two = one; /* of equal distances the lower number */

@@ -35,6 +35,7 @@ void EnergyWatch::count(bool last)
   auto more = [&](int &looks, bool over) { looks = !over ? 0 : last ? LASTING : looks + 1; };
   more(drifting, says() && std::fabs(drift()) > DRIFT_WARNED);
   more(making, says() && std::fabs(artificial()) > ARTIFICIAL_WARNED);
+  astray = last && says() && std::fabs(unexplained(last_unstored)) > UNEXPLAINED_WARNED * into;
   if (last && said_at > 0.0 && into > 10.0 * said_at)
     said_artificial = false;    // what was said then was of a first touch
 }
@@ -71,15 +72,29 @@ std::string EnergyWatch::warning()
                        "that went in",
                        artificial() > 0.0 ? "taken" : "added", 100.0 * std::fabs(artificial()), into);
   }
+  if (!said_astray && astray) {
+    said_astray = true;
+    return fmt::format(
+        "{:+.3g} % of the {:.6g} that went in is work of the stress that is neither stored nor dissipated, "
+        "an error of the integration in time that the sum may hide: compare with half the courant",
+        100.0 * unexplained(last_unstored) / into, into);
+  }
   return "";
 }
 
-// 2 more in the place of said_drift: particles were lost
+// 2 more in the place of said_drift: particles were lost; of said_artificial: said_astray
 std::vector<double> EnergyWatch::state() const
 {
-  return {
-      (double) begun,           base,          given,        most_work, last_kinetic, last_sum, said_drift + 2.0 * lost,
-      (double) said_artificial, base_unstored, last_unstored};
+  return {(double) begun,
+          base,
+          given,
+          most_work,
+          last_kinetic,
+          last_sum,
+          said_drift + 2.0 * lost,
+          said_artificial + 2.0 * said_astray,
+          base_unstored,
+          last_unstored};
 }
 
 void EnergyWatch::restore(const double *v)
@@ -92,7 +107,8 @@ void EnergyWatch::restore(const double *v)
   last_sum = v[5];
   said_drift = v[6] == 1.0 || v[6] == 3.0;
   lost = v[6] >= 2.0;
-  said_artificial = v[7] != 0.0;
+  said_artificial = v[7] == 1.0 || v[7] == 3.0;
+  said_astray = v[7] >= 2.0;
   base_unstored = v[8];
   last_unstored = v[9];
 }

@@ -18,7 +18,7 @@ class EnergyWatch {
     // work of the stress less what became plastic work, was lost in failure or is stored; its start is subtracted here
     double unstored;
   };
-  static constexpr double DRIFT_WARNED = 0.01, ARTIFICIAL_WARNED = 0.02;
+  static constexpr double DRIFT_WARNED = 0.01, ARTIFICIAL_WARNED = 0.02, UNEXPLAINED_WARNED = 0.02;
   static constexpr int LASTING = 10, STOPPING = 3;    // looks in a row: at a first touch little went in
 
   // at a set-up: what a script has given to or taken from particles since the last look is no drift. least: energy of
@@ -54,7 +54,8 @@ class EnergyWatch {
   double base_unstored = 0.0, last_unstored = 0.0;
   double drifted = 0.0, made = 0.0, shocked = 0.0, into = 0.0;
   double said_at = 0.0;    // what had gone in when artificial terms were last warned of
-  bool said_drift = false, said_artificial = false, lost = false;
+  bool said_drift = false, said_artificial = false, said_astray = false, lost = false;
+  bool astray = false;                         // at the end of a run
   int drifting = 0, making = 0, beyond = 0;    // looks in a row
 };
 

@@ -101,12 +101,12 @@ void StartChecks::remember_particles()
     last_run.shear.push_back(m.shear);
   }
   const tm_nearest c = scene.results().nearest();
-  const double mine[4] = {c.sum, c.count, scene.results().neighbors(), (double) atom->nlocal};
+  const double mine[4] = {c.sum, c.count, c.density, (double) atom->nlocal};
   double all[4];
   MPI_Allreduce(mine, all, 4, MPI_DOUBLE, MPI_SUM, world);
   MPI_Allreduce(&c.distance, &last_run.nearest, 1, MPI_DOUBLE, MPI_MIN, world);
   last_run.mean_nearest = all[0] / std::max(all[1], 1.0);
-  last_run.neighbors = all[2] / std::max(all[3], 1.0);
+  last_run.pair_density = all[2] / std::max(all[3], 1.0);
   last_run.mass = total_mass();
   const double depth = state.energy().deepest_of_bodies();
   MPI_Allreduce(&depth, &last_run.depth, 1, MPI_DOUBLE, MPI_MAX, world);
@@ -120,20 +120,20 @@ void StartChecks::check_strain(const tm_nearest &c)
   state.atoms().to_host();
   state.history().set_moved(places_hash() != last_run.places);
   if (!state.history().moved_since_last_run()) return;
-  const double mine[4] = {c.sum, c.count, scene.results().neighbors(), (double) atom->nlocal};
+  const double mine[4] = {c.sum, c.count, c.density, (double) atom->nlocal};
   double all[4];
   MPI_Allreduce(mine, all, 4, MPI_DOUBLE, MPI_SUM, world);
   if ((bigint) all[3] != last_run.particles) return;
   const double near = all[0] / std::max(all[1], 1.0) / std::max(last_run.mean_nearest, 1e-300);
-  const double count = all[2] / std::max(all[3], 1.0) / std::max(last_run.neighbors, 1e-300);
-  constexpr double STOPS = 0.1, WARNS = 0.03;
-  const double worst = std::max(fabs(near - 1.0), fabs(count - 1.0));
+  const double dense = all[2] / std::max(all[3], 1.0) / std::max(last_run.pair_density, 1e-300);
+  constexpr double STOPS = 0.1, WARNS = 0.01;
+  const double worst = std::max(fabs(near - 1.0), fabs(dense - 1.0));
   if (worst < WARNS) return;
   const std::string text = fmt::format(
       "Fix sph/tm {}: particles were moved against each other after the last run (nearest neighbors on the mean {:.4g} "
-      "times as far apart, {:.4g} times as many neighbors); their stress and density know nothing of it. Bodies are moved "
+      "times as far apart, {:.4g} times as dense); their stress and density know nothing of it. Bodies are moved "
       "as a whole, and strained by velocities in a run",
-      state.id(), near, count);
+      state.id(), near, dense);
   if (worst > STOPS) error->all(FLERR, text);
   if (comm->me == 0) error->warning(FLERR, text);
 }

@@ -145,15 +145,21 @@ TM_FN tm_real tm_near_dist2(int i, int k, const tm_near_args *a, int *j)
   return dx * dx + dy * dy + dz * dz;
 }
 
+/* The same over the smoothing lengths of both, where particles have their own: to be compared with support_radius2. */
+TM_FN tm_real tm_near_of_size(int i, int j, tm_real r2, const tm_near_args *a)
+{
+  if (!a->size) return r2;
+  return r2 * a->size[(ptrdiff_t) i * TM_REC_SIZE + TM_SIZE_INV_H] *
+         a->size[(ptrdiff_t) j * TM_REC_SIZE + TM_SIZE_INV_H];
+}
+
 /* Mechanical neighbors within the support radius. */
 TM_FN tm_real tm_near_count(int i, const tm_near_args *a)
 {
   int count = 0, j;
   for (int k = 0; k < a->rows.mechanical[i]; k++) {
-    tm_real r2 = tm_near_dist2(i, k, a, &j);
-    if (a->size)
-      r2 *= a->size[(ptrdiff_t) i * TM_REC_SIZE + TM_SIZE_INV_H] * a->size[(ptrdiff_t) j * TM_REC_SIZE + TM_SIZE_INV_H];
-    count += r2 < a->support_radius2;
+    const tm_real r2 = tm_near_dist2(i, k, a, &j);
+    count += tm_near_of_size(i, j, r2, a) < a->support_radius2;
   }
   if (a->count) a->count[i] = count;
   return count;
@@ -164,6 +170,8 @@ typedef struct {
   int i, j;
   tm_real sum;   /* of the distances to the nearest neighbor */
   tm_real count; /* of particles that have one */
+  tm_real
+      density; /* of pairs, (1 - r^2/R^2)^2, R the support radius: a strain in any direction changes it by as much */
 } tm_nearest;
 
 TM_FN tm_nearest tm_nearest_nothing(void)
@@ -171,7 +179,7 @@ TM_FN tm_nearest tm_nearest_nothing(void)
   tm_nearest c;
   c.distance = 1e300;
   c.i = c.j = -1;
-  c.sum = c.count = 0.0;
+  c.sum = c.count = c.density = 0.0;
   return c;
 }
 
@@ -180,7 +188,9 @@ TM_FN tm_nearest tm_nearest_neighbor(int i, const tm_near_args *a)
   tm_nearest c = tm_nearest_nothing();
   for (int k = 0; k < a->rows.mechanical[i]; k++) {
     int j;
-    const tm_real r = sqrt(tm_near_dist2(i, k, a, &j));
+    const tm_real r2 = tm_near_dist2(i, k, a, &j), r = sqrt(r2);
+    const tm_real inside = 1.0 - tm_near_of_size(i, j, r2, a) / a->support_radius2;
+    if (inside > 0.0) c.density += inside * inside;
     if (r >= c.distance) continue;
     c.distance = r;
     c.i = i;
@@ -202,6 +212,7 @@ TM_FN void tm_nearest_sum(tm_nearest *sum, const tm_nearest *c)
   }
   sum->sum += c->sum;
   sum->count += c->count;
+  sum->density += c->density;
 }
 
 #endif
