@@ -171,7 +171,8 @@ def main():
                           wall=result.wall)
     if frames:
         draw(frames, study)
-    study.end({"rows": table})
+    straight = {row: 100 * table[row]["profile_error"] for row in ("elastic", "elastic_resisted") if "profile_error" in table.get(row, {})}
+    study.end({"rows": table}, {"bending_beam": straight} if len(straight) == 2 else None)    # %
 
 
 def draw(frames, study):
