@@ -31,7 +31,7 @@ class Material:
         work = max(self.pressure(rho, e), 0.0) / rho ** 2 if self.eos[0] == "shock" else 0.0
         slope = self.pressure(rho + 1j * tiny, e + 1j * work * tiny).imag / tiny
         G = 0.0 if self.strength[0] == "none" else self.G
-        return np.sqrt(max(slope, 0.01 * self.K / self.rho0) + 4 / 3 * G / rho)
+        return np.sqrt(max(slope, 0.01 * self.K / self.rho0) + 4 / 3 * G / max(rho, 0.5 * self.rho0))
 
     def flow_stress(self, eps, rate, T):
         if self.strength[0] == "plastic":

@@ -77,14 +77,17 @@ TM_FN tm_eos_point tm_eos_evaluate(const tm_material *m, tm_real rho, tm_real e)
 /* Pressure; e = internal energy per mass, read by shock only. */
 TM_FN tm_real tm_eos_pressure(const tm_material *m, tm_real rho, tm_real e) { return tm_eos_evaluate(m, rho, e).p; }
 
+/* Thinner than this part of its reference density is debris alone, which bears neither tension nor shear. */
+#define TM_EOS_DEBRIS 0.5
+
 /* Speed of longitudinal waves, sqrt(dp/drho + 4G/(3 rho)); G counts as 0 without strength. The
-   bulk part is held above a hundredth of its reference value, so that the time step stays
-   finite. */
+   bulk part is held above a hundredth of its reference value, and the density in the other
+   above that of debris, so that the time step stays finite and clouds of it do not set it. */
 TM_FN tm_real tm_eos_sound_speed(const tm_material *m, tm_real rho, tm_real e)
 {
   const tm_real shear = m->strength == TM_STRENGTH_NONE ? 0.0 : m->shear;
   const tm_real bulk = tm_max(tm_eos_evaluate(m, rho, e).dp_drho, 1e-2 * m->bulk / m->rho0);
-  return sqrt(bulk + 4.0 / 3.0 * shear / tm_max(rho, 1e-6 * m->rho0));
+  return sqrt(bulk + 4.0 / 3.0 * shear / tm_max(rho, TM_EOS_DEBRIS * m->rho0));
 }
 
 #endif
