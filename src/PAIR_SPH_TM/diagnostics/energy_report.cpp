@@ -52,12 +52,15 @@ void EnergyReport::sum()
   mine[ELASTIC] = e.stored + b.of(E::THERMAL_PRESSURE) - b.of(E::COMPRESSION);
   mine[PLASTIC] = b.of(E::PLASTIC) - b.of(E::PLASTIC_HEAT) + b.of(E::FAILURE);
   mine[FAILURE] = b.of(E::FAILURE);
-  mine[UNEXPLAINED] = b.of(E::STRESS_WORK) - b.of(E::PLASTIC) - b.of(E::FAILURE) - e.stored - b.of(E::THERMAL_PRESSURE);
+  mine[UNEXPLAINED] = b.of(E::STRESS_WORK) - b.of(E::PLASTIC) - b.of(E::FAILURE) - e.stored -
+                      b.of(E::THERMAL_PRESSURE) - b.of(E::LEFT_STORED);
   mine[HEAT] = b.of(E::HEAT) - b.of(E::HEAT_EXCHANGED);
   mine[CONTACT] = b.spring() + b.of(E::CONTACT_DAMPING);
   mine[FRICTION] = b.of(E::FRICTION);
   mine[ARTIFICIAL] = b.of(E::ARTIFICIAL);
-  mine[EXTERNAL] = -(b.of(E::KINETIC_WORK) - b.of(E::INTERNAL_WORK) - b.of(E::CONTACT_WORK) + b.of(E::TOOL_WORK));
+  mine[LEFT] = b.of(E::LEFT_KINETIC) + b.of(E::LEFT_STORED);
+  mine[EXTERNAL] =
+      mine[LEFT] - (b.of(E::KINETIC_WORK) - b.of(E::INTERNAL_WORK) - b.of(E::CONTACT_WORK) + b.of(E::TOOL_WORK));
   mine[EXCHANGED] = state.has(TM_FX_EXPANSION) ? b.of(E::HEAT_EXCHANGED) : 0.0;
   mine[SHOCK] = b.of(E::SHOCK);
   MPI_Allreduce(mine, now, SUMS, MPI_DOUBLE, MPI_SUM, world);
@@ -71,6 +74,7 @@ void EnergyReport::sum()
   now[FAILURE] /= unit;
   now[EXCHANGED] /= unit;
   now[SHOCK] /= unit;
+  now[LEFT] /= unit;
   unstored = now[UNEXPLAINED] / unit;
   now[UNEXPLAINED] = energy_watch.unexplained(unstored);
 }
@@ -90,18 +94,39 @@ double EnergyReport::least_energy()
   return LEAST * all / state.model().units().energy;
 }
 
-void EnergyReport::look(Look when, bool lost)
+// what leaves the box takes its energies along: the difference of the sums, whatever goes to other ranks besides
+void EnergyReport::before_exchange(bool some)
 {
   if (!state.has(TM_FX_LEDGER)) return;
-  const int mine = lost;
-  int some = 0;
-  MPI_Allreduce(&mine, &some, 1, MPI_INT, MPI_MAX, world);
-  if (some) energy_watch.lose();
+  const int mine = some;
+  int any = 0;
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+  leaving = any != 0;
+  if (leaving) count_leaving(1.0);
+}
+
+void EnergyReport::after_exchange()
+{
+  if (leaving) count_leaving(-1.0);
+  leaving = false;
+}
+
+void EnergyReport::count_leaving(double sign)
+{
+  const tm_energies e =
+      PairLoops::of(state.loops()).energy_sums(state.loops(), atom->nlocal, state.arrays(), state.effects());
+  state.energy().add(EnergyBalance::LEFT_KINETIC, sign * e.kinetic);
+  state.energy().add(EnergyBalance::LEFT_STORED, sign * e.stored);
+}
+
+void EnergyReport::look(Look when)
+{
+  if (!state.has(TM_FX_LEDGER)) return;
   sum();
   forget();    // fixes whose turn is still to come may add to it
-  const EnergyWatch::Energies energies = {now[KINETIC], now[ARTIFICIAL],
-                                          now[SHOCK],   std::fabs(now[EXTERNAL]) + std::fabs(now[EXCHANGED]),
-                                          now[SUM],     unstored};
+  const double outside = std::fabs(now[EXTERNAL] - now[LEFT]) + std::fabs(now[EXCHANGED]);
+  const EnergyWatch::Energies energies = {now[KINETIC], now[ARTIFICIAL], now[SHOCK], outside,
+                                          now[LEFT],    now[SUM],        unstored};
   if (when == FIRST) {
     energy_watch.begin(energies, least_energy());
     return;

@@ -19,7 +19,7 @@ class EnergyReport : protected LAMMPS_NS::Pointers {
   enum Entry {
     KINETIC, ELASTIC, PLASTIC, HEAT, CONTACT, FRICTION, ARTIFICIAL, EXTERNAL, SUM, DT, CAUSE, NEIGHBORS,
     UNEXPLAINED, FAILURE, TORN, ENTRIES,
-    EXCHANGED = ENTRIES, SHOCK, SUMS    // heat from outside, bulk viscosity of shocks: no entries
+    EXCHANGED = ENTRIES, SHOCK, LEFT, SUMS    // heat from outside, bulk viscosity of shocks, what left the box: no entries
   };
   // clang-format on
   static bool is_of_balance(int entry) { return entry <= SUM || entry == UNEXPLAINED || entry == FAILURE; }
@@ -31,9 +31,11 @@ class EnergyReport : protected LAMMPS_NS::Pointers {
   void set_drift_allowed(double d) { drift_allowed = d; }    // of what went in
   // at the start of a run, every so many steps, at its end; a glance does not count
   enum Look { FIRST, REGULAR, LAST, GLANCE };
-  // warns and stops in the name of fix sph/tm; lost: particles of this rank have left the box, with their energies, and
-  // nothing stops
-  void look(Look, bool lost);
+  // warns and stops in the name of fix sph/tm
+  void look(Look);
+  // before and after LAMMPS moves particles to other ranks and deletes those that have left the box; some: of this rank
+  void before_exchange(bool some);
+  void after_exchange();
   EnergyWatch &watch() { return energy_watch; }
 
  private:
@@ -45,8 +47,10 @@ class EnergyReport : protected LAMMPS_NS::Pointers {
   LAMMPS_NS::bigint summed_at = -1, counted_at = -1;
   EnergyWatch energy_watch;
   double drift_allowed = 0.1;
+  bool leaving = false;    // some particle of all leaves
 
   void sum();
+  void count_leaving(double sign);
   double neighbors();
   double least_energy();
   std::string likely_cause() const;

@@ -25,6 +25,7 @@ void EnergyWatch::look(const Energies &e)
   drifted = e.sum - base;
   made = e.artificial - e.shock;
   shocked = e.shock;
+  left = e.left;
   last_kinetic = e.kinetic;
   last_sum = e.sum;
   last_unstored = e.unstored;
@@ -43,17 +44,18 @@ void EnergyWatch::count(bool last)
 bool EnergyWatch::stops(double drift_allowed)
 {
   beyond = says() && std::fabs(drift()) > drift_allowed ? beyond + 1 : 0;
-  return !lost && (beyond >= STOPPING || (beyond && drifting == LASTING));
+  return beyond >= STOPPING || (beyond && drifting == LASTING);
 }
 
 std::string EnergyWatch::in_words() const
 {
+  const std::string gone = left != 0.0 ? fmt::format(", {:.3g} % left with particles", 100.0 * left / into) : "";
   const std::string in_shocks =
       shocked != 0.0 ? fmt::format(", the bulk viscosity of shocks {:+.3g} %", 100.0 * shocked / into) : "";
   return fmt::format(
-      "{:.6g} went in; the sum drifted by {:+.3g} % of it, artificial terms took {:+.3g} %{}; {:+.3g} % is "
+      "{:.6g} went in{}; the sum drifted by {:+.3g} % of it, artificial terms took {:+.3g} %{}; {:+.3g} % is "
       "work of the stress that is neither stored nor dissipated",
-      into, 100.0 * drift(), 100.0 * artificial(), in_shocks,
+      into, gone, 100.0 * drift(), 100.0 * artificial(), in_shocks,
       into > 0.0 ? 100.0 * unexplained(last_unstored) / into : 0.0);
 }
 
@@ -82,7 +84,7 @@ std::string EnergyWatch::warning()
   return "";
 }
 
-// 2 more in the place of said_drift: particles were lost; of said_artificial: said_astray
+// 2 more in the place of said_artificial: said_astray
 std::vector<double> EnergyWatch::state() const
 {
   return {(double) begun,
@@ -91,7 +93,7 @@ std::vector<double> EnergyWatch::state() const
           most_work,
           last_kinetic,
           last_sum,
-          said_drift + 2.0 * lost,
+          (double) said_drift,
           said_artificial + 2.0 * said_astray,
           base_unstored,
           last_unstored};
@@ -105,8 +107,7 @@ void EnergyWatch::restore(const double *v)
   most_work = v[3];
   last_kinetic = v[4];
   last_sum = v[5];
-  said_drift = v[6] == 1.0 || v[6] == 3.0;
-  lost = v[6] >= 2.0;
+  said_drift = v[6] != 0.0;
   said_artificial = v[7] == 1.0 || v[7] == 3.0;
   said_astray = v[7] >= 2.0;
   base_unstored = v[8];

@@ -14,7 +14,8 @@ class EnergyWatch {
   struct Energies {
     // shock: of artificial, the bulk viscosity of shocks, which have to dissipate; external: work, and heat that strains,
     // of all outside, without sign
-    double kinetic, artificial, shock, external, sum;
+    // left: with particles
+    double kinetic, artificial, shock, external, left, sum;
     // work of the stress less what became plastic work, was lost in failure or is stored; its start is subtracted here
     double unstored;
   };
@@ -35,9 +36,7 @@ class EnergyWatch {
   double went_in() const { return into; }
   // a warning that is due, each once, or ""
   std::string warning();
-  bool
-  stops(double drift_allowed);    // asked once after each count; never where particles have left with their energies
-  void lose() { lost = true; }
+  bool stops(double drift_allowed);    // asked once after each count
   std::string in_words() const;
 
   // of restart files
@@ -52,9 +51,9 @@ class EnergyWatch {
   double most_work = 0.0;            // largest of what came from outside so far
   double last_kinetic = 0.0, last_sum = 0.0;
   double base_unstored = 0.0, last_unstored = 0.0;
-  double drifted = 0.0, made = 0.0, shocked = 0.0, into = 0.0;
+  double drifted = 0.0, made = 0.0, shocked = 0.0, left = 0.0, into = 0.0;
   double said_at = 0.0;    // what had gone in when artificial terms were last warned of
-  bool said_drift = false, said_artificial = false, said_astray = false, lost = false;
+  bool said_drift = false, said_artificial = false, said_astray = false;
   bool astray = false;                         // at the end of a run
   int drifting = 0, making = 0, beyond = 0;    // looks in a row
 };

@@ -87,7 +87,7 @@ enum {
 };
 constexpr int BALANCE_VALUES = EnergyBalance::TERMS, WATCH = BALANCE + BALANCE_VALUES,
               VALUES = WATCH + EnergyWatch::VALUES;
-constexpr double THIS_VERSION = 5.0;
+constexpr double THIS_VERSION = 6.0;
 }    // namespace
 
 void StateRestart::write(FILE *fp, EnergyWatch &energy_watch)

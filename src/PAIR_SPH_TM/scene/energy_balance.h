@@ -30,6 +30,8 @@ class EnergyBalance {
     CONTACT_WORK,       // work of contact forces on particles
     TOOL_WORK,          // work of the tool drives on the particles and contacts
     SHOCK,              // of ARTIFICIAL, the bulk viscosity of shocks
+    LEFT_KINETIC,       // of particles that left the box
+    LEFT_STORED,
     TERMS
   };
 

@@ -137,7 +137,7 @@ void FixSPHTM::setup(int)
 // x(n+1/2), and the prediction of the pair style
 void FixSPHTM::initial_integrate(int)
 {
-  if (!looked) energies.look(EnergyReport::FIRST, some_lost);    // tools and other fixes are set up by now
+  if (!looked) energies.look(EnergyReport::FIRST);    // tools and other fixes are set up by now
   looked = true;
   table.start_clock();
   if (state.active().due(update->ntimestep)) next_reneighbor = update->ntimestep;
@@ -164,14 +164,21 @@ bool FixSPHTM::check_lost(double gone)
   const bool some = *lost < drifted;
   if (some && stop_on_lost) stops.stop_on_lost(*lost, gone);
   drifted = 0;
-  some_lost = some_lost || some;
   return some;
 }
 
-void FixSPHTM::pre_exchange() { check_lost(); }
+bool FixSPHTM::leave_box()
+{
+  const bool some = check_lost();
+  if (!stop_on_lost) energies.before_exchange(some);
+  return some;
+}
+
+void FixSPHTM::pre_exchange() { leave_box(); }
 
 void FixSPHTM::post_neighbor()
 {
+  energies.after_exchange();
   state.initialize_new();
   state.source().grow(state.has(TM_FX_HEAT), atom->nmax);
 }
@@ -203,14 +210,14 @@ void FixSPHTM::final_integrate()
 
 void FixSPHTM::end_of_step()
 {
-  energies.look(EnergyReport::REGULAR, some_lost);
+  energies.look(EnergyReport::REGULAR);
   fracture.look(force->pair_match("^sph/tm", 0));
 }
 
 void FixSPHTM::post_run()
 {
   start.remember_particles();
-  if (looked) energies.look(table.steps() >= nevery ? EnergyReport::LAST : EnergyReport::GLANCE, some_lost);
+  if (looked) energies.look(table.steps() >= nevery ? EnergyReport::LAST : EnergyReport::GLANCE);
   table.print(energies.watch(), fracture.in_words());
   scene->neighbor_check().end_run();
 }

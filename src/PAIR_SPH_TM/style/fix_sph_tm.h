@@ -62,11 +62,12 @@ class FixSPHTM : public Fix, public SPHTM_NS::StepOwner {
 
  protected:
   FixSPHTM(class LAMMPS *, int, char **, SPHTM_NS::Backend &, std::unique_ptr<SPHTM_NS::AtomArrays>);
-  bool check_lost(double gone = 0.0);    // whether there is a particle that LAMMPS deletes in the exchange that follows
+  bool leave_box();    // whether there is a particle that LAMMPS deletes in the exchange that follows
   std::shared_ptr<SPHTM_NS::Scene> scene;
   SPHTM_NS::ParticleState state;
 
  private:
+  bool check_lost(double gone = 0.0);    // the same, and a stop where none may go
   SPHTM_NS::StartChecks start;
   SPHTM_NS::StopReport stops;
   SPHTM_NS::EnergyReport energies;
@@ -76,7 +77,6 @@ class FixSPHTM : public Fix, public SPHTM_NS::StepOwner {
   std::unique_ptr<SPHTM_NS::AccuracyMeter> meter;    // with the keyword audit
   bool begin_anew = false;                           // though steps were taken
   bool stop_on_lost = true;                          // a particle beyond a fixed boundary stops the run
-  bool some_lost = false;                            // here, with *lost ignore*
   bool source_of_setup = false;                      // the heat source holds what the set-up's forces left
   bool looked = false;                               // at the energies, since the last set-up
   bool data_warned = false;

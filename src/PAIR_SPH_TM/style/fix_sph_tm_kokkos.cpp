@@ -196,7 +196,7 @@ void FixSPHTMKokkos::setup_pre_exchange() { delete_lost(); }
 
 void FixSPHTMKokkos::pre_exchange()
 {
-  if (check_lost()) delete_lost();
+  if (leave_box()) delete_lost();
 }
 
 void FixSPHTMKokkos::post_neighbor()
