@@ -237,8 +237,10 @@ static int turned_box(tm_vec3 lo, tm_vec3 hi, int turned)
       q[3 + d] = keep;
     }
   tm_mesh m = ut_build(&s);
-  const int found = tm_mesh_inside_out(&m), right = found < 0 || m.corner[9 * (size_t) found] > 1.5;
+  const int found = tm_mesh_inside_out(&m, 0), right = found < 0 || m.corner[9 * (size_t) found] > 1.5;
   UT_TRUE(m.closed && m.volume > 0.0 && right);
+  /* seen with all turned round there are some that point in, if not all pointed in */
+  UT_TRUE(tm_mesh_inside_out(&m, 1) >= 0);
   tm_mesh_free(&m);
   return found >= 0;
 }

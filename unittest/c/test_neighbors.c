@@ -189,6 +189,7 @@ static void near(void)
   a.main = main;
   a.support_radius2 = 2.25;
   a.count = each;
+  a.dim = 3;
   tm_nearest all = tm_nearest_nothing();
   double closest = 1e300, sum = 0.0, dense = 0.0;
   int have = 0, who = -1, whom = -1;
@@ -239,6 +240,22 @@ static void near(void)
     }
     UT_TRUE(tm_near_count(i, &a) == within);
     UT_TRUE((tm_nearest_neighbor(i, &a).density > 0.0) == (within > 0));
+  }
+
+  /* rows and layers are flat in any direction, what has two of them is not */
+  for (int k = 0; k < 200; k++) {
+    const tm_vec3 u = tm_vec(ut_random(-1, 1), ut_random(-1, 1), ut_random(-1, 1)),
+                  w = tm_vec(ut_random(-1, 1), ut_random(-1, 1), ut_random(-1, 1));
+    const tm_vec3 z = tm_vec_cross(u, w);
+    const tm_sym3 row = tm_mat_symmetric(tm_mat_outer(u, u)),
+                  layer = tm_sym_axpy(row, 1.0, tm_mat_symmetric(tm_mat_outer(w, w)));
+    UT_TRUE(tm_near_is_flat(row, 3) && tm_near_is_flat(layer, 3));
+    UT_TRUE(!tm_near_is_flat(tm_sym_axpy(layer, 1.0, tm_mat_symmetric(tm_mat_outer(z, z))), 3) ||
+            tm_vec_norm(z) < 1e-2);
+    const tm_vec3 p = tm_vec(u.x, u.y, 0), q = tm_vec(-u.y, u.x, 0);
+    const tm_sym3 line = tm_mat_symmetric(tm_mat_outer(p, p));
+    UT_TRUE(tm_near_is_flat(line, 2) &&
+            !tm_near_is_flat(tm_sym_axpy(line, 0.1, tm_mat_symmetric(tm_mat_outer(q, q))), 2));
   }
 
   tm_nearest one = tm_nearest_nothing(), two = one; /* of equal distances the lower number */

@@ -1,5 +1,7 @@
 #include "adapt_lists.h"
 
+#include "contact_probe.h"
+
 #include "argument.h"
 
 #include "atom.h"
@@ -58,9 +60,28 @@ void AdaptLists::setup_pre_exchange()
   lists.forget();    // types may have changed since the last run
 }
 
+// what kept pairs hold together does not come off
+void AdaptLists::warn_of_tools()
+{
+  if (warned_tools || !std::isinf(threshold) || !parts.state().has(TM_FX_PLASTICITY)) return;
+  for (const ContactProbe *p : parts.scene().contact_probes()) {
+    if (!(p->box().top_speed > 0.0)) continue;
+    warned_tools = true;
+    if (parts.host()->comm->me == 0)
+      parts.host()->error->warning(
+          FLERR,
+          "Fix adapt/neigh threshold inf: pairs are kept for the whole run, so metal parts only by "
+          "damage: a chip that fix contact/tri {} cuts stays tied to the work piece, with forces "
+          "that are too large (it is for what is pressed, bent or pulled)",
+          p->tool_name);
+    return;
+  }
+}
+
 // pairs of both kinds are not in one pass
 void AdaptLists::setup()
 {
+  warn_of_tools();
   const ParticleState &state = parts.state();
   if (warned_slow || !has_tl() || std::isinf(threshold) || !state.has(TM_FX_CORRECTION) || !state.has(TM_FX_HOURGLASS))
     return;

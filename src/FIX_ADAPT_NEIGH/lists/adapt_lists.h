@@ -50,12 +50,13 @@ class AdaptLists : public AdaptPart, public RowSource {
   double threshold = -1.0;    // of plastic strain; 0: all particles are updated-Lagrangian; negative: not in use
   double stretch = -1.0;      // of strain since the freezing; negative: by default
   double approach = -1.0;     // of a distance, in reaches; negative: by default
-  bool warned_slow = false;
+  bool warned_slow = false, warned_tools = false;
   CandidateLists lists;
   TagMap map;
   TotalLagrangian stored;
 
   void begin_renumbering();
+  void warn_of_tools();
 };
 
 }    // namespace SPHTM_NS

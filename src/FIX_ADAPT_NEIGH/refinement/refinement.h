@@ -59,6 +59,8 @@ class Refinement : public AdaptPart {
   LAMMPS_NS::LAMMPS *lmp() const { return parts.host(); }
   LAMMPS_NS::bigint next_check() const;
   void forget_plans();
+  void warn_of_tools();
+  bool warned_tools = false;
   void warn_of_lost_levels();
   void decide();
   std::vector<char> mark();

@@ -187,6 +187,44 @@ void ToolChecks::far_from_box(const tm_pose &pose, double spacing) const
                         sqrt(tool2), sqrt(tool2) / spacing, remedy);
 }
 
+// a tool has no images: it ends where a face of the box lets particles through
+void ToolChecks::periodic(const tm_pose &pose) const
+{
+  tm_vec3 corner[8];
+  corners(pose, corner);
+  const Domain *domain = lmp->domain;
+  for (int k = 0; k < domain->dimension; k++) {
+    double least = 1e300, most = -1e300;
+    for (const tm_vec3 &c : corner) {
+      const double x = k == 0 ? c.x : k == 1 ? c.y : c.z;
+      least = std::min(least, x);
+      most = std::max(most, x);
+    }
+    const double lo = domain->boxlo[k], hi = domain->boxhi[k], small = 1e-6 * (hi - lo);
+    const bool below = least<lo - small, above = most> hi + small, inside = most > lo && least < hi;
+    if (!domain->periodicity[k] || domain->triclinic || !inside || below == above) continue;
+    if (lmp->comm->me == 0)
+      lmp->error->warning(
+          FLERR,
+          "{}: the tool goes from {:.6g} to {:.6g} along {} and crosses a periodic face of the box ({:.6g} "
+          "to {:.6g}); a tool has no periodic images, so what lies beyond the face touches nothing: move "
+          "it inside, or let it reach beyond both faces",
+          who, least, most, "xyz"[k], lo, hi);
+  }
+}
+
+void ToolChecks::heat_without_contact(bool moves, int contacts)
+{
+  if (!set.conducts() || moves || contacts || warned_no_contact) return;
+  warned_no_contact = true;
+  if (lmp->comm->me == 0)
+    lmp->error->warning(
+        FLERR,
+        "{}: no particle presses on the tool, so no heat passes ('heat' needs a contact force, and "
+        "particles that only touch, or shrink away, have none); let it press, or heat with fix sph/tm/heat",
+        who);
+}
+
 // types of this kind of body (TM_BODY_SOLID ...) that have particles in the group, on any rank
 std::vector<int> ToolChecks::types_in_group(const Model &model, int body) const
 {

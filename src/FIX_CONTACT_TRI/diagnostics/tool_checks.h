@@ -26,6 +26,8 @@ class ToolChecks {
   // particles that only conduct heat, but for the fillings of tools (types): the tool does not reach them
   void conductors(const Model &, const std::vector<int> &fillings);
   void far_from_box(const tm_pose &, double spacing) const;    // or far larger, or lost in it: a unit is wrong
+  void periodic(const tm_pose &) const;                        // in a box whose faces let particles through
+  void heat_without_contact(bool moves, int contacts);         // at the end of a run
   // turns heat on as a state where the tool needs it, and warns where it cannot be
   void heat(ParticleState &);
   // a step: largest speed of the tool, sound speed of the particles (0: there are none)
@@ -41,7 +43,7 @@ class ToolChecks {
   const ContactSettings &set;
   const TriTool &tool;
   std::string who;
-  bool warned_empty = false, warned_heat = false, warned_conductors = false;
+  bool warned_empty = false, warned_heat = false, warned_conductors = false, warned_no_contact = false;
   tm_vec3 last_corner[8];                 // of the mesh's box after the last step, here or before a restart
   bool seen = false, restored = false;    // there was one; before a restart
 

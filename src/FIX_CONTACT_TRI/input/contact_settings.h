@@ -30,6 +30,7 @@ struct ContactSettings {
   double penalty = TM_PENALTY_USUAL;                                       // PFAC, see tm_contact_modulus()
   enum { LAYER_USUAL, LAYER_RIGID, LAYER_STRAINS } layer = LAYER_USUAL;    // tm_contact_layer.h; usual: of what flows
   bool approach = false, f15 = false, two_sided = false, overlap_allowed = false;
+  bool conducts() const { return conductance != 0.0; }
   bool has_friction() const { return friction.n || friction.value > 0.0; }
   // heat
   bool heat_given = false;

@@ -75,8 +75,9 @@ void tm_soup_free(tm_soup *soup);
 void tm_soup_flip(tm_soup *soup);
 
 tm_tri_view tm_mesh_view(const tm_mesh *mesh);
-/* Of a closed mesh: a triangle of a body whose normals point into it, and that is no cavity of another body, or -1. */
-int tm_mesh_inside_out(const tm_mesh *mesh);
+/* Of a closed mesh: a triangle of a body whose normals point into it, and that is no cavity of another body, or -1. turned: of
+   the mesh with all triangles turned round. */
+int tm_mesh_inside_out(const tm_mesh *mesh, int turned);
 const char *tm_mesh_status_name(int status);
 
 /* The steps of tm_mesh_build, in tm_mesh_topology.c. */

@@ -30,8 +30,9 @@ static double surrounded(const tm_mesh *m, int *parent, int t)
   return sum / (4.0 * TM_PI);
 }
 
-int tm_mesh_inside_out(const tm_mesh *m)
+int tm_mesh_inside_out(const tm_mesh *m, int turned)
 {
+  const double sign = turned ? -1.0 : 1.0;
   int *parent = (int *) malloc(sizeof(int) * (size_t) m->nt);
   double *volume = (double *) calloc((size_t) m->nt, sizeof(double));
   int found = -1;
@@ -43,7 +44,7 @@ int tm_mesh_inside_out(const tm_mesh *m)
           m->area[t] / 3.0 *
           tm_vec_dot(tm_vec_sub(tm_load3(m->corner + 9 * (ptrdiff_t) t), mid), tm_load3(m->normal + 3 * (ptrdiff_t) t));
     for (int t = 0; t < m->nt && found < 0; t++)
-      if (parent[t] == t && volume[t] < 0.0 && surrounded(m, parent, t) < 0.75) found = t;
+      if (parent[t] == t && sign * volume[t] < 0.0 && sign * surrounded(m, parent, t) < 0.75) found = t;
   }
   free(parent);
   free(volume);

@@ -91,7 +91,18 @@ void ToolMotion::evaluate_next(double dt)
   const double d[3] = {moved_next.x - moved.x, moved_next.y - moved.y, moved_next.z - moved.z};
   for (int k = 0; k < 3; k++)
     if (variable[3 + k] < 0) v[k] = d[k] / dt;
+    else if (variable[k] >= 0) {
+      apart += fabs(d[k] - v[k] * dt);
+      travelled += std::max(fabs(d[k]), fabs(v[k] * dt));
+    }
   rate = tm_vec(v[0], v[1], v[2]);
+}
+
+bool ToolMotion::contradicts(double length)
+{
+  constexpr double PART = 0.1;
+  if (contradicted || travelled < length || apart <= PART * travelled) return false;
+  return contradicted = true;
 }
 
 void ToolMotion::end_of_step(double dt)
@@ -130,6 +141,8 @@ double ToolMotion::top_speed(const double *lo, const double *hi) const
   }
   return speed + w * far;
 }
+
+bool ToolMotion::under_way(const double *lo, const double *hi) const { return time > start && top_speed(lo, hi) > 0.0; }
 
 // --- restart: motion, base pose, clock, what variables have moved
 

@@ -34,6 +34,9 @@ class ToolMotion {
   double clock() const { return time; }
   // largest speed of the points of a box (in the tool's frame)
   double top_speed(const double *lo, const double *hi) const;
+  bool under_way(const double *lo, const double *hi) const;    // it has moved, and would go on
+  // variables of displacement and of velocity that do not agree, on a way of this length: said once
+  bool contradicts(double length);
 
   std::vector<double> pack() const;
   // of a restart file: valid until another motion is given; false: they cannot be
@@ -48,7 +51,9 @@ class ToolMotion {
   double start = 0.0;                // clock then
   std::vector<std::string> names;    // x y z vx vy vz, empty: NULL
   int variable[6];
-  tm_vec3 moved, moved_next, rate;    // by variables
+  tm_vec3 moved, moved_next, rate;        // by variables
+  double apart = 0.0, travelled = 0.0;    // way between both, and the way, where both are given
+  bool contradicted = false;
 
   double value(int k) const;
   tm_vec3 displacement(tm_vec3 otherwise) const;

@@ -81,16 +81,17 @@ std::string TriTool::load(MPI_Comm world, const Shape &shape, bool two_sided)
     return fmt::format("mesh file {}: the triangles at {} edges disagree about which side is out; "
                        "repair it (admesh, MeshLab), or use 'sides two'",
                        shape.file, mesh_.inconsistent_edges);
-  if (mesh_.closed && mesh_.volume < 0.0 && shape.flip < 0)
+  if (!mesh_.closed || shape.flip >= 0) return "";
+  const int in = tm_mesh_inside_out(&mesh_, 0);
+  if (in >= 0 && tm_mesh_inside_out(&mesh_, 1) < 0)
     return fmt::format("the normals of mesh file {} point into the body; add 'flip yes', or 'flip "
                        "no' where the particles belong inside it",
                        shape.file);
-  const int turned = shape.flip < 0 ? tm_mesh_inside_out(&mesh_) : -1;
-  if (turned >= 0) {
-    const double *x = mesh_.corner + 9 * (size_t) turned;
-    return fmt::format("the normals of one of the bodies in mesh file {} point into it, that with a corner at {:.6g} "
-                       "{:.6g} {:.6g}; turn it round (admesh, MeshLab), or add 'flip no' where the particles belong "
-                       "inside it",
+  if (in >= 0) {
+    const double *x = mesh_.corner + 9 * (size_t) in;
+    return fmt::format("the normals of some bodies in mesh file {} point into them, of others out of them; into that "
+                       "with a corner at {:.6g} {:.6g} {:.6g}; turn those round (admesh, MeshLab), or add 'flip no' "
+                       "where particles belong inside",
                        shape.file, x[0], x[1], x[2]);
   }
   return "";

@@ -54,7 +54,14 @@ int FixContactTri::modify_param(int narg, char **arg)
 {
   if (strcmp(arg[0], "move") == 0) {
     const MotionCommand command = read_motion(lmp, set.surface, narg - 1, arg + 1);
+    if (command.motion.ramp > 0.0 && motion.under_way(tool.mesh().lo, tool.mesh().hi) && comm->me == 0)
+      error->warning(
+          FLERR,
+          "Fix_modify move of fix contact/tri {}: the tool moves, and a motion with 'ramp' begins at rest: its "
+          "velocity jumps to 0",
+          id);
     motion.set(command);
+    motion_given = true;
     modify->fmask[modify->find_fix(id)] = setmask();
     return 1 + command.words;
   }
@@ -105,6 +112,7 @@ void FixContactTri::init()
   if (first) {
     report();
     checks.far_from_box(motion.pose_now(), spacing);
+    checks.periodic(motion.pose_now());
   }
   std::vector<int> fillings;    // types of the particles that fill tools
   int groups = 0;               // of tools with the same
@@ -180,6 +188,14 @@ static std::string softness_in_words(const tm_material &m, double modulus, doubl
 void FixContactTri::report() const
 {
   if (comm->me) return;
+  if (restored && !motion_given && motion.top_speed(tool.mesh().lo, tool.mesh().hi) > 0.0)
+    utils::logmesg(lmp, "contact/tri {}: goes on with the motion of the restart file\n", id);
+  if (!restored && state->history().restored())
+    error->warning(
+        FLERR,
+        "Fix contact/tri {}: the restart file has no tool of this ID: it begins where its mesh file and 'move' "
+        "place it, at rest",
+        id);
   utils::logmesg(lmp, "contact/tri {}: {}: {}\n", id, set.shape.file, tool.summary());
   for (const auto &line : tool.flaws(set.two_sided)) error->warning(FLERR, "Fix contact/tri {}: {}", id, line);
   const bool heat = state->has(TM_FX_HEAT) && set.has_friction();
@@ -242,6 +258,11 @@ void FixContactTri::evaluate_variables(double dt)
   if (!motion.by_variable() && !temperature.by_variable()) return;
   modify->clearstep_compute();
   motion.evaluate(dt);
+  if (motion.contradicts(spacing) && comm->me == 0)
+    error->warning(FLERR,
+                   "Fix contact/tri {}: the velocity variables of fix_modify move are not the rate of its displacement "
+                   "variables: forces of damping and friction, and work of the tool, are wrong",
+                   id);
   if (temperature.by_variable()) temperature.evaluate(lmp, fmt::format("Fix contact/tri {}", id));
   modify->addstep_compute(update->ntimestep + 1);
 }
@@ -453,5 +474,12 @@ int FixContactTri::pack_forward_comm(int n, int *list, double *buf, int, int *)
 }
 
 void FixContactTri::unpack_forward_comm(int n, int first, double *buf) { particles.unpack(n, first, buf); }
+
+void FixContactTri::post_run()
+{
+  if (!set.conducts() || !state) return;
+  const int contacts = (int) results_now()[ContactResults::CONTACTS];
+  checks.heat_without_contact(motion.top_speed(tool.mesh().lo, tool.mesh().hi) > 0.0, contacts);
+}
 
 double FixContactTri::memory_usage() { return tool.bytes() + particles.bytes() + triangles.bytes() + earlier.bytes(); }

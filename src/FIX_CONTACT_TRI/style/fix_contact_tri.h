@@ -39,6 +39,7 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   void post_force(int) override;
   void final_integrate() override;
   void end_of_step() override;
+  void post_run() override;
   int modify_param(int, char **) override;
   double compute_scalar() override;
   double compute_vector(int) override;
@@ -77,7 +78,7 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   const SPHTM_NS::Model *model = nullptr;
   tm_vec3 reference;       // point of the torques, in the tool's frame
   double spacing = 0.0;    // of the particles, with which the search grid was built
-  bool restored = false, overlap_checked = false, warned_deep = false, warned_faced = false;
+  bool restored = false, motion_given = false, overlap_checked = false, warned_deep = false, warned_faced = false;
 
   void find_first_tool();
   void report() const;

@@ -53,6 +53,13 @@ FixSPHTMDrive::FixSPHTMDrive(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg,
   if (!any) error->all(FLERR, "Fix sph/tm/drive: no velocity is given, all are NULL");
 }
 
+bool FixSPHTMDrive::moves()
+{
+  for (int k = 0; k < 3; k++)
+    if (given[k] && (velocity[k].varies() || velocity[k].now() != 0.0)) return true;
+  return false;
+}
+
 int FixSPHTMDrive::setmask() { return POST_FORCE; }
 
 void FixSPHTMDrive::init()

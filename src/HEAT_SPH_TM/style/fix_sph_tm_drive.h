@@ -24,6 +24,7 @@ class FixSPHTMDrive : public Fix {
   void write_restart(FILE *) override;
   void restart(char *) override;
   bool drives(int k) const { return given[k]; }    // x, y, z
+  bool moves();                                    // its velocity is not 0, or varies
 
  private:
   std::shared_ptr<SPHTM_NS::Scene> scene;

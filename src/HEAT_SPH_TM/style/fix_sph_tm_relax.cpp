@@ -2,6 +2,7 @@
 #include "fix_sph_tm_relax.h"
 
 #include "argument.h"
+#include "contact_probe.h"
 #include "fix_sph_tm_drive.h"
 #include "heat_loops.h"
 #include "restart_block.h"
@@ -100,9 +101,31 @@ void FixSPHTMRelax::sum(bool act)
   sums = {all[0], all[1], all[2], largest[0], largest[1]};
 }
 
+// forces on what moves, and the flow it causes, contain the damping
+void FixSPHTMRelax::warn_of_motion()
+{
+  if (warned_motion || damping == 0.0) return;
+  std::string mover;
+  for (const ContactProbe *p : scene->contact_probes())
+    if (p->box().top_speed > 0.0) mover = "fix contact/tri " + p->tool_name;
+  for (Fix *f : modify->get_fix_list())
+    if (auto *drive = dynamic_cast<FixSPHTMDrive *>(f))
+      if (drive->moves()) mover = fmt::format("what fix {} drives", f->id);
+  if (mover.empty()) return;
+  warned_motion = true;
+  if (comm->me == 0)
+    error->warning(
+        FLERR,
+        "Fix sph/tm/relax {} damps while {} moves: forces on it, and plastic strain, contain the damping (2.3 "
+        "times the force in a bend at 20 m/s). Begin the relaxation when it stands, or compare with a run "
+        "without",
+        id, mover);
+}
+
 void FixSPHTMRelax::post_force(int)
 {
   const auto timed = state->clock().timed(this);
+  warn_of_motion();
   if (!adapts) {
     if (given.varies()) modify->clearstep_compute();
     damping = given.now();

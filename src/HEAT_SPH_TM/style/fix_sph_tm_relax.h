@@ -35,7 +35,10 @@ class FixSPHTMRelax : public Fix {
   tm_relax_mode mode = {};
   tm_relax_result sums = {};    // of all ranks, of the last step
 
+  bool warned_motion = false;
+
   void sum(bool act);
+  void warn_of_motion();
   double elastic_energy();
 };
 

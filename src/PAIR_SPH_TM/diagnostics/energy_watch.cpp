@@ -35,7 +35,7 @@ void EnergyWatch::count(bool last)
 {
   auto more = [&](int &looks, bool over) { looks = !over ? 0 : last ? LASTING : looks + 1; };
   more(drifting, says() && std::fabs(drift()) > DRIFT_WARNED);
-  more(making, says() && std::fabs(artificial()) > ARTIFICIAL_WARNED);
+  more(making, says() && std::fabs(artificial()) > (last ? ARTIFICIAL_WARNED : ARTIFICIAL_SAID_AT_ONCE));
   astray = last && says() && std::fabs(unexplained(last_unstored)) > UNEXPLAINED_WARNED * into;
   if (last && said_at > 0.0 && into > 10.0 * said_at)
     said_artificial = false;    // what was said then was of a first touch

@@ -19,7 +19,8 @@ class EnergyWatch {
     // work of the stress less what became plastic work, was lost in failure or is stored; its start is subtracted here
     double unstored;
   };
-  static constexpr double DRIFT_WARNED = 0.01, ARTIFICIAL_WARNED = 0.02, UNEXPLAINED_WARNED = 0.02;
+  static constexpr double DRIFT_WARNED = 0.01, ARTIFICIAL_WARNED = 0.02, ARTIFICIAL_SAID_AT_ONCE = 0.1,
+                          UNEXPLAINED_WARNED = 0.02;
   static constexpr int LASTING = 10, STOPPING = 3;    // looks in a row: at a first touch little went in
 
   // at a set-up: what a script has given to or taken from particles since the last look is no drift. least: energy of

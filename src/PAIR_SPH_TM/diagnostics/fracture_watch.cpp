@@ -130,7 +130,7 @@ std::string FractureWatch::in_words()
 {
   if (!state.has(TM_FX_FRACTURE)) return "";
   const double number = torn();
-  if (number == 0.0) return "none";
+  if (number == 0.0) return "none (no particle has lost its neighbors on one side)";
   return fmt::format("{:.0f} of {} particles; {}", number, atom->natoms,
                      first.empty() ? "the first before this run" : "the first " + first);
 }

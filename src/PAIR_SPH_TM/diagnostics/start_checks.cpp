@@ -279,8 +279,15 @@ void StartChecks::check_start()
   const tm_nearest c = scene.results().nearest();
   check_overlap(c, CLOSE);
   check_values();
-  double mine[2] = {c.sum, c.count}, all[2];
-  MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
+  double mine[3] = {c.sum, c.count, c.flat}, all[3];
+  MPI_Allreduce(mine, all, 3, MPI_DOUBLE, MPI_SUM, world);
+  constexpr double SOME = 16.0;
+  if (all[1] >= SOME && all[2] > 0.5 * all[1] && comm->me == 0)
+    error->warning(
+        FLERR,
+        "Pair style sph/tm: {:.0f} of {:.0f} particles have all their neighbors in one row{}; across it they "
+        "have no strain, and resist up to a third too much: give each direction two rows or more",
+        all[2], all[1], domain->dimension == 3 ? " or layer" : "");
   bigint solids = 0;
   for (int t = 1; t <= atom->ntypes; t++) solids += model().materials()[t].body == TM_BODY_SOLID;
   if (all[1] == 0.0 && atom->natoms > 1 && solids) {

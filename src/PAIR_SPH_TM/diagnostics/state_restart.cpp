@@ -83,6 +83,7 @@ enum {
   CAUSE,
   DT,
   DT_NEXT,
+  TIME_SCALE,
   BALANCE
 };
 constexpr int BALANCE_VALUES = EnergyBalance::TERMS, WATCH = BALANCE + BALANCE_VALUES,
@@ -111,7 +112,7 @@ void StateRestart::write(FILE *fp, EnergyWatch &energy_watch)
   append_bits(value, all[0]);
   append_bits(value, all[1]);
   value.insert(value.end(), {(double) state.fields().mask(), (double) state.history().begun(), (double) sized_by(),
-                             (double) step.cause(), step.now(), step.next()});
+                             (double) step.cause(), step.now(), step.next(), scene.time_scale()});
   value.insert(value.end(), sums, sums + BALANCE_VALUES);
   const std::vector<double> watched = energy_watch.state();
   value.insert(value.end(), watched.begin(), watched.end());
@@ -139,6 +140,12 @@ void StateRestart::read(char *buf, EnergyWatch &energy_watch)
   sized_in_file = (int) v[SIZED_BY];
   state.time_step().restore(v[DT], v[DT_NEXT], (int) v[CAUSE]);
   energy_watch.restore(&v[WATCH]);
+  if (v[TIME_SCALE] != scene.time_scale() && comm->me == 0)
+    error->warning(
+        FLERR,
+        "Fix sph/tm {}: the {} was written with time/scale {:.8g}, this run has {:.8g}: heat passes at another "
+        "rate",
+        state.id(), restart_file_name(lmp), v[TIME_SCALE], scene.time_scale());
   for (int g = 0; g < (int) waiting; g++)
     state.start_temperatures().set_group((int) (unsigned) v[VALUES + 1 + 2 * g], v[VALUES + 2 + 2 * g]);
   if (waiting > 0.0) state.need(TM_FX_HEAT, "temperature of a group was set before the restart file was written");

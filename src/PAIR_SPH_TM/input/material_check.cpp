@@ -81,7 +81,7 @@ void warn_of_units(LAMMPS *lmp, const char *style, const tm_material &m)
 
   // mass scaling: the heat of a volume stays
   const double heat = check.si(DENSITY, m.rho0) * check.si(CAPACITY, largest(m.capacity));
-  const bool scaled = m.heat && check.si(DENSITY, m.rho0) > 25000.0 && heat >= 1e5 && heat <= 1e7;
+  const bool scaled = m.heat && check.si(DENSITY, m.rho0) > 25000.0 && heat >= 1e6 && heat <= 1e7;
   if (!scaled) check.expect("density", DENSITY, m.rho0, 100.0, 25000.0);
   check.expect("young", STRESS, m.young, 1e8, 1e13);
   const double young = check.si(STRESS, m.young), most = young >= 1e8 && young <= 1e13 ? 0.1 * young : 1e10;
@@ -95,7 +95,11 @@ void warn_of_units(LAMMPS *lmp, const char *style, const tm_material &m)
     flow += m.*c.number;
   }
   check.expect(utils::join_words(names, " + "), STRESS, flow, 1e4, most);
-  if (tm_strength_flow(m.strength) == TM_FLOW_THERMAL) check.expect("t_melt", TEMPERATURE, m.t_melt, 200.0, 1e300);
+  if (tm_strength_flow(m.strength) == TM_FLOW_THERMAL) {
+    check.expect("t_melt", TEMPERATURE, m.t_melt, 200.0, 1e300);
+    if (m.t_ref > 0.0 && m.t_ref < 200.0 && m.t_melt < 4000.0)
+      lmp->error->warning(FLERR, "{}: t_ref is {:.6g} K; temperatures are in kelvin", command(lmp, style), m.t_ref);
+  }
   if (!m.heat) return;
   if (!scaled) {
     check.expect("capacity", CAPACITY, least(m.capacity), 10.0, 1e5);

@@ -220,6 +220,13 @@ void ModelRestart::compare(const Model &model)
 {
   if (!written) return;
   const std::unique_ptr<Written> then = std::move(written);
+  for (int i = 1; i <= model.types(); i++)
+    if (then->material[i].rho0 > 0.0 && then->material[i].rho0 != model.given_materials()[i].rho0)
+      error->all(FLERR,
+                 "{}: density of type {} ({}) was {:.8g} in the run that wrote the {}, is {:.8g}: the state of its "
+                 "particles is that of another material",
+                 WHO, i, model.material_name(i), then->material[i].rho0, restart_file_name(lmp),
+                 model.given_materials()[i].rho0);
   if (comm->me) return;
   const std::string tail = " than in the run that wrote the " + restart_file_name(lmp);
   auto say = [&](const std::string &what, const std::vector<std::string> &found) {

@@ -11,6 +11,7 @@
 #define TM_NEIGHBORS_H
 
 #include "tm_chunk.h"
+#include "tm_eigen.h"
 
 #define TM_ROW_SLICE_GPU 32
 #define TM_ROW_SLICE TM_BLOCK
@@ -134,6 +135,7 @@ typedef struct {
   tm_real support_radius2; /* (support h)^2, with size support^2 */
   const tm_real *size;     /* records of size, or NULL */
   tm_real *count;          /* mechanical neighbors within the support radius of each particle, or NULL */
+  int dim;
 } tm_near_args;
 
 /* Square of the distance in the row; j its particle. */
@@ -171,7 +173,8 @@ typedef struct {
   tm_real sum;   /* of the distances to the nearest neighbor */
   tm_real count; /* of particles that have one */
   tm_real
-      density; /* of pairs, (1 - r^2/R^2)^2, R the support radius: a strain in any direction changes it by as much */
+      density;  /* of pairs, (1 - r^2/R^2)^2, R the support radius: a strain in any direction changes it by as much */
+  tm_real flat; /* of particles whose neighbors all lie in one line or, in 3D, plane with them */
 } tm_nearest;
 
 TM_FN tm_nearest tm_nearest_nothing(void)
@@ -179,18 +182,32 @@ TM_FN tm_nearest tm_nearest_nothing(void)
   tm_nearest c;
   c.distance = 1e300;
   c.i = c.j = -1;
-  c.sum = c.count = c.density = 0.0;
+  c.sum = c.count = c.density = c.flat = 0.0;
   return c;
+}
+
+/* Whether the second moment M of what is near shows no extent in some direction of dim. */
+TM_FN int tm_near_is_flat(tm_sym3 M, int dim)
+{
+  const tm_real size = tm_sym_trace(M);
+  const tm_real det = dim == 3 ? tm_sym_det(M) : M.xx * M.yy - M.xy * M.xy;
+  return det <= 1e-9 * (dim == 3 ? size * size * size : size * size);
 }
 
 TM_FN tm_nearest tm_nearest_neighbor(int i, const tm_near_args *a)
 {
   tm_nearest c = tm_nearest_nothing();
+  const tm_vec3 at = tm_vec_from_record(a->main + tm_record(i, TM_REC), TM_REC_X, a->dim == 3);
+  tm_sym3 M = tm_sym(0, 0, 0, 0, 0, 0);
   for (int k = 0; k < a->rows.mechanical[i]; k++) {
     int j;
     const tm_real r2 = tm_near_dist2(i, k, a, &j), r = sqrt(r2);
     const tm_real inside = 1.0 - tm_near_of_size(i, j, r2, a) / a->support_radius2;
-    if (inside > 0.0) c.density += inside * inside;
+    if (inside > 0.0) {
+      const tm_vec3 d = tm_vec_sub(tm_vec_from_record(a->main + tm_record(j, TM_REC), TM_REC_X, a->dim == 3), at);
+      c.density += inside * inside;
+      M = tm_sym_axpy(M, 1.0 / a->support_radius2, tm_mat_symmetric(tm_mat_outer(d, d)));
+    }
     if (r >= c.distance) continue;
     c.distance = r;
     c.i = i;
@@ -199,6 +216,7 @@ TM_FN tm_nearest tm_nearest_neighbor(int i, const tm_near_args *a)
   if (c.i >= 0) {
     c.sum = c.distance;
     c.count = 1.0;
+    c.flat = tm_near_is_flat(M, a->dim);
   }
   return c;
 }
@@ -213,6 +231,7 @@ TM_FN void tm_nearest_sum(tm_nearest *sum, const tm_nearest *c)
   sum->sum += c->sum;
   sum->count += c->count;
   sum->density += c->density;
+  sum->flat += c->flat;
 }
 
 #endif

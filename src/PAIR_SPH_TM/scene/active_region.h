@@ -55,6 +55,7 @@ class ActiveRegion : protected LAMMPS_NS::Pointers {
   std::unique_ptr<RowSearch> finder;
   // of the script
   std::string region_id;    // or empty: near a tool
+  bool warned_speed = false;
   double distance = 0.0, still = 0.0;
   int every = 0;
   // of a run

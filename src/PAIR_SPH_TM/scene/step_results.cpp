@@ -263,6 +263,7 @@ tm_near_args StepResults::near_args(bool of_each)
   a.support_radius2 = rec.size ? args.support2 : args.support_radius2;
   a.size = rec.size;
   a.count = near_count.loop_write();
+  a.dim = domain->dimension;
   return a;
 }
 

@@ -21,6 +21,7 @@ class TimeStep : protected LAMMPS_NS::Pointers {
   TimeStep(LAMMPS_NS::LAMMPS *, ParticleState &);
 
   // of the script
+  static constexpr double COURANT_WARNED = 0.65;
   void set_courant(double c) { courant = c; }        // of h/c; without viscosity 0.6 is stable, 0.7 is not
   void set_fixed(double value) { fixed = value; }    // the user's constant step; 0: automatic
   void set_most(double value) { most = value; }      // 0: no limit

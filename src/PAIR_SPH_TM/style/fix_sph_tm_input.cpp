@@ -46,8 +46,12 @@ static void read_effect(LAMMPS *lmp, Keywords &k, EffectPlan &plan)
 bool FixSPHTM::read_setting(Keywords &k)
 {
   TimeStep &step = state.time_step();
-  if (k.is("courant")) step.set_courant(k.within(0.0, 1.0));
-  else if (k.is("dt")) step.set_fixed(k.take("auto") ? 0.0 : k.positive());
+  if (k.is("courant")) {
+    const double courant = k.within(0.0, 1.0);
+    if (courant > TimeStep::COURANT_WARNED && comm->me == 0)
+      error->warning(FLERR, "{}: above {} runs have become unstable", k.what(), TimeStep::COURANT_WARNED);
+    step.set_courant(courant);
+  } else if (k.is("dt")) step.set_fixed(k.take("auto") ? 0.0 : k.positive());
   else if (k.is("dt/max")) step.set_most(k.positive());
   else if (k.is("conduction")) {
     const bool stages = k.second("explicit", "rkl2");
