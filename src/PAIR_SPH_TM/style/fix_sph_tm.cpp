@@ -167,14 +167,11 @@ bool FixSPHTM::check_lost(double gone)
   return some;
 }
 
-bool FixSPHTM::leave_box()
+void FixSPHTM::pre_exchange()
 {
-  const bool some = check_lost();
-  if (!stop_on_lost) energies.before_exchange(some);
-  return some;
+  leaves = check_lost();
+  if (!stop_on_lost) energies.before_exchange(leaves);
 }
-
-void FixSPHTM::pre_exchange() { leave_box(); }
 
 void FixSPHTM::post_neighbor()
 {

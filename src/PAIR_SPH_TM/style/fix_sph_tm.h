@@ -62,12 +62,12 @@ class FixSPHTM : public Fix, public SPHTM_NS::StepOwner {
 
  protected:
   FixSPHTM(class LAMMPS *, int, char **, SPHTM_NS::Backend &, std::unique_ptr<SPHTM_NS::AtomArrays>);
-  bool leave_box();    // whether there is a particle that LAMMPS deletes in the exchange that follows
+  bool leaves = false;    // there is a particle that LAMMPS deletes in the exchange of this step
   std::shared_ptr<SPHTM_NS::Scene> scene;
   SPHTM_NS::ParticleState state;
 
  private:
-  bool check_lost(double gone = 0.0);    // the same, and a stop where none may go
+  bool check_lost(double gone = 0.0);    // whether some has left the box; a stop where none may
   SPHTM_NS::StartChecks start;
   SPHTM_NS::StopReport stops;
   SPHTM_NS::EnergyReport energies;

@@ -196,7 +196,8 @@ void FixSPHTMKokkos::setup_pre_exchange() { delete_lost(); }
 
 void FixSPHTMKokkos::pre_exchange()
 {
-  if (leave_box()) delete_lost();
+  FixSPHTM::pre_exchange();
+  if (leaves) delete_lost();
 }
 
 void FixSPHTMKokkos::post_neighbor()
