@@ -59,7 +59,9 @@ wrong("spacing 10 % below the lattice", style("hyperbolic 1.2 spacing 0.9e-3"), 
 wrong("spacing 10 % above the lattice", style("hyperbolic 1.2 spacing 1.1e-3"), S, "spacing 0.0011", "spacing 0.001'")
 warned("spacing 6 % below the lattice", style("hyperbolic 1.2 spacing 0.94e-3"), S, "spacing 0.00094", "spacing 0.001'")
 warned("spacing 6 % above the lattice", style("hyperbolic 1.2 spacing 1.06e-3"), S, "spacing 0.00106", "spacing 0.001'")
-fine("spacing 3 % above the lattice", style("hyperbolic 1.2 spacing 1.03e-3"))
+for spacing in "0.98e-3", "1.03e-3":
+    warned("spacing %s" % spacing, dict(THREE_D, **style("hyperbolic 1.2 spacing " + spacing)), S, "apart", "times the mass of their volume", "spacing 0.001'")
+fine("spacing 1 % above the lattice", dict(THREE_D, **style("hyperbolic 1.2 spacing 1.01e-3")))
 for kernel in "hyperbolic", "cubic", "quintic", "wendland/c2", "wendland/c4":
     for ratio in "1", "1.2", "1.6", "2.2":
         fine("lattices of %s %s" % (kernel, ratio), style(kernel + " " + ratio + " spacing lattice"))

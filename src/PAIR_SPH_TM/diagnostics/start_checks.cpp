@@ -36,6 +36,8 @@ namespace {
 // lattice sum of the masses over its value on the lattice, and spacing over that of the masses: beyond the first the
 // run stops, beyond the second it warns
 constexpr double DENSE = 1.17, DENSE_WARNED = 1.1, THIN = 1.09, THIN_WARNED = 1.045;
+// an even lattice: scatter of the sums, particles with neighbors all around; spacing off by
+constexpr double EVEN = 0.01, EVEN_LEAST = 20.0, SPACING_WARNED = 0.015;
 constexpr double DENSE_OF_SIZES = 1.6, THIN_OF_SIZES = 1.4;    // where particles have sizes of their own
 constexpr double CLOSE = 0.1;                                  // of the spacing: in one place
 constexpr double BODIES_WARNED = 0.1, BODIES_STOPPED = 0.6;    // deeper than at the end of the last run, in spacings
@@ -169,6 +171,11 @@ void StartChecks::check_filling(bool of_fresh)
     const double dense = f.sum / of_lattice;
     const bool thin = f.inside && f.sum < thin_sum && as_wide(f);
     mine.particles++;
+    if (f.inside && as_wide(f)) {
+      mine.inside++;
+      mine.sum += dense;
+      mine.square += dense * dense;
+    }
     mine.right += f.inside && fabs(dense - 1.0) < 0.03;
     mine.off += dense > (sizes ? DENSE_OF_SIZES : DENSE_WARNED) || thin;
     if (dense > mine.densest) {
@@ -191,6 +198,24 @@ std::string StartChecks::spacing_in_words(double spacing) const
                                                      : fmt::format("{:.3g}", spacing);
 }
 
+// an even lattice of another spacing, by less than single particles tell
+void StartChecks::judge_spacing(const Filling &mine, double of_lattice)
+{
+  const double sums[3] = {mine.inside, mine.sum, mine.square};
+  double all[3];
+  MPI_Allreduce(sums, all, 3, MPI_DOUBLE, MPI_SUM, world);
+  const double mean = all[1] / std::max(all[0], 1.0), spread = all[2] / std::max(all[0], 1.0) - mean * mean;
+  if (all[0] < EVEN_LEAST || spread > EVEN * EVEN || comm->me) return;
+  const Settings &set = model().settings_in_use();
+  const double s = tm_filling_spacing(set.kernel, domain->dimension, set.ratio, mean * of_lattice);
+  if (fabs(s - 1.0) < SPACING_WARNED) return;
+  error->warning(
+      FLERR,
+      "Pair style sph/tm: particles are {:.4g} of the spacing {:.6g} apart, so bodies have {:.3g} times the mass "
+      "of their volume; write 'spacing {}' in pair_style",
+      s, set.spacing, pow(s, -domain->dimension), spacing_in_words(s * set.spacing));
+}
+
 void StartChecks::judge_filling(const Filling &mine, double of_lattice, bool sizes)
 {
   const Settings &set = model().settings_in_use();
@@ -199,7 +224,7 @@ void StartChecks::judge_filling(const Filling &mine, double of_lattice, bool siz
   MPI_Allreduce(low, worst, 2, MPI_DOUBLE, MPI_MIN, world);
   MPI_Allreduce(count, all, 3, MPI_DOUBLE, MPI_SUM, world);
   const bool dense = -worst[0] > (sizes ? DENSE_OF_SIZES : DENSE_WARNED);
-  if (!dense && worst[1] >= 1e300) return;
+  if (!dense && worst[1] >= 1e300) return sizes ? void() : judge_spacing(mine, of_lattice);
   const double sum = dense ? -worst[0] * of_lattice : worst[1];
   const double s = tm_filling_spacing(set.kernel, domain->dimension, set.ratio, sum);
   const bool stop = dense ? -worst[0] > (sizes ? DENSE_OF_SIZES : DENSE) : s > (sizes ? THIN_OF_SIZES : THIN);

@@ -44,6 +44,7 @@ class StartChecks : protected LAMMPS_NS::Pointers {
   const Scene &scene;
   struct Filling {    // of the particles of this rank
     double particles = 0, off = 0, right = 0, densest = 0.0, thinnest = 1e300;
+    double inside = 0, sum = 0.0, square = 0.0;    // those with neighbors all around, and of their lattice sums
     int dense_at = -1, thin_at = -1;
   };
   struct {
@@ -74,6 +75,7 @@ class StartChecks : protected LAMMPS_NS::Pointers {
   double springs();
   void check_filling(bool of_fresh);
   std::string spacing_in_words(double) const;
+  void judge_spacing(const Filling &, double of_lattice);
   void judge_filling(const Filling &, double of_lattice, bool sizes);
 };
 
