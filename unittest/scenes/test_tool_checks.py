@@ -160,7 +160,7 @@ def mistakes():
         with open(os.path.join(folder, name + ".stl"), "w") as f: f.write("solid two\n%sendsolid two\n" % "".join(lines))
     two = "\nfix two all contact/tri file %s.stl\nrun 0"
     judge("two bodies in a file", scene(two % "right", folder=folder))
-    judge("two bodies in a file, one inside out", scene(two % "turned", folder=folder), "contact/tri", "turned.stl", "one of the bodies", "with a corner at 0.006 0.004 0.001", "flip no")
+    judge("two bodies in a file, one inside out", scene(two % "turned", folder=folder), "contact/tri", "turned.stl", "some bodies", "with a corner at 0.006 0.004 0.001", "flip no")
     C = "compute c all cutting/force tool %s\nthermo_style custom step c_c\nrun 1"
     judge("away along direction", scene(C % "direction 0 2 0"), "Compute cutting/force c", "away 0 1 0", "direction 0 1 0")
     judge("away against direction", scene(C % "direction 1 0 0 away -3 0 0"), "Compute cutting/force c", "away -1 0 0")
