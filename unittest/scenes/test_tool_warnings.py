@@ -69,6 +69,10 @@ REFINE = "fix l all adapt/neigh refine cube epsilon %s alpha 1 when vonmises abo
 for ratio, said in ("0.6", ["half a spacing apart", "0.41667"]), ("0.41667", []):
     warns("children %s h apart" % ratio, scene("run 5", before=REFINE % ratio), *said)
 
+ELASTIC = "\npair_coeff 1 1 density 2700 elastic 70e9 0.33\nrun 5"
+warns("what flowed is elastic after a run", scene("run 5" + ELASTIC, material=FLOWS), "is elastic now", "another stiffness")
+warns("what was elastic stays so", scene("run 5" + ELASTIC))
+
 # --- what else is out of the usual
 warns("courant 0.9", scene("run 1", body="courant 0.9"), "courant", "0.65")
 warns("courant 0.6", scene("run 1", body="courant 0.6"))

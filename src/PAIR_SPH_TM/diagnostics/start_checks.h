@@ -51,7 +51,8 @@ class StartChecks : protected LAMMPS_NS::Pointers {
     std::vector<LAMMPS_NS::bigint> types;        // how many particles of each; empty: there was no run
     std::vector<uint64_t> tags, positions;       // of each, [0] of all: hash over its particles, in any order
     std::vector<double> density, bulk, shear;    // of each: reference density, elastic moduli
-    double nearest = 0.0;                        // the smallest distance of two
+    std::vector<bool> flows;
+    double nearest = 0.0;                                         // the smallest distance of two
     double mean_nearest = 0.0, pair_density = 0.0, mass = 0.0;    // means (tm_nearest) and sum over all
     double depth = 0.0;                                           // of bodies of particles in each other
     uint64_t places = 0;

@@ -94,11 +94,13 @@ void StartChecks::remember_particles()
   last_run.tags = hash_of_types(false);
   last_run.positions = hash_of_types(true);
   for (auto *values : {&last_run.density, &last_run.bulk, &last_run.shear}) values->clear();
+  last_run.flows.clear();
   for (int t = 0; t <= atom->ntypes; t++) {
     const tm_material &m = model().materials()[t];
     last_run.density.push_back(m.rho0);
     last_run.bulk.push_back(m.bulk);
     last_run.shear.push_back(m.shear);
+    last_run.flows.push_back(tm_strength_flow(m.strength) != TM_FLOW_NONE);
   }
   const tm_nearest c = scene.results().nearest();
   const double mine[4] = {c.sum, c.count, c.density, (double) atom->nlocal};
@@ -159,6 +161,13 @@ void StartChecks::check_materials_kept(const std::vector<bigint> &particles)
                      state.id(), t, model().material_name(t), last_run.bulk[t] / model().units().stress,
                      m.bulk / model().units().stress, last_run.shear[t] / model().units().stress,
                      m.shear / model().units().stress);
+    const bool flows = tm_strength_flow(m.strength) != TM_FLOW_NONE;
+    if (comm->me == 0 && flows != last_run.flows[t] && !scene.contact_probes().empty())
+      error->warning(
+          FLERR,
+          "Fix sph/tm {}: type {} ({}) {} after a run: tools meet it with another stiffness, so what touches one "
+          "jumps to another force and depth",
+          state.id(), t, model().material_name(t), flows ? "flows now" : "is elastic now");
   }
 }
 
