@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 using namespace LAMMPS_NS;
 
@@ -66,6 +67,18 @@ void ToolChecks::corners(const tm_pose &pose, tm_vec3 *corner) const
   const double *lo = tool.mesh().lo, *hi = tool.mesh().hi;
   for (int c = 0; c < 8; c++)
     corner[c] = tm_pose_to_world(&pose, tm_vec(c & 1 ? hi[0] : lo[0], c & 2 ? hi[1] : lo[1], c & 4 ? hi[2] : lo[2]));
+}
+
+// of eight corners along axis k: lowest, highest
+static std::pair<double, double> range(const tm_vec3 *corner, int k)
+{
+  double least = 1e300, most = -1e300;
+  for (int c = 0; c < 8; c++) {
+    const double x = k == 0 ? corner[c].x : k == 1 ? corner[c].y : corner[c].z;
+    least = std::min(least, x);
+    most = std::max(most, x);
+  }
+  return {least, most};
 }
 
 void ToolChecks::jump(const tm_pose &end, bool by_variable, double dt, double dp)
@@ -163,12 +176,7 @@ void ToolChecks::far_from_box(const tm_pose &pose, double spacing) const
   if (lmp->domain->triclinic == 0) lo = lmp->domain->boxlo, hi = lmp->domain->boxhi;
   double gap2 = 0.0, box2 = 0.0, tool2 = 0.0;
   for (int k = 0; k < lmp->domain->dimension; k++) {
-    double least = 1e300, most = -1e300;
-    for (const tm_vec3 &c : corner) {
-      const double x = k == 0 ? c.x : k == 1 ? c.y : c.z;
-      least = std::min(least, x);
-      most = std::max(most, x);
-    }
+    const auto [least, most] = range(corner, k);
     const double gap = std::max({0.0, lo[k] - most, least - hi[k]});
     gap2 += gap * gap;
     box2 += (hi[k] - lo[k]) * (hi[k] - lo[k]);
@@ -194,12 +202,7 @@ void ToolChecks::periodic(const tm_pose &pose) const
   corners(pose, corner);
   const Domain *domain = lmp->domain;
   for (int k = 0; k < domain->dimension; k++) {
-    double least = 1e300, most = -1e300;
-    for (const tm_vec3 &c : corner) {
-      const double x = k == 0 ? c.x : k == 1 ? c.y : c.z;
-      least = std::min(least, x);
-      most = std::max(most, x);
-    }
+    const auto [least, most] = range(corner, k);
     const double lo = domain->boxlo[k], hi = domain->boxhi[k], small = 1e-6 * (hi - lo);
     const bool below = least<lo - small, above = most> hi + small, inside = most > lo && least < hi;
     if (!domain->periodicity[k] || domain->triclinic || !inside || below == above) continue;

@@ -54,10 +54,13 @@ void FixSPHTMRelax::init()
   if (!adapts) given.init();
   // what is driven has no equilibrium of its own, and damping would change its velocity unseen by the energy balance
   std::fill_n(driven, 3, 0);
+  drives.clear();
   for (Fix *f : modify->get_fix_list())
-    if (const auto *drive = dynamic_cast<FixSPHTMDrive *>(f))
+    if (auto *drive = dynamic_cast<FixSPHTMDrive *>(f)) {
+      drives.push_back(drive);
       for (int k = 0; k < 3; k++)
         if (drive->drives(k)) driven[k] |= drive->groupbit;
+    }
 }
 
 // forces that come later are neither damped nor in the measure of the equilibrium
@@ -108,9 +111,8 @@ void FixSPHTMRelax::warn_of_motion()
   std::string mover;
   for (const ContactProbe *p : scene->contact_probes())
     if (p->box().top_speed > 0.0) mover = "fix contact/tri " + p->tool_name;
-  for (Fix *f : modify->get_fix_list())
-    if (auto *drive = dynamic_cast<FixSPHTMDrive *>(f))
-      if (drive->moves()) mover = fmt::format("what fix {} drives", f->id);
+  for (FixSPHTMDrive *drive : drives)
+    if (drive->moves()) mover = fmt::format("what fix {} drives", drive->id);
   if (mover.empty()) return;
   warned_motion = true;
   if (comm->me == 0)

@@ -11,6 +11,8 @@
 #include "scene.h"
 #include "tm_relax.h"
 
+#include <vector>
+
 namespace LAMMPS_NS {
 
 class FixSPHTMRelax : public Fix {
@@ -35,6 +37,7 @@ class FixSPHTMRelax : public Fix {
   tm_relax_mode mode = {};
   tm_relax_result sums = {};    // of all ranks, of the last step
 
+  std::vector<class FixSPHTMDrive *> drives;    // of this run
   bool warned_motion = false;
 
   void sum(bool act);
