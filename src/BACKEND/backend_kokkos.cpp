@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <vector>
 
 namespace SPHTM_NS {
@@ -67,7 +68,11 @@ class DeviceBackend : public Backend {
     Kokkos::deep_copy(LMPDeviceType(), bytes_at<Kokkos::SharedHostPinnedSpace>(result, n),
                       bytes_at<Memory>(of_loops, n));
   }
-  void wait() override { LMPDeviceType().fence("sph/tm wait"); }
+  void wait() override
+  {
+    kokkos_join();
+    LMPDeviceType().fence("sph/tm wait");
+  }
 #if defined(KOKKOS_ENABLE_CUDA)
   double free_memory() const override
   {
@@ -127,6 +132,53 @@ class ThreadBackend : public Backend {
 #endif
 
 }    // namespace
+
+/* ---------------------------------------------------------------------- a second queue */
+
+#if defined(KOKKOS_ENABLE_CUDA)
+namespace {
+
+// until Kokkos ends
+struct Beside {
+  cudaStream_t stream;
+  cudaEvent_t forked, done;
+  std::unique_ptr<LMPDeviceType> queue;
+  bool used = false;
+  void make()
+  {
+    cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking);
+    for (cudaEvent_t *e : {&forked, &done}) cudaEventCreateWithFlags(e, cudaEventDisableTiming);
+    queue = std::make_unique<LMPDeviceType>(stream);
+    Kokkos::push_finalize_hook([this] {
+      queue->fence("sph/tm end");
+      queue.reset();
+      for (cudaEvent_t e : {forked, done}) cudaEventDestroy(e);
+      cudaStreamDestroy(stream);
+    });
+  }
+} beside;
+
+}    // namespace
+
+LMPDeviceType kokkos_fork()
+{
+  if (!beside.queue) beside.make();
+  cudaEventRecord(beside.forked, LMPDeviceType().cuda_stream());
+  cudaStreamWaitEvent(beside.stream, beside.forked, 0);
+  beside.used = true;
+  return *beside.queue;
+}
+void kokkos_join()
+{
+  if (!beside.used) return;
+  beside.used = false;
+  cudaEventRecord(beside.done, beside.stream);
+  cudaStreamWaitEvent(LMPDeviceType().cuda_stream(), beside.done, 0);
+}
+#else
+LMPDeviceType kokkos_fork() { return LMPDeviceType(); }
+void kokkos_join() {}
+#endif
 
 Backend &kokkos_backend()
 {

@@ -16,18 +16,26 @@ Backend &kokkos_backend();
 // threads of a warp: a block takes a multiple of so many, and groups of threads stay in one warp
 constexpr int KOKKOS_WARP = 32;
 
+// A second queue of a GPU beside the one that LAMMPS's kernels are in, for loops that others do not wait for: few particles
+// do not keep a GPU busy with one loop. Elsewhere they take their turn.
+// fork(): the queue; what is launched there begins when all that was launched before is done, here and there
+// join(): what is launched later waits for what is in that queue
+LMPDeviceType kokkos_fork();
+void kokkos_join();
+
 // Particles 0..n-1. The arguments of a loop go with its launch, up to 4 kB. Kokkos would keep those over 512 bytes in one
 // place, and the host would wait there for the loop before.
-template <class BOUNDS = Kokkos::LaunchBounds<>> auto kokkos_range(int n)
+template <class BOUNDS = Kokkos::LaunchBounds<>> auto kokkos_range(int n, const LMPDeviceType &queue = LMPDeviceType())
 {
   using Property = Kokkos::Experimental::WorkItemProperty::HintLightWeight_t;
-  return Kokkos::RangePolicy<LMPDeviceType, BOUNDS, Property>(0, n, Kokkos::ChunkSize(KOKKOS_WARP));
+  return Kokkos::RangePolicy<LMPDeviceType, BOUNDS, Property>(queue, 0, n, Kokkos::ChunkSize(KOKKOS_WARP));
 }
 
 // one(i) for i = 0..n-1
-template <class BOUNDS = Kokkos::LaunchBounds<>, class ONE> void kokkos_each(const char *label, int n, const ONE &one)
+template <class BOUNDS = Kokkos::LaunchBounds<>, class ONE>
+void kokkos_each(const char *label, int n, const ONE &one, const LMPDeviceType &queue = LMPDeviceType())
 {
-  Kokkos::parallel_for(label, kokkos_range<BOUNDS>(n), one);
+  Kokkos::parallel_for(label, kokkos_range<BOUNDS>(n, queue), one);
 }
 
 // The particles a loop runs over: all of the first n, or those that a backend says (Backend::some). One kernel for both: a
@@ -100,9 +108,9 @@ template <int GROUP, class ONE> struct KokkosShared {
   KOKKOS_FUNCTION void operator()(int thread) const { one(thread / GROUP, tm_group{thread % GROUP, GROUP}); }
 };
 template <int GROUP, class BOUNDS = Kokkos::LaunchBounds<>, class ONE>
-void kokkos_each_shared(const char *label, int n, const ONE &one)
+void kokkos_each_shared(const char *label, int n, const ONE &one, const LMPDeviceType &queue = LMPDeviceType())
 {
-  kokkos_each<BOUNDS>(label, n * GROUP, KokkosShared<GROUP, ONE>{one});
+  kokkos_each<BOUNDS>(label, n * GROUP, KokkosShared<GROUP, ONE>{one}, queue);
 }
 template <int GROUP, class BOUNDS = Kokkos::LaunchBounds<>, class ONE>
 void kokkos_each_shared(const char *label, const KokkosParticles &p, const ONE &one)
@@ -140,12 +148,13 @@ RESULT kokkos_sum(const char *label, const KokkosParticles &p, const RESULT &not
 }
 
 // the same into memory that the host sees, without waiting for it
-template <class BOUNDS = Kokkos::LaunchBounds<>, class RESULT, class ONE, class JOIN>
-void kokkos_sum_later(const char *label, int n, const RESULT &nothing, const ONE &one, const JOIN &join, RESULT *result)
+template <class RESULT, class ONE, class JOIN>
+void kokkos_sum_later(const char *label, int n, const RESULT &nothing, const ONE &one, const JOIN &join, RESULT *result,
+                      const LMPDeviceType &queue = LMPDeviceType())
 {
   using Result = Kokkos::View<RESULT, Kokkos::SharedHostPinnedSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
   if (n > 0)
-    Kokkos::parallel_reduce(label, kokkos_range<BOUNDS>(n), KokkosSum<RESULT, ONE, JOIN>{nothing, one, join},
+    Kokkos::parallel_reduce(label, kokkos_range(n, queue), KokkosSum<RESULT, ONE, JOIN>{nothing, one, join},
                             Result(result));
   else *result = nothing;
 }

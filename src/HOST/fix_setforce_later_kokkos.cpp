@@ -40,7 +40,7 @@ struct Add {
   }
 };
 
-// many particles: first the sum of each warp, where it has a particle of the group
+// the sum of each warp, where it has a particle of the group
 struct Ahead {
   KOKKOS_FUNCTION Sum operator()(const KokkosWarp &warp, const Sum &mine, int step) const
   {
@@ -66,27 +66,13 @@ struct SumOfWarp {
   const Sum *warps;
   KOKKOS_FUNCTION Sum operator()(int w) const { return warps[w]; }
 };
-void set_force(int n, const SetForce &one, Sum *replaced)
-{
-#if defined(LMP_KOKKOS_GPU)
-  constexpr int MANY = 200000;    // particles: with fewer a second kernel costs more than it saves
-  if (n > MANY) {
-    static KokkosRows<Sum> rows;
-    const int warps = kokkos_warps(n);
-    Sum *of_warps = rows.of(warps, "sums of a step");
-    kokkos_each("sph/tm setforce", n, SetForceByWarp{one, n, of_warps});
-    kokkos_sum_later("sph/tm setforce sums", warps, Sum{}, SumOfWarp{of_warps}, Add(), replaced);
-    return;
-  }
-#endif
-  kokkos_sum_later("sph/tm setforce", n, Sum{}, one, Add(), replaced);
-}
-
 }    // namespace
 
 FixSetForceLaterKokkos::FixSetForceLaterKokkos(LAMMPS *lmp, int narg, char **arg) :
     FixSetForceKokkos<LMPDeviceType>(lmp, narg, arg), replaced((Sum *) kokkos_backend().allocate_result(sizeof(Sum)))
 {
+  of_warps.live_in(kokkos_backend());
+  of_warps.call("forces that setforce replaces");
 }
 
 FixSetForceLaterKokkos::~FixSetForceLaterKokkos()
@@ -107,14 +93,18 @@ void FixSetForceLaterKokkos::post_force(int vflag)
                groupbit,
                {xstyle == CONSTANT, ystyle == CONSTANT, zstyle == CONSTANT},
                {xvalue, yvalue, zvalue}};
-  set_force(atom->nlocal, one, replaced);
+  const int n = atom->nlocal;
+  warps = kokkos_warps(n);
+  of_warps.make_room(true, warps + 1);
+  kokkos_each("sph/tm setforce", n, SetForceByWarp{one, n, of_warps.loop_write()});
   atomKK->modified(execution_space, F_MASK);
   force_flag = 0;
 }
 
 double FixSetForceLaterKokkos::compute_vector(int n)
 {
-  if (pending) {
+  if (pending) {    // nobody has asked for it since
+    kokkos_sum_later("sph/tm setforce sums", warps, Sum{}, SumOfWarp{of_warps.loop_read()}, Add(), replaced);
     kokkos_backend().wait();
     std::copy_n(replaced->of, 3, foriginal);
     pending = false;

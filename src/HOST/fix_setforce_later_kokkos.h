@@ -1,11 +1,13 @@
 /* -*- c++ -*- ----------------------------------------------------------
    SPH-TM: LAMMPS's fix setforce/kk with constants: the sum of the forces that
-   it replaces is waited for where it is asked for, not in every step.
+   it replaces is summed and waited for where it is asked for, not in every step.
 ------------------------------------------------------------------------- */
 #ifndef LMP_FIX_SETFORCE_LATER_KOKKOS_H
 #define LMP_FIX_SETFORCE_LATER_KOKKOS_H
 
 #include "fix_setforce_kokkos.h"
+
+#include "loop_array.h"
 
 namespace LAMMPS_NS {
 
@@ -21,7 +23,9 @@ class FixSetForceLaterKokkos : public FixSetForceKokkos<LMPDeviceType> {
   };
 
  private:
-  Sum *replaced;           // once the loop is through
+  SPHTM_NS::LoopArray<Sum> of_warps;    // of the last step
+  int warps = 0;
+  Sum *replaced;           // their sum, once the loop is through
   bool pending = false;    // not taken up yet
 };
 

@@ -153,6 +153,23 @@ static void surface(void)
         mean += 0.01 * lattice_depth(&g, dim, (k % 10) / 10.0, dim == 3 ? (k / 10) / 10.0 : 0.0, 0.95, &along, &across);
       UT_WITHIN(mean, 0.05, 0.003);
     }
+    /* a face of another spacing, y in means of both: particles touch it at 1 whatever the offset, but for a ripple */
+    for (double y = 0.3; y < 1.65; y += 0.15) {
+      double worst = 0.0;
+      for (int k = 0; k < 30; k++) {
+        const double ox = y * ut_random(0, 1), oy = y * ut_random(0, 1);
+        double psi = 0.0;
+        for (double g = 1.0; g < 2.4; g += y)
+          for (int i = -9; i <= 9; i++)
+            for (int j = dim == 3 ? -9 : 0; j <= (dim == 3 ? 9 : 0); j++) {
+              const double dx = y * i + ox, dy = dim == 3 ? y * j + oy : 0.0;
+              psi += tm_body_weight(&f, dx * dx + dy * dy + g * g);
+            }
+        worst = fmax(worst, fabs(psi * (dim == 3 ? y * y : y) / tm_body_norm(&f, y) - 1.0));
+      }
+      UT_TRUE(worst < 0.004 + 2.5 * (dim - 1) * exp(-TM_PI * TM_PI * TM_BODY_WIDTH / (y * y)));
+    }
+    UT_NEAR(tm_body_norm(&f, 1.0), f.norm, 1e-15);
     /* derivatives; delta goes on smoothly where it is deep */
     for (double x = 0.05; x < 7.0; x += 0.17)
       UT_WITHIN(tm_body_fall(&f, x), (tm_body_weight(&f, x - 1e-5) - tm_body_weight(&f, x + 1e-5)) / 2e-5, 1e-8);

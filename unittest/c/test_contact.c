@@ -220,6 +220,7 @@ static void books(void)
   const unsigned fx = TM_CT_3D | TM_CT_HEAT | TM_CT_FRICTION | TM_CT_OUTPUT;
   tm_contact_result sum = tm_contact_nothing();
   double power = 0.0, heat = 0.0;
+  int with_room = 0, without_room = 0;
   tm_vec3 force = tm_vec(0, 0, 0);
   for (int i = 0; i < UT_PARTICLES; i++) {
     const tm_vec3 p = ut_point(-0.055, 0.055);
@@ -229,7 +230,22 @@ static void books(void)
     for (int d = 0; d < 3; d++) record[TM_REC * i + TM_REC_V + d] = s.v[3 * i + d] + ut_random(-0.1, 0.1);
     s.temperature[i] = ut_random(300, 400);
     s.source[i] = 2.0;
+    /* the same where somebody has looked before, with room for some */
+    static int place[UT_PARTICLES], taken;
+    static tm_touch touch[20];
+    const double as_before[4] = {s.f[3 * i], s.f[3 * i + 1], s.f[3 * i + 2], s.source[i]};
+    a->found = (tm_contact_found){place, touch, &taken, 20};
+    tm_contact_look(i, tm_group_alone(), a, fx);
+    const tm_contact_result found = tm_contact_tri(i, a, fx & ~(unsigned) TM_CT_OUTPUT);
+    const tm_vec3 by_found = tm_load3(s.f + 3 * i);
+    s.f[3 * i] = as_before[0]; s.f[3 * i + 1] = as_before[1]; s.f[3 * i + 2] = as_before[2];
+    s.source[i] = as_before[3];
+    memset(&a->found, 0, sizeof a->found);
     const tm_contact_result one = tm_contact_tri(i, a, fx);
+    UT_TRUE(!memcmp(&by_found, s.f + 3 * i, sizeof by_found) && found.contacts == one.contacts);
+    UT_TRUE(found.spring == one.spring && found.friction_heat == one.friction_heat && found.depth == one.depth);
+    without_room += place[i] < 0;
+    with_room += place[i] > 0;
     tm_contact_sum(&sum, &one);
     const tm_vec3 F =
         tm_vec_scale(1 / a->force_unit, tm_vec_sub(tm_load3(s.f + 3 * i), before));
@@ -238,7 +254,7 @@ static void books(void)
     power += tm_vec_dot(F, tm_vec_axpy(tm_load3(s.v + 3 * i), c, tm_load3(s.f + 3 * i)));
     heat += s.source[i] - 2.0;
   }
-  UT_TRUE(sum.contacts > 10);
+  UT_TRUE(sum.contacts > 10 && with_room > 5 && without_room > 5);
   UT_WITHIN(tm_vec_norm(tm_vec_add(force, sum.force)), 0.0, 1e-12);
   UT_NEAR(sum.particle_power, power, 1e-11);
   UT_NEAR(sum.friction_heat + sum.conducted, heat, 1e-12);

@@ -116,7 +116,7 @@ int main(void)
     const double *whole[6] = {one, stretch, far, shear, turn, flat};
     for (int k = 0; k < 6; k++) {
       const tm_fracture_result r = moved(dim, whole[k], 1e9, 0, 0, k == 2 ? 0.03 : 0.08);    /* 2.3: the support ends at 2.4 */
-      UT_TRUE(r.torn == 0.0 && r.first == INT_MAX);
+      UT_TRUE(r.torn == 0.0 && r.first == INT_MAX && r.met == 0.0 && r.first_met == INT_MAX);
     }
     for (double slip = 0.5; slip < 6; slip += 0.5) UT_TRUE(moved(dim, one, 5.5, slip, 0, 0.05).torn <= 2.0 * (dim == 3 ? SIDE : 1) * ceil(slip));
     const double face = dim == 3 ? SIDE * SIDE : SIDE;
@@ -126,6 +126,36 @@ int main(void)
     UT_TRUE(moved(dim, one, 5.5, 0.3, 3.0, 0.1).torn > 1.8 * face);
     const double longer[9] = {1, 0, 0, 0, 1.3, 0, 0, 0, 1};
     UT_NEAR(moved(dim, longer, 5.5, 0, 3.0, 0.0).torn, 2.0 * face, 1e-15);
+  }
+  /* two parts of one body that come together, and one that is folded less than it takes */
+  for (int dim = 2; dim <= 3; dim++) {
+    static double apart[3 * MOST], x[3 * MOST];
+    const double face = dim == 3 ? SIDE * SIDE : SIDE;
+    for (double way = 2.0; way < 9.0; way += 6.0)
+      for (double gap = 1.0; gap < 3.1; gap += 0.5) {
+        tm_fracture_args a = make(dim);
+        memcpy(apart, x0, sizeof apart);
+        memcpy(x, x0, sizeof x);
+        for (int i = 0; i < n; i++) {
+          apart[3 * i + 1] += x0[3 * i + 1] > 5.5 ? gap - 1.0 + way : 0.0;
+          x[3 * i + 1] += x0[3 * i + 1] > 5.5 ? gap - 1.0 : 0.0;
+        }
+        memcpy(x0, apart, sizeof apart);
+        refer(&a);
+        for (int t = 0; t < 2; t++) { /* turned, too */
+          if (t)
+            for (int i = 0; i < n; i++) {
+              const double s = x[3 * i];
+              x[3 * i] = -x[3 * i + 1];
+              x[3 * i + 1] = s;
+            }
+          place(&a, x);
+          const tm_fracture_result r = look(&a);
+          const int meets = way > 5.0 && gap < 2.0 * H;
+          UT_NEAR(r.met + 1.0, (meets ? 2.0 * face : 0.0) + 1.0, 1e-15);
+          UT_TRUE((r.first_met < INT_MAX) == meets);
+        }
+      }
   }
   /* failed neighbors, said once, one alone, across a periodic boundary */
   tm_fracture_args a = make(2);

@@ -103,8 +103,10 @@ def bodies(row, law="contact"):
 
 
 fine("bodies that touch", bodies(8.5))
-warned("bodies 0.2 spacings inside of each other", bodies(8.3), S, "bodies in contact", "inside of each other", "push")
-warned("bodies half a spacing inside of each other", bodies(8.0), S, "bodies in contact", "inside of each other", "push")
+for twice in "friction/table 300 0.1 600 0.2 friction 0.2", "friction 0.2 friction/table 300 0.1 600 0.2", "friction 0.1 friction 0.2":
+    wrong("friction of bodies given twice: " + twice, bodies(8.5, "contact " + twice), "Pair sph/tm coeff contact", "types 1 2", "once")
+warned("bodies 0.2 spacings inside of each other", bodies(8.3), S, "bodies in contact", "inside of each other", "throw")
+warned("bodies half a spacing inside of each other", bodies(8.0), S, "bodies in contact", "inside of each other", "throw")
 for row in 7.8, 7.6, 5.5, 5.25:
     wrong("bodies inside of each other, first row at %g" % row, bodies(row), "Pair style sph/tm", "bodies in contact", "one spacing apart")
 run_all()

@@ -44,7 +44,7 @@ warns("beyond both faces", scene("run 5", head=BOX, at="-2e-3 8e-3 1e-3", scale=
 
 # --- heat
 HOT = dict(material=HEATED, tool="heat conductance 1e5 temperature 400")
-warns("a tool at rest that nothing presses on passes no heat", scene("run 5\nrun 5", **HOT), "passes", "contact force")
+warns("a tool at rest that nothing presses on passes no heat", scene("run 5\nrun 5", **HOT), "has passed", "contact force")
 warns("one that comes nearer", scene("fix_modify tool move linear -10 0 0\nrun 5", **HOT))
 warns("one without heat", scene("run 5", material=HEATED, tool="temperature 400"))
 

@@ -279,7 +279,8 @@ void TotalLagrangian::limit_time_step(const tm_tl_args &a, unsigned effects)
   const double fastest = loops->tl_fastest(*backend, parts.owned(), a, effects) / (corrected ? 2.1 : 1.0);
   if (fastest <= 0.0) return;
   const Settings &set = parts.model().settings_in_use();
-  parts.state().time_step().limit(tm_sound_time_step(set.h, fastest, set.visc_alpha, set.hourglass, effects),
+  parts.state().time_step().limit(tm_sound_time_step(tm_step_length(set.h, set.ratio), fastest, set.visc_alpha,
+                                                     set.hourglass, effects),
                                   TM_DT_SOUND);
 }
 

@@ -216,14 +216,14 @@ void ToolChecks::periodic(const tm_pose &pose) const
   }
 }
 
-void ToolChecks::heat_without_contact(bool moves, int contacts)
+void ToolChecks::heat_without_contact(bool moves, bool pressed)
 {
-  if (!set.conducts() || moves || contacts || warned_no_contact) return;
+  if (!set.conducts() || moves || pressed || warned_no_contact) return;
   warned_no_contact = true;
   if (lmp->comm->me == 0)
     lmp->error->warning(
         FLERR,
-        "{}: no particle presses on the tool, so no heat passes ('heat' needs a contact force, and "
+        "{}: no particle has pressed on the tool in this run, so no heat has passed ('heat' needs a contact force, and "
         "particles that only touch, or shrink away, have none); let it press, or heat with fix sph/tm/heat",
         who);
 }

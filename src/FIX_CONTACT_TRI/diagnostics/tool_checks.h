@@ -27,7 +27,7 @@ class ToolChecks {
   void conductors(const Model &, const std::vector<int> &fillings);
   void far_from_box(const tm_pose &, double spacing) const;    // or far larger, or lost in it: a unit is wrong
   void periodic(const tm_pose &) const;                        // in a box whose faces let particles through
-  void heat_without_contact(bool moves, int contacts);         // at the end of a run
+  void heat_without_contact(bool moves, bool pressed);         // at the end of a run
   // turns heat on as a state where the tool needs it, and warns where it cannot be
   void heat(ParticleState &);
   // a step: largest speed of the tool, sound speed of the particles (0: there are none)

@@ -6,6 +6,14 @@ namespace SPHTM_NS {
 
 namespace {
 
+void look(Backend &backend, int n, const tm_contact_args &a, unsigned effects)
+{
+  *a.found.taken = 0;
+  backend.blocks(n, [&a, effects](int begin, int end) {
+    for (int i = begin; i < end; i++) tm_contact_look(i, tm_group_alone(), &a, effects);
+  });
+}
+
 struct Contact {
   Backend &backend;
   int n;

@@ -16,6 +16,8 @@ struct HeatMessage {    // of values heat, those in the list are sent, or n from
 };
 
 #define CONTACT_LOOPS(LOOP)                                                                       \
+  /* tm_contact_look(), beside loops that move nothing, before the contact loop of a step */      \
+  LOOP(OWN, look, void, int n, const tm_contact_args &, unsigned effects)                         \
   /* effects: of tm_contact_effect; the result is there once the loop is waited for */            \
   LOOP(OWN, contact, void, int n, const tm_contact_args &, unsigned effects, tm_contact_result *) \
   /* tm_contact_late(); the result is there once the loop is waited for */                        \

@@ -78,6 +78,28 @@ struct SumContactOfWarps {
 #if defined(LMP_KOKKOS_GPU)
 constexpr int MANY = 100000;    // particles: with more of them those that do not touch count
 #endif
+using ContactBounds = Kokkos::LaunchBounds<128, 4>;    // few particles touch: the others should not wait for registers
+
+struct Look {
+  tm_contact_args a;
+  unsigned effects;
+  KOKKOS_FUNCTION void operator()(int i, tm_group group) const { tm_contact_look(i, group, &a, effects); }
+  KOKKOS_FUNCTION void operator()(int i) const { tm_contact_look(i, tm_group_alone(), &a, effects); }
+};
+void look(Backend &backend, int n, const tm_contact_args &a, unsigned effects)
+{
+  const KokkosParticles particles(backend, n);
+  const LMPDeviceType queue = kokkos_fork();
+  using Taken = Kokkos::View<int, LMPDeviceType::memory_space, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
+  Kokkos::deep_copy(queue, Taken(a.found.taken), 0);
+  const KokkosOfList<Look> one{Look{a, effects}, particles.which};
+#if defined(LMP_KOKKOS_GPU)
+  if (particles.number < MANY)
+    return kokkos_each<ContactBounds>("sph/tm look for contact", particles.number * 8,
+                                      KokkosShared<8, KokkosOfList<Look>>{one}, queue);
+#endif
+  kokkos_each<ContactBounds>("sph/tm look for contact", particles.number, one, queue);
+}
 
 struct Contact {
   KokkosParticles particles;
@@ -86,20 +108,20 @@ struct Contact {
   tm_contact_result *result;
   template <unsigned SET, int GROUP> void in_groups() const
   {
-    using Bounds = Kokkos::LaunchBounds<128, 4>;    // few particles touch: the others should not wait for registers
     static KokkosRows<tm_contact_result> sums;
     static KokkosRows<unsigned char> touches;
     const int threads = particles.number * GROUP, warps = kokkos_warps(threads);
     const WarpContacts of_warps = {sums.of(warps, "contacts of a step"), touches.of(warps, "contacts of a step")};
-    kokkos_each<Bounds>("sph/tm contact", threads,
-                        ContactKernel<SET, GROUP>{a, given, particles.which, threads, of_warps});
+    kokkos_join();
+    kokkos_each<ContactBounds>("sph/tm contact", threads,
+                               ContactKernel<SET, GROUP>{a, given, particles.which, threads, of_warps});
     kokkos_sum_later("sph/tm contact sums", warps, tm_contact_nothing(), ContactOfWarp{of_warps}, SumContactOfWarps(),
-                     result);
+                     result, kokkos_fork());
   }
   template <unsigned SET> void with() const
   {
 #if defined(LMP_KOKKOS_GPU)    // those that touch take long, whatever else there is
-    if (particles.number < MANY) return in_groups<SET, 8>();
+    if (particles.number < MANY && !a.found.place) return in_groups<SET, 8>();
 #endif
     in_groups<SET, 1>();
   }

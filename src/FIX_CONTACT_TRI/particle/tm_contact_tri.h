@@ -36,6 +36,17 @@ enum tm_contact_effect {
   TM_CT_OUTPUT = 1 << 6     /* add to the per-triangle arrays */
 };
 
+/* Where particles touch, for a contact loop that comes later in the step: of particle i place[i], 0 where it touches
+   nothing, -1 where there was no room, else its number of places n, 1 to TM_TOUCH_MAX, and where they begin in touch:
+   first * TM_FOUND + n. */
+enum { TM_FOUND = 8 };
+typedef struct {
+  int *place; /* NULL: nobody has looked */
+  tm_touch *touch;
+  int *taken; /* entries of touch in use; 0 before the look */
+  int room;   /* entries of touch, at most INT_MAX / TM_FOUND */
+} tm_contact_found;
+
 typedef struct tm_contact_args {
   tm_tri_view mesh;
   tm_grid_view grid;
@@ -84,6 +95,8 @@ typedef struct tm_contact_args {
       earlier; /* TM_EARLIER per particle: contacts of tools that acted on it earlier in this step; or NULL. Where there
                        is an energy balance and another tool or a force of another fix comes later */
   int first;   /* this tool is the first of the step */
+
+  tm_contact_found found; /* by tm_contact_look() with these positions and this pose */
 
   /* with TM_CT_OUTPUT, added to; each may be NULL */
   double *tri_force; /* 3 nt, on the tool, world frame, unit style */
@@ -165,6 +178,24 @@ TM_FN void tm_contact_count(int *sum)
 #pragma omp atomic
 #endif
   *sum += 1;
+#endif
+}
+
+/* The sum before n is added. */
+TM_FN int tm_contact_take(int *sum, int n)
+{
+#if defined(__CUDA_ARCH__)
+  return atomicAdd(sum, n);
+#else
+  int before;
+#if defined(_OPENMP)
+#pragma omp atomic capture
+#endif
+  {
+    before = *sum;
+    *sum += n;
+  }
+  return before;
 #endif
 }
 
@@ -401,6 +432,52 @@ TM_FN tm_contact_result tm_contact_late(int i, const tm_contact_args *a, unsigne
   return r;
 }
 
+/* Diameter of particle i. */
+TM_FN tm_real tm_contact_size(int i, const tm_contact_args *a)
+{
+  return a->size ? a->size[(ptrdiff_t) i * TM_REC_SIZE + TM_SIZE_DP] : 2.0 * a->law[a->type[i]].radius;
+}
+
+/* Where particle i touches the tool, or is near enough for a layer to reach it; the number of places. On a GPU several threads
+   look, and all of them get the places. */
+TM_FN int tm_contact_places(int i, tm_group group, const tm_contact_args *a, unsigned effects, tm_touch *touch)
+{
+  if (a->mask && !(a->mask[i] & a->group)) return 0;
+  const tm_contact_law *w = a->law + a->type[i];
+  if (!w->active) return 0;
+  const tm_real radius = 0.5 * tm_contact_size(i, a), reach = a->layer && w->layer ? TM_LAYER_REACH : 1.0;
+  const tm_vec3 p = tm_pose_to_local(&a->pose, tm_load3(a->x + i * a->x_stride));
+  if (effects & TM_CT_F15) return tm_touch_find_f15(&a->mesh, &a->grid, p, radius, touch);
+  return tm_touch_find(&a->mesh, &a->grid, p, reach * radius, a->deep, (effects & TM_CT_TWO_SIDED) != 0, group, touch);
+}
+
+/* The same, left in `found` for later in the step. */
+TM_FN void tm_contact_look(int i, tm_group group, const tm_contact_args *a, unsigned effects)
+{
+  const tm_contact_found *found = &a->found;
+  tm_touch touch[TM_TOUCH_MAX];
+  const int n = tm_contact_places(i, group, a, effects, touch);
+  if (group.lane > 0) return;
+  int place = 0;
+  if (n > 0) {
+    const int first = tm_contact_take(found->taken, n);
+    place = first <= found->room - n ? first * TM_FOUND + n : -1;
+    if (place > 0)
+      for (int k = 0; k < n; k++) found->touch[first + k] = touch[k];
+  }
+  found->place[i] = place;
+}
+
+/* What such a look has found, or finds now. */
+TM_FN int tm_contact_found_places(int i, tm_group group, const tm_contact_args *a, unsigned effects, tm_touch *touch)
+{
+  const int place = a->found.place ? a->found.place[i] : -1;
+  if (place < 0) return tm_contact_places(i, group, a, effects, touch);
+  const int n = place % TM_FOUND;
+  for (int k = 0; k < n; k++) touch[k] = a->found.touch[place / TM_FOUND + k];
+  return n;
+}
+
 /* Contacts of particle i: adds to its force and to its heat source; what is summed over particles comes back. On a GPU
    several threads may look for the contacts; the first of them gets the sums. */
 TM_FN tm_contact_result tm_contact_tri_shared(int i, tm_group group, const tm_contact_args *a, unsigned effects)
@@ -409,19 +486,13 @@ TM_FN tm_contact_result tm_contact_tri_shared(int i, tm_group group, const tm_co
   if (a->tool_heat && group.lane == 0) a->tool_heat[i] = 0.0;
   if (a->earlier && a->first && group.lane == 0)
     for (int d = 0; d < TM_EARLIER; d++) a->earlier[(ptrdiff_t) i * TM_EARLIER + d] = 0.0;
-  if (a->mask && !(a->mask[i] & a->group)) return r;
-  const tm_contact_law *w = a->law + a->type[i];
-  if (!w->active) return r;
-
-  const tm_real dp = a->size ? a->size[(ptrdiff_t) i * TM_REC_SIZE + TM_SIZE_DP] : 2.0 * w->radius;
-  const tm_vec3 p = tm_pose_to_local(&a->pose, tm_load3(a->x + i * a->x_stride));
   tm_touch touch[TM_TOUCH_MAX];
-  const int layer = a->layer && w->layer;
-  const tm_real reach = layer ? TM_LAYER_REACH : 1.0;
-  int n = (effects & TM_CT_F15) ? tm_touch_find_f15(&a->mesh, &a->grid, p, 0.5 * dp, touch)
-                                : tm_touch_find(&a->mesh, &a->grid, p, 0.5 * reach * dp, a->deep,
-                                                (effects & TM_CT_TWO_SIDED) != 0, group, touch);
+  int n = tm_contact_found_places(i, group, a, effects, touch);
   if (n == 0 || group.lane > 0) return r;
+
+  const tm_contact_law *w = a->law + a->type[i];
+  const tm_real dp = tm_contact_size(i, a);
+  const int layer = a->layer && w->layer;
 
   tm_contact_law own;
   if (a->size) {

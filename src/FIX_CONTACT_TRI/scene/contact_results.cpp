@@ -31,7 +31,15 @@ bool ContactResults::finish()
   pending = false;
   loops->wait();
   sums = *result;
+  has_pressed = has_pressed || sums.contacts > 0;
   return true;
+}
+
+bool ContactResults::pressed(MPI_Comm world)
+{
+  const bool some = over(world, has_pressed ? 1.0 : 0.0, MPI_MAX) > 0.0;
+  has_pressed = false;
+  return some;
 }
 
 double ContactResults::over(MPI_Comm world, double mine, MPI_Op op)

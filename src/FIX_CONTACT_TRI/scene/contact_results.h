@@ -28,6 +28,7 @@ class ContactResults {
   bool finish();                                // waits for it; whether there was one that had not been waited for
   // mass-length-time units: of this rank; over ranks (collective)
   const tm_contact_result &mine() const { return sums; }
+  bool pressed(MPI_Comm world);    // in any step since this was asked last; collective
   double heat_into_tool(MPI_Comm world) const { return over(world, sums.heat_tool, MPI_SUM); }
   double depth(MPI_Comm world) const { return over(world, sums.depth, MPI_MAX); }
   double within(MPI_Comm world) const { return over(world, sums.within, MPI_MAX); }
@@ -40,7 +41,7 @@ class ContactResults {
   Backend *loops = nullptr;
   tm_contact_result *result = nullptr, *more = nullptr;    // of the loops on their way
   tm_contact_result sums;
-  bool pending = false, reduced = false;
+  bool pending = false, reduced = false, has_pressed = false;
   double totals[SIZE] = {};
 
   static double over(MPI_Comm world, double mine, MPI_Op);

@@ -7,6 +7,7 @@
 
 #include "fmt/format.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace SPHTM_NS {
@@ -104,6 +105,14 @@ std::string TriTool::index(MPI_Comm world, double radius)
   return first_message(world, built ? ""
                                     : fmt::format("no memory for the search grid of {} triangles with radius {}",
                                                   mesh_.nt, radius));
+}
+
+double TriTool::thickness(int dimension) const
+{
+  const tm_mesh &m = mesh();
+  double least = m.hi[0] - m.lo[0];
+  for (int k = 1; k < dimension; k++) least = std::min(least, m.hi[k] - m.lo[k]);
+  return least;
 }
 
 std::string TriTool::summary() const

@@ -39,6 +39,7 @@ class TriTool {
   std::string index(MPI_Comm world, double radius);
   // for the log, in one line
   std::string summary() const;
+  double thickness(int dimension) const;    // the least extent, along an axis of the mesh's frame
   // less serious flaws, one line each
   std::vector<std::string> flaws(bool two_sided) const;
 

@@ -95,6 +95,7 @@ void FixContactTri::init()
     if (layer_strains(set, *model, t))
       state->need(TM_FX_LAYER, fmt::format("fix contact/tri {}, type {} ({})", id, t, model->material_name(t)));
   earlier.live_in(state->loops());
+  places.live_in(state->loops());
   checks.empty_group();
   checks.heat(*state);
   temperature.begin(state->start_temperatures().of_all());
@@ -274,11 +275,11 @@ void FixContactTri::initial_integrate(int)
   if (set.body_type) particles.move(motion.pose(0.0, dt), motion.pose(state->time_step().ahead(), dt));
 }
 
-unsigned FixContactTri::effects(bool of_triangles) const
+static unsigned effects_of(const ContactSettings &set, const ParticleState &state, int dimension, bool of_triangles)
 {
   unsigned effects = 0;
-  if (domain->dimension == 3) effects |= TM_CT_3D;
-  if (state->has(TM_FX_HEAT)) effects |= TM_CT_HEAT;
+  if (dimension == 3) effects |= TM_CT_3D;
+  if (state.has(TM_FX_HEAT)) effects |= TM_CT_HEAT;
   if (set.has_friction()) effects |= TM_CT_FRICTION;
   if (set.approach) effects |= TM_CT_APPROACH;
   if (set.f15) effects |= TM_CT_F15;
@@ -287,9 +288,11 @@ unsigned FixContactTri::effects(bool of_triangles) const
   return effects;
 }
 
-tm_contact_args FixContactTri::contact_args(const tm_pose &pose, bool of_triangles)
+// at the force point of the step, with what to tell per triangle
+tm_contact_args FixContactTri::contact_args(bool of_triangles)
 {
   tm_contact_args a = {};
+  const tm_pose pose = motion.pose(state->time_step().ahead(), state->time_step().now());
   const tm_state s = state->arrays();
   const tm_records &rec = scene->results().rate_args().rec;
   a.mesh = loop_tool.mesh();
@@ -339,15 +342,26 @@ tm_contact_args FixContactTri::contact_args(const tm_pose &pose, bool of_triangl
   return a;
 }
 
+// where the loops run beside each other, the places of contact are looked for while the rates are made
+void FixContactTri::before_forces()
+{
+  if (update->setupflag || state->loops().shared()) return;
+  tm_contact_args a = contact_args(false);
+  a.found = places.begin(atom->nlocal);
+  ContactLoops::of(state->loops())
+      .look(state->active().stepping(), atom->nlocal, a, effects_of(set, *state, domain->dimension, false));
+}
+
 void FixContactTri::post_force(int)
 {
   const auto timed = state->clock().timed(this);
   const double dt = state->time_step().now();
   const bool of_triangles = output.needs_values();
   if (!update->setupflag) checks.jump(motion.pose(dt, dt), motion.by_variable(), dt, model->smallest_spacing());
+  tm_contact_args a = contact_args(of_triangles);
+  a.found = places.take();
   ContactLoops::of(state->loops())
-      .contact(state->active().stepping(), atom->nlocal,
-               contact_args(motion.pose(state->time_step().ahead(), dt), of_triangles), effects(of_triangles),
+      .contact(state->active().stepping(), atom->nlocal, a, effects_of(set, *state, domain->dimension, of_triangles),
                results.begin());
   if (set.body_type && state->has(TM_FX_CONDUCTION)) particles.take_heat();
   limit_time_step();
@@ -360,12 +374,17 @@ void FixContactTri::finish_contact()
   particles.check_heat();
   if (state->time_step().ahead() > 0.0) results.add_to(state->energy(), state->time_step().now(), set.body_type != 0);
   const tm_contact_result &sums = results.mine();
-  if (sums.inner > 0.5 * spacing && !warned_deep) {
+  const double thickness = tool.mesh().closed && !set.two_sided ? tool.thickness(domain->dimension) : 1e300;
+  if (sums.inner > std::min(0.5 * spacing, 0.4 * thickness) && !warned_deep) {
     warned_deep = true;
     error->warning(FLERR,
                    "Fix contact/tri {}: a particle's center lies {:.2f} spacings behind the "
-                   "surface; beyond 1 it is no longer pushed out: raise penalty or lower the speed{}",
-                   id, sums.inner / spacing, set.overlap_allowed ? ", or start without overlap" : "");
+                   "surface; beyond {} it is {}: raise penalty or lower the speed{}",
+                   id, sums.inner / spacing,
+                   thickness < 2.0 * spacing ? fmt::format("{:.2f}", 0.5 * thickness / spacing) : "1",
+                   thickness < 2.0 * spacing ? "pushed out on the other side of the tool, which is too thin here"
+                                             : "no longer pushed out",
+                   set.overlap_allowed ? ", or start without overlap" : "");
   }
   if (sums.faced && !warned_faced) {
     warned_faced = true;
@@ -384,7 +403,8 @@ void FixContactTri::final_integrate()
   const tm_pose half = motion.pose(state->time_step().ahead(), dt);
   if (corrects_late)
     ContactLoops::of(state->loops())
-        .late(state->active().stepping(), atom->nlocal, contact_args(half, false), effects(false), results.late());
+        .late(state->active().stepping(), atom->nlocal, contact_args(false),
+              effects_of(set, *state, domain->dimension, false), results.late());
   finish_contact();
   if (corrects_late) results.add_late(state->energy(), dt);
   motion.end_of_step(dt);
@@ -478,8 +498,11 @@ void FixContactTri::unpack_forward_comm(int n, int first, double *buf) { particl
 void FixContactTri::post_run()
 {
   if (!set.conducts() || !state) return;
-  const int contacts = (int) results_now()[ContactResults::CONTACTS];
-  checks.heat_without_contact(motion.top_speed(tool.mesh().lo, tool.mesh().hi) > 0.0, contacts);
+  results_now();
+  checks.heat_without_contact(motion.top_speed(tool.mesh().lo, tool.mesh().hi) > 0.0, results.pressed(world));
 }
 
-double FixContactTri::memory_usage() { return tool.bytes() + particles.bytes() + triangles.bytes() + earlier.bytes(); }
+double FixContactTri::memory_usage()
+{
+  return tool.bytes() + particles.bytes() + triangles.bytes() + earlier.bytes() + places.bytes();
+}

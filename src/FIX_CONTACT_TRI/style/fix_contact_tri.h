@@ -7,6 +7,7 @@
 
 #include "fix.h"
 
+#include "contact_places.h"
 #include "contact_probe.h"
 #include "contact_results.h"
 #include "loop_tool.h"
@@ -47,6 +48,7 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   void touched(int i, double radius, std::vector<Surface> &) override;
   std::string write_surface(const std::string &path, double time) override;
   tm_tool_box box() const override;
+  void before_forces() override;
   int pack_forward_comm(int, int *, double *, int, int *) override;
   void unpack_forward_comm(int, int, double *) override;
   void write_restart(FILE *) override;
@@ -70,6 +72,7 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   SPHTM_NS::ContactResults results;
   SPHTM_NS::TriangleValues triangles;
   SPHTM_NS::LoopArray<double> earlier;    // of the first of several tools: what those before did to each particle
+  SPHTM_NS::ContactPlaces places;
   FixContactTri *first_tool = nullptr;    // with an energy balance, where forces come behind it
   bool corrects_late = false;             // the last of these tools, with forces of other fixes behind one of them
   SPHTM_NS::ToolOutput output;
@@ -85,8 +88,7 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   void limit_time_step();
   void check_overlap();
   void evaluate_variables(double dt);
-  unsigned effects(bool of_triangles) const;
-  tm_contact_args contact_args(const tm_pose &, bool of_triangles);
+  tm_contact_args contact_args(bool of_triangles);
   void finish_contact();
   void write_output();
   const double *results_now();

@@ -83,14 +83,16 @@ void FractureWatch::look(Pair *pair)
   tell(pair);
   const tm_fracture_result mine =
       PairLoops::of(state.loops()).fracture_look(state.active().stepping(), atom->nlocal, args(), state.effects());
-  if (reported) return;
-  int tag;
-  MPI_Allreduce(&mine.first, &tag, 1, MPI_INT, MPI_MIN, world);
-  if (tag < INT_MAX) report(tag);
+  if (reported && meeting_reported) return;
+  const int tags[2] = {mine.first, mine.first_met};
+  int least[2];
+  MPI_Allreduce(tags, least, 2, MPI_INT, MPI_MIN, world);
+  if (least[0] < INT_MAX && !reported) report(least[0]);
+  if (least[1] < INT_MAX && !meeting_reported) report_meeting(least[1]);
 }
 
 // the particle of this tag, from the rank that owns it
-void FractureWatch::report(int tag)
+std::string FractureWatch::particle(int tag)
 {
   enum { TYPE, X, DAMAGE = X + 3, STRAIN, VALUES };
   double mine[VALUES] = {}, all[VALUES];
@@ -104,11 +106,16 @@ void FractureWatch::report(int tag)
     mine[STRAIN] = strain ? strain[3 * (size_t) i] : 0.0;
   }
   MPI_Allreduce(mine, all, VALUES, MPI_DOUBLE, MPI_SUM, world);
+  return fmt::format("at step {}, time {:.6g}: particle {} (type {}) at {:.6g} {:.6g} {:.6g}, damage {:.3g}, plastic "
+                     "strain {:.3g}",
+                     update->ntimestep, update->atime + (update->ntimestep - update->atimestep) * update->dt, tag,
+                     (int) all[TYPE], all[X], all[X + 1], all[X + 2], all[DAMAGE], all[STRAIN]);
+}
+
+void FractureWatch::report(int tag)
+{
+  first = particle(tag);
   reported = true;
-  first = fmt::format("at step {}, time {:.6g}: particle {} (type {}) at {:.6g} {:.6g} {:.6g}, damage {:.3g}, plastic "
-                      "strain {:.3g}",
-                      update->ntimestep, update->atime + (update->ntimestep - update->atimestep) * update->dt, tag,
-                      (int) all[TYPE], all[X], all[X + 1], all[X + 2], all[DAMAGE], all[STRAIN]);
   if (comm->me == 0)
     error->warning(
         FLERR,
@@ -116,6 +123,20 @@ void FractureWatch::report(int tag)
         "has failed by damage; {}. What is pulled, not cut, keeps them with 'fix ID all adapt/neigh threshold "
         "inf'",
         state.id(), first);
+}
+
+void FractureWatch::report_meeting(int tag)
+{
+  const std::string where = particle(tag);
+  meeting_reported = true;
+  if (comm->me == 0)
+    error->warning(
+        FLERR,
+        "Fix sph/tm {}: faces of one body have come within reach of each other, {}. There is no contact inside of "
+        "a body: from {:.2g} spacings of free space on they drag each other, and weld. Parts that meet and part again "
+        "want types of their own, with 'pair_coeff I J contact'",
+        state.id(), where,
+        tm_kernel_support(state.model().settings_in_use().kernel) * state.model().settings_in_use().ratio - 1.0);
 }
 
 double FractureWatch::torn()

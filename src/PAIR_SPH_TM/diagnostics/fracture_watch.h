@@ -1,5 +1,6 @@
 /* SPH-TM: particles that lose their neighbors on one side though nothing has failed, tm_fracture.h: counted every so
-   many steps; the first one is reported, and the number of all at the end of a run. */
+   many steps; the first one is reported, and the number of all at the end of a run. The first time that faces of one body meet
+   is reported too. */
 #ifndef SPHTM_FRACTURE_WATCH_H
 #define SPHTM_FRACTURE_WATCH_H
 
@@ -37,13 +38,15 @@ class FractureWatch : protected LAMMPS_NS::Pointers {
   double period[3] = {};
   LAMMPS_NS::bigint particles = -1;    // when the references were taken
   long remapped = 0;
-  bool reported = false;
+  bool reported = false, meeting_reported = false;
   std::string first;    // of the first one
 
   tm_fracture_args args();
   void tell(LAMMPS_NS::Pair *);
   bool refer(LAMMPS_NS::Pair *);    // anew, where particles came or went; whether
+  std::string particle(int tag);    // when and where, for all ranks
   void report(int tag);
+  void report_meeting(int tag);
 };
 
 }    // namespace SPHTM_NS

@@ -41,7 +41,9 @@ constexpr double EVEN = 0.01, EVEN_LEAST = 20.0, SPACING_WARNED = 0.015;
 constexpr double DENSE_OF_SIZES = 1.6, THIN_OF_SIZES = 1.4;    // where particles have sizes of their own
 constexpr double CLOSE = 0.1;                                  // of the spacing: in one place
 constexpr double BODIES_WARNED = 0.1, BODIES_STOPPED = 0.6;    // deeper than at the end of the last run, in spacings
-constexpr double CLOSE_BETWEEN_RUNS = 0.7;                     // where it was not so at the end of the last run
+constexpr double BODIES_SEEN = 0.005,
+                 SPRINGS_WARNED = 0.01;       // at the first start: deeper, with more than of the motion
+constexpr double CLOSE_BETWEEN_RUNS = 0.7;    // where it was not so at the end of the last run
 }    // namespace
 
 /* ---------------------------------------------------------------------- other fixes and commands */
@@ -64,12 +66,25 @@ void StartChecks::check_company(const Pair *pair)
                "Fix {} dt/reset works against fix sph/tm, which sets the time step itself; remove it, and limit "
                "the step with the keyword dt/max",
                f->id);
-  for (const auto &f : modify->get_fix_list())
+  for (const auto &f : modify->get_fix_list()) {
+    if (utils::strmatch(f->style, "^press/"))
+      error->all(FLERR,
+                 "Fix {} {} does not work with fix sph/tm: it scales box and positions, of which stress and density "
+                 "know nothing; press with a tool (fix contact/tri) or with fix sph/tm/drive",
+                 f->id, f->style);
     if (f->box_change & (Fix::BOX_CHANGE_SIZE | Fix::BOX_CHANGE_SHAPE) && comm->me == 0)
       error->warning(FLERR,
                      "Fix {} {} changes the box: where it moves the particles with it, their stress and density know "
                      "nothing of it",
                      f->id, f->style);
+    const auto begins = [&f](const char *style) { return utils::strmatch(f->style, style); };
+    if ((begins("^langevin") || begins("^temp/") || begins("^gl[de]") || begins("^ttm")) && comm->me == 0)
+      error->warning(FLERR,
+                     "Fix {} {} takes the velocities of particles for those of atoms: it brakes and shakes bodies, and "
+                     "knows nothing of the temperature of the metal; that is set by 'temperature' of fix sph/tm and of "
+                     "fix_modify, and fix sph/tm/relax brings a body to rest",
+                     f->id, f->style);
+  }
   state.atoms().to_host();
   check_integrators();
   const bigint members = group->count(fix.igroup);
@@ -275,32 +290,63 @@ void StartChecks::check_temperature() const
                              state.start_temperatures().of_all());
 }
 
-// bodies of particles in each other, more than they were at the end of the last run
-void StartChecks::check_bodies(double before)
+// bodies of particles in each other, more than they were at the end of the last run; in a first run also where their springs
+// hold much beside the energy of the motion
+void StartChecks::check_bodies(double before, bool first)
 {
   double depth = state.energy().deepest_of_bodies();
   MPI_Allreduce(MPI_IN_PLACE, &depth, 1, MPI_DOUBLE, MPI_MAX, world);
-  if (!(depth > before + BODIES_WARNED)) return;
+  if (!(depth > before + (first ? BODIES_SEEN : BODIES_WARNED))) return;
+  double mine[3] = {state.energy().spring() / model().units().energy, 0.0, 0.0}, all[3];
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double m = atom->rmass ? atom->rmass[i] : atom->mass[atom->type[i]], *v = atom->v[i];
+    mine[1] += 0.5 * force->mvv2e * m * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    mine[2] += m;
+  }
+  MPI_Allreduce(mine, all, 3, MPI_DOUBLE, MPI_SUM, world);
+  const double spring = all[0], kinetic = all[1];
+  if (depth <= before + BODIES_WARNED && spring <= SPRINGS_WARNED * kinetic) return;
   const std::string text = fmt::format(
       "Pair style sph/tm: bodies in contact (pair_coeff I J contact) are {:.2g} spacings inside of each other; set them "
-      "one spacing apart",
+      "one spacing apart, centers of their first rows, or the mean of their spacings where these differ",
       depth);
   if (depth > before + BODIES_STOPPED) error->all(FLERR, "{}", text);
-  if (comm->me == 0) error->warning(FLERR, "{}: springs push them apart with {:.3g}", text, springs());
+  if (comm->me == 0)
+    error->warning(FLERR,
+                   "{}: their springs hold an energy of {:.3g} (the motion of all particles has {:.3g}), enough to "
+                   "throw them apart with up to {:.3g}",
+                   text, spring, kinetic, sqrt(2.0 * spring / (force->mvv2e * all[2])));
 }
 
-double StartChecks::springs()
+// metal with a velocity that nothing moves acts on the rest as if it moved
+void StartChecks::check_still()
 {
-  const double mine = state.energy().spring() / model().units().energy;
-  double all = 0.0;
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  return all;
+  int movers = state.group_bit();
+  for (const auto &f : modify->get_fix_list())
+    if (f->time_integrate) movers |= f->groupbit;
+  double mine[2] = {0.0, 0.0}, number, fastest;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const double *v = atom->v[i], speed2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    if (atom->mask[i] & movers || speed2 == 0.0 || model().materials()[atom->type[i]].body != TM_BODY_SOLID) continue;
+    mine[0] += 1.0;
+    mine[1] = std::max(mine[1], sqrt(speed2));
+  }
+  MPI_Allreduce(mine, &number, 1, MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(mine + 1, &fastest, 1, MPI_DOUBLE, MPI_MAX, world);
+  if (number > 0.0 && comm->me == 0)
+    error->warning(
+        FLERR,
+        "Fix sph/tm {}: {:.0f} particles outside of its group have a velocity (up to {:.4g}) and stay where they are: "
+        "they act on others as if they moved; set it to 0, or take them into the group and move them with fix "
+        "sph/tm/drive",
+        state.id(), number, fastest);
 }
 
 void StartChecks::check_start()
 {
   check_temperature();
-  check_bodies(0.0);
+  check_bodies(0.0, true);
+  check_still();
   const tm_nearest c = scene.results().nearest();
   check_overlap(c, CLOSE);
   check_values();
@@ -336,7 +382,8 @@ void StartChecks::check_changes()
   // flow of large strain draws particles as close as it likes
   const double flow = 0.85 * last_run.nearest / dp;
   check_overlap(c, std::min(CLOSE, flow));
-  check_bodies(last_run.depth);
+  check_bodies(last_run.depth, false);
+  check_still();
   check_values();
   check_strain(c);
   if (!fresh.empty()) check_filling(true);

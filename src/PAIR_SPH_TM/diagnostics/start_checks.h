@@ -72,8 +72,8 @@ class StartChecks : protected LAMMPS_NS::Pointers {
   void check_values();
   void check_temperature() const;
   void check_overlap(const tm_nearest &, double least);
-  void check_bodies(double before);
-  double springs();
+  void check_bodies(double before, bool first);
+  void check_still();
   void check_filling(bool of_fresh);
   std::string spacing_in_words(double) const;
   void judge_spacing(const Filling &, double of_lattice);

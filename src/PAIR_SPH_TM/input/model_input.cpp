@@ -149,6 +149,11 @@ static void read_meeting(LAMMPS *lmp, int narg, char **arg, Model &model)
     const std::string key = arg[iarg];
     if (iarg + 1 >= narg) error->all(FLERR, "Pair sph/tm coeff {} keyword {} needs a value", what, key);
     const char *val = arg[iarg + 1];
+    if (rubs && (key == "friction" || key == "friction/table"))
+      error->all(FLERR,
+                 "Pair sph/tm coeff contact {}: the friction of types {} {} has been given before; give it once, by "
+                 "friction or by friction/table",
+                 key, arg[0], arg[1]);
     if (key == "conductance" && (law.meeting == HEAT_ONLY || law.meeting == CONTACT)) {
       law.conductance = strcmp(val, "perfect") == 0
                             ? 0.0

@@ -27,6 +27,8 @@ void drift(Backend &backend, int n, const tm_drift_args &a, unsigned effects, in
       [](int *first, const int *i) { *first = std::min(*first, *i); });
 }
 
+void begin_thermal(Backend &, int, const tm_rates_args &, unsigned) {}
+
 void thermal(Backend &backend, int n, const tm_rates_args &a, unsigned effects)
 {
   backend.blocks(n, [&](int begin, int end) {

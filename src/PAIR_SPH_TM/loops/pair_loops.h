@@ -65,6 +65,8 @@ TM_FN tm_tally_result tm_tally_nothing(void)
   LOOP(RANGE, rates_in_double, tm_rates_args)                                                          \
   LOOP(RANGE, rates_in_single, tm_rates_args)                                                          \
   LOOP(RANGE, hourglass, tm_rates_args)                                                                \
+  /* thermal, behind the rates, may have been begun before them, to run beside */                      \
+  LOOP(OWN, begin_thermal, void, int n, const tm_rates_args &, unsigned effects)                       \
   LOOP(OWN, thermal, void, int n, const tm_rates_args &, unsigned effects)                             \
   LOOP(EACH, add, AddLoop, a.to[i] += a.from[i])                                                       \
   LOOP(RANGE_SUM, update, tm_update_args, tm_update_result, tm_step)                                   \

@@ -77,8 +77,50 @@ struct Thermal {
     if (a.rows.thermal[i]) tm_thermal(i, group, &a, effects);
   }
 };
+// what is begun beside the rates, which write the same heats: that of each particle of the list, until it is added
+struct ThermalBegun {
+  tm_rates_args a;
+  unsigned effects;
+  const int *which;
+  tm_real *heat;
+  KOKKOS_FUNCTION void operator()(int k, tm_group group) const
+  {
+    const int i = which ? which[k] : k;
+    tm_vec3 normal;
+    const tm_real sum = a.rows.thermal[i] ? tm_thermal_sum(i, group, &a, effects, &normal) : 0.0;
+    if (group.lane == 0) heat[k] = sum;
+  }
+};
+struct ThermalAdd {
+  const tm_real *heat;
+  const int *which;
+  tm_real *to;
+  KOKKOS_FUNCTION void operator()(int k) const { to[which ? which[k] : k] += heat[k]; }
+};
+tm_real *thermal_begun = nullptr;
+void begin_thermal(Backend &backend, int n, const tm_rates_args &a, unsigned effects)
+{
+  thermal_begun = nullptr;
+#if defined(KOKKOS_ENABLE_CUDA)
+  static KokkosRows<tm_real> rows;
+  if (effects & TM_FX_SURFACE) return;
+  const KokkosParticles p = kokkos_with_thermal(backend, n, a.rows);
+  thermal_begun = rows.of(p.number + 1, "heat of a step");
+  kokkos_each_shared<ROW_THREADS>("sph/tm thermal", p.number, ThermalBegun{a, effects, p.which, thermal_begun},
+                                  kokkos_fork());
+#else
+  (void) backend, (void) n, (void) a, (void) effects;
+#endif
+}
 void thermal(Backend &backend, int n, const tm_rates_args &a, unsigned effects)
 {
+  if (thermal_begun) {
+    const KokkosParticles p = kokkos_with_thermal(backend, n, a.rows);
+    kokkos_join();
+    kokkos_each("sph/tm thermal heat", p.number, ThermalAdd{thermal_begun, p.which, a.heat});
+    thermal_begun = nullptr;
+    return;
+  }
   kokkos_each_shared<ROW_THREADS>("sph/tm thermal", kokkos_with_thermal(backend, n, a.rows), Thermal{a, effects});
 }
 

@@ -129,7 +129,7 @@ typedef struct {
   tm_real apart;        /* s_ij */
   tm_real area;         /* 1/(C s_ij^(d-1)) */
   tm_real k, fall;      /* k(x), -2 dk/dx / s_ij^2: grad k = -fall d */
-  tm_real ai, aj;       /* edge^(d-1) */
+  tm_real ai, aj;       /* edge^(d-1), with the norm of the other's layers over C */
   int law, side, other; /* index of the type pair, side of i and of j */
 } tm_body_pair;
 
@@ -149,6 +149,10 @@ TM_FN int tm_body_meet(int i, int j, const tm_rates_args *a, const tm_body_conta
   p->area = 1.0 / (b->surface.norm * (dim3 ? s * s : s));
   p->ai = dim3 ? ei * ei : ei;
   p->aj = dim3 ? ej * ej : ej;
+  if (ei != ej) { /* other layers than C counts */
+    p->ai *= b->surface.norm / tm_body_norm(&b->surface, ei / s);
+    p->aj *= b->surface.norm / tm_body_norm(&b->surface, ej / s);
+  }
   p->k = tm_body_weight(&b->surface, x);
   p->fall = 2.0 * tm_body_fall(&b->surface, x) / (s * s);
   return 1;

@@ -12,7 +12,12 @@
      grows takes particles in from below, and there the body is compressed across the surface.
    One whose kept bonds do not tell F is loose where there is none at all within the length of a bond.
    Particles that have failed, and those that ever had a failed neighbor, are left out: there fracture is physical. So are
-   those without bonds in the reference. */
+   those without bonds in the reference.
+
+   The other way round, faces of one body that meet act on each other as its inside does: they weld. Particle i of a face
+   (|B| at least that of half a face, which points inward) has done so where a neighbor j within the support radius is of a
+   face too, was more than TM_FRACTURE_FAR support radii away, and lies outward: within TM_FRACTURE_CONE of the direction
+   opposite to the sum of x_j - x_i over the kept bonds. */
 #ifndef TM_FRACTURE_H
 #define TM_FRACTURE_H
 
@@ -32,6 +37,8 @@
 #define TM_FRACTURE_EMPTY 0.85
 /* Largest share of the square of the kept bonds that F does not tell. */
 #define TM_FRACTURE_ROUGH 0.03
+/* Distance in the reference over the support radius, of faces that meet. */
+#define TM_FRACTURE_FAR 2.0
 /* |F u|: pressed together below the first; above the second, over the support radius, neighbors hardly meet. */
 #define TM_FRACTURE_PRESSED 0.8
 #define TM_FRACTURE_STRETCHED 0.8
@@ -40,7 +47,7 @@
 
 /* what is known of a particle, last column of the field */
 enum { TM_FRACTURE_UNKNOWN = 0, TM_FRACTURE_WHOLE = 1, TM_FRACTURE_LEFT_OUT = 2, TM_FRACTURE_TORN = 3 };
-/* what neighbors know of a particle: X, and whether it has failed */
+/* what neighbors know of a particle: X, and 1 where it has failed, -1 where it has not and is of a face */
 enum { TM_FRACTURE_KNOWN = 4 };
 
 typedef struct {
@@ -54,23 +61,26 @@ typedef struct {
   int dim3;
 } tm_fracture_args;
 
-/* Of a look at all particles: how many are torn; of those that were not yet, the least tag. */
+/* Of a look at all particles: how many are torn; of those that were not yet, the least tag; how many are of faces that meet,
+   and the least tag of them. */
 typedef struct {
-  tm_real torn;
-  int first;
+  tm_real torn, met;
+  int first, first_met;
 } tm_fracture_result;
 
 TM_FN tm_fracture_result tm_fracture_nothing(void)
 {
   tm_fracture_result r;
-  r.torn = 0.0;
-  r.first = INT_MAX;
+  r.torn = r.met = 0.0;
+  r.first = r.first_met = INT_MAX;
   return r;
 }
 TM_FN void tm_fracture_sum(tm_fracture_result *sum, const tm_fracture_result *r)
 {
   sum->torn += r->torn;
+  sum->met += r->met;
   if (r->first < sum->first) sum->first = r->first;
+  if (r->first_met < sum->first_met) sum->first_met = r->first_met;
 }
 
 TM_FN int tm_fracture_state(const tm_state *s, int i)
@@ -95,20 +105,36 @@ TM_FN void tm_fracture_refer(int i, const tm_fracture_args *a)
   if (f[tm_column(TM_R_STATE)] == (tm_real) TM_FRACTURE_UNKNOWN) f[tm_column(TM_R_STATE)] = TM_FRACTURE_WHOLE;
 }
 
+/* Spacing of particle i. */
+TM_FN tm_real tm_fracture_spacing(int i, const tm_fracture_args *a)
+{
+  return a->state.field[TM_F_SIZE] ? tm_field_row(&a->state, TM_F_SIZE, i)[tm_column(TM_S_DP)] : a->spacing;
+}
+
+/* The sum B of the reference, and whether it is that of a face. */
+TM_FN tm_vec3 tm_fracture_inward(int i, const tm_fracture_args *a)
+{
+  const tm_real *f = tm_field_row(&a->state, TM_F_FRACTURE, i);
+  return tm_vec(f[tm_column(TM_R_B)], f[tm_column(TM_R_B + 1)], f[tm_column(TM_R_B + 2)]);
+}
+TM_FN int tm_fracture_is_face(int i, const tm_fracture_args *a)
+{
+  const tm_real least = (a->dim3 ? TM_FRACTURE_LOSS_3D : TM_FRACTURE_LOSS_2D) * tm_fracture_spacing(i, a);
+  const tm_vec3 B = tm_fracture_inward(i, a);
+  return tm_vec_dot(B, B) >= least * least;
+}
+
 /* What neighbors are told. */
 TM_FN void tm_fracture_tell(int i, const tm_fracture_args *a)
 {
   const tm_real *f = tm_field_row(&a->state, TM_F_FRACTURE, i);
   tm_real *k = a->known + (ptrdiff_t) i * TM_FRACTURE_KNOWN;
   for (int d = 0; d < 3; d++) k[d] = f[tm_column(TM_R_X + d)];
-  k[3] = a->state.field[TM_F_DAMAGE] ? tm_field_row(&a->state, TM_F_DAMAGE, i)[tm_column(1)] : 0.0;
+  const int failed = a->state.field[TM_F_DAMAGE] && tm_field_row(&a->state, TM_F_DAMAGE, i)[tm_column(1)] > 0.5;
+  k[3] = failed ? 1.0 : tm_fracture_is_face(i, a) ? -1.0 : 0.0;
 }
 
-/* Spacing and support radius of particle i. */
-TM_FN tm_real tm_fracture_spacing(int i, const tm_fracture_args *a)
-{
-  return a->state.field[TM_F_SIZE] ? tm_field_row(&a->state, TM_F_SIZE, i)[tm_column(TM_S_DP)] : a->spacing;
-}
+/* Support radius of particle i. */
 TM_FN tm_real tm_fracture_reach(int i, const tm_fracture_args *a)
 {
   return a->support * (a->state.field[TM_F_SIZE] ? tm_field_row(&a->state, TM_F_SIZE, i)[tm_column(TM_S_H)] : a->h);
@@ -166,7 +192,7 @@ TM_FN int tm_fracture_is_empty(int i, const tm_fracture_args *a, tm_vec3 e, tm_r
 
 /* The kept bonds of particle i. */
 typedef struct {
-  tm_vec3 sum;
+  tm_vec3 sum, inward; /* of X_j - X_i, of x_j - x_i */
   tm_sym3 XX;
   tm_mat3 xX;
   tm_real xx;
@@ -176,7 +202,7 @@ typedef struct {
 TM_FN tm_fracture_kept tm_fracture_gather(int i, const tm_fracture_args *a, tm_real dp, tm_real reach)
 {
   tm_fracture_kept s;
-  s.sum = tm_vec(0, 0, 0);
+  s.sum = s.inward = tm_vec(0, 0, 0);
   s.XX = tm_sym(0, 0, 0, 0, 0, 0);
   s.xX = tm_mat_scale(0.0, tm_mat_identity());
   s.xx = 0.0;
@@ -190,6 +216,7 @@ TM_FN tm_fracture_kept tm_fracture_gather(int i, const tm_fracture_args *a, tm_r
     const tm_real c[9] = {x.x * X.x, x.x * X.y, x.x * X.z, x.y * X.x, x.y * X.y,
                           x.y * X.z, x.z * X.x, x.z * X.y, x.z * X.z};
     s.sum = tm_vec_add(s.sum, X);
+    s.inward = tm_vec_add(s.inward, x);
     s.xx += tm_vec_dot(x, x);
     s.XX = tm_sym_add_dyad(s.XX, 1.0, X);
     s.xX = tm_mat_add(s.xX, tm_mat_load(c));
@@ -208,9 +235,7 @@ TM_FN tm_real tm_fracture_told(const tm_mat3 *F, const tm_mat3 *b)
 TM_FN int tm_fracture_is_loose(int i, const tm_fracture_args *a, const tm_fracture_kept *kept, tm_real dp,
                                tm_real reach)
 {
-  const tm_real *f = tm_field_row(&a->state, TM_F_FRACTURE, i);
-  const tm_vec3 B = tm_vec(f[tm_column(TM_R_B)], f[tm_column(TM_R_B + 1)], f[tm_column(TM_R_B + 2)]);
-  const tm_vec3 lost = tm_vec_axpy(B, -1.0, kept->sum);
+  const tm_vec3 lost = tm_vec_axpy(tm_fracture_inward(i, a), -1.0, kept->sum);
   const tm_real size = tm_vec_norm(lost);
   tm_sym3 M = tm_sym_scale(1.0 / (dp * dp), kept->XX);
   if (!a->dim3) M.zz = 1.0;
@@ -228,6 +253,20 @@ TM_FN int tm_fracture_is_loose(int i, const tm_fracture_args *a, const tm_fractu
   return tm_fracture_is_empty(i, a, tm_vec_scale(1.0 / stretch, to), TM_FRACTURE_CONE, TM_FRACTURE_EMPTY * reach);
 }
 
+/* Whether particle i, of a face, has met another face of its body. */
+TM_FN int tm_fracture_has_met(int i, const tm_fracture_args *a, tm_vec3 inward, tm_real reach)
+{
+  const tm_real size = tm_vec_norm(inward), far = TM_FRACTURE_FAR * reach;
+  for (int k = 0; k < a->rows.mechanical[i]; k++) {
+    const int j = a->rows.index[a->rows.first[i] + k * a->rows.stride];
+    if (a->known[(ptrdiff_t) j * TM_FRACTURE_KNOWN + 3] > -0.5) continue;
+    const tm_vec3 x = tm_fracture_apart(i, j, a), X = tm_fracture_bond(i, j, a);
+    const tm_real r = tm_vec_norm(x);
+    if (r < reach && tm_vec_dot(X, X) > far * far && tm_vec_dot(x, inward) < -TM_FRACTURE_CONE * r * size) return 1;
+  }
+  return 0;
+}
+
 TM_FN tm_fracture_result tm_fracture_look(int i, const tm_fracture_args *a)
 {
   tm_fracture_result out = tm_fracture_nothing();
@@ -235,6 +274,10 @@ TM_FN tm_fracture_result tm_fracture_look(int i, const tm_fracture_args *a)
   if (*state == (tm_real) TM_FRACTURE_WHOLE) {
     const tm_real dp = tm_fracture_spacing(i, a), reach = tm_fracture_reach(i, a);
     const tm_fracture_kept kept = tm_fracture_gather(i, a, dp, reach);
+    if (!kept.near_failed && tm_fracture_is_face(i, a) && tm_fracture_has_met(i, a, kept.inward, reach)) {
+      out.met = 1.0;
+      out.first_met = a->tag[i];
+    }
     if (kept.near_failed) *state = TM_FRACTURE_LEFT_OUT;
     else if (tm_fracture_is_loose(i, a, &kept, dp, reach)) {
       *state = TM_FRACTURE_TORN;

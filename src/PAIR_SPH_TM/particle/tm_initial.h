@@ -85,7 +85,7 @@ TM_FN tm_update_result tm_initial_limits(int i, const tm_update_args *a, unsigne
   }
   if (m->body == TM_BODY_SOLID) {
     const tm_real c = tm_main_record(&a->rec, i)[tm_part(TM_REC_C)];
-    out.dt[TM_DT_SOUND] = tm_sound_time_step(h, c, a->visc_alpha, a->hourglass, effects);
+    out.dt[TM_DT_SOUND] = tm_sound_time_step(tm_step_length(h, a->ratio), c, a->visc_alpha, a->hourglass, effects);
     const double *f = s->force + 3 * (ptrdiff_t) i;
     const tm_real acc = a->accel_unit / tm_particle_mass(s, i) * sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
     if (s->mask[i] & a->group) out.dt[TM_DT_FORCE] = tm_force_time_step(h, acc);

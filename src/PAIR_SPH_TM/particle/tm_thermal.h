@@ -16,8 +16,8 @@
 #error "double only: pairs that exchange heat alone have the precision of the state"
 #endif
 
-/* On a GPU by several threads. */
-TM_FN void tm_thermal(int i, tm_group group, const tm_rates_args *a, unsigned effects)
+/* Heat power into particle i per volume and, with a surface, the sum that closes it, in *normal. On a GPU by several threads. */
+TM_FN tm_real tm_thermal_sum(int i, tm_group group, const tm_rates_args *a, unsigned effects, tm_vec3 *normal)
 {
   const int kernel = tm_fx_kernel(effects), dim3 = (effects & TM_FX_3D) != 0;
   const ptrdiff_t begin = a->rows.mechanical[i], end = begin + a->rows.thermal[i];
@@ -51,6 +51,14 @@ TM_FN void tm_thermal(int i, tm_group group, const tm_rates_args *a, unsigned ef
   heat = tm_group_sum_real(heat, group);
   if (effects & TM_FX_SURFACE)
     n = tm_vec(tm_group_sum_real(n.x, group), tm_group_sum_real(n.y, group), tm_group_sum_real(n.z, group));
+  *normal = n;
+  return heat;
+}
+
+TM_FN void tm_thermal(int i, tm_group group, const tm_rates_args *a, unsigned effects)
+{
+  tm_vec3 n;
+  const tm_real heat = tm_thermal_sum(i, group, a, effects, &n);
   if (group.lane > 0) return;
   a->heat[i] += heat;
   if (effects & TM_FX_SURFACE) {

@@ -386,7 +386,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       out.artificial = artificial;
     }
 
-    out.dt[TM_DT_SOUND] = tm_sound_time_step(h, sound, a->visc_alpha, xi, effects);
+    out.dt[TM_DT_SOUND] = tm_sound_time_step(tm_step_length(h, a->ratio), sound, a->visc_alpha, xi, effects);
     const tm_real others = eps_p + q.d_eps + (e ? *e : 0.0) + (dmg ? dmg[0] + dmg[tm_column(1)] : 0.0);
     out.status = tm_update_status(a, m, &q, v2, sound, others, failed);
     in.rho = q.rho;

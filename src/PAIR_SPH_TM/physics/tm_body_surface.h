@@ -12,7 +12,10 @@
      penetration delta = s - g = s (1 - sqrt(1 - b' ln psi))
 
    b' is b but for what the cut at X and the second layer change: it makes |grad delta| = 1 at touch. The surface is
-   smooth, its normal is that of psi, and an edge or corner is rounded off by about half a spacing. */
+   smooth, its normal is that of psi, and an edge or corner is rounded off by about half a spacing.
+
+   Where the other body has another spacing, s is the mean of both, its layers are edge_j/s apart in place of 1, and
+   tm_body_norm() takes the place of C. */
 #ifndef TM_BODY_SURFACE_H
 #define TM_BODY_SURFACE_H
 
@@ -22,11 +25,14 @@
 #define TM_BODY_REACH 2.4   /* sqrt(X), where the support radius of the kernel is not smaller */
 #define TM_BODY_DEEP 0.16   /* (g/s)^2 below which delta goes on linearly in psi */
 
+#define TM_BODY_NORMS 32 /* intervals of a table, even */
+
 typedef struct {
-  tm_real reach2; /* X */
-  tm_real edge;   /* exp(-X/b) */
-  tm_real norm;   /* C */
-  tm_real bend;   /* b' */
+  tm_real reach2;                   /* X */
+  tm_real edge;                     /* exp(-X/b) */
+  tm_real norm;                     /* C */
+  tm_real bend;                     /* b' */
+  tm_real norms[TM_BODY_NORMS + 1]; /* y C(y), of layers y apart, y = 0 to 2 */
 } tm_body_surface;
 
 /* k(x) and -dk/dx. */
@@ -57,6 +63,19 @@ TM_FN void tm_body_plane(const tm_body_surface *s, tm_real g, int dim, tm_real *
   }
 }
 
+/* y times the sum over layers at 1, 1 + y, 1 + 2 y ...; of y = 0 the integral. */
+TM_FN tm_real tm_body_layers(const tm_body_surface *s, tm_real y, int dim)
+{
+  enum { FINE = 400 };
+  const tm_real reach = sqrt(s->reach2), step = y > 0.0 ? y : (reach - 1.0) / FINE;
+  tm_real sum = 0.0, weight, fall;
+  for (tm_real g = y > 0.0 ? 1.0 : 1.0 + 0.5 * step; g < reach; g += step) {
+    tm_body_plane(s, g, dim, &weight, &fall);
+    sum += weight;
+  }
+  return step * sum;
+}
+
 /* For kernels whose support radius is `support` spacings. */
 TM_FN tm_body_surface tm_body_surface_make(int dim, tm_real support)
 {
@@ -73,7 +92,16 @@ TM_FN tm_body_surface tm_body_surface_make(int dim, tm_real support)
     slope += fall;
   }
   s.bend = 2.0 * s.norm / slope;
+  for (int k = 0; k <= TM_BODY_NORMS; k++) s.norms[k] = tm_body_layers(&s, 2.0 * k / TM_BODY_NORMS, dim);
   return s;
+}
+
+/* C for a face of layers y apart, y in (0, 2): the share of s that an edge of the face's body is. */
+TM_FN tm_real tm_body_norm(const tm_body_surface *s, tm_real y)
+{
+  const tm_real at = 0.5 * TM_BODY_NORMS * y;
+  const int k = at < TM_BODY_NORMS - 1 ? (int) at : TM_BODY_NORMS - 1;
+  return (s->norms[k] + (at - k) * (s->norms[k + 1] - s->norms[k])) / y;
 }
 
 /* delta/s and its derivative with respect to psi; 0 without contact. */

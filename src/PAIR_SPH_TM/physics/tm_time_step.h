@@ -1,6 +1,6 @@
 /* SPH-TM: the largest stable time steps, without safety factors. The step, the set-up and refined sizes ask here.
 
-   sound        h/c, see tm_sound_time_step
+   sound        h/c, see tm_sound_time_step, with tm_step_length in place of h
    force        sqrt(h/|a|)
    conduction   rho c_p h^2 over the fastest decay rate of the lattice and the conductivity of the pair
    contact      2/w of a particle on its contact spring */
@@ -32,6 +32,14 @@ TM_FN tm_real tm_sound_time_step(tm_real h, tm_real c, tm_real visc_alpha, tm_re
   tm_real turn = (effects & TM_FX_CORRECTION) ? 2.2 : 1.0;
   if (effects & TM_FX_HOURGLASS) turn = sqrt(turn * turn + 3.0 * tm_max(hourglass, 0.0));
   return h / (c * tm_max(turn, 2.0 * visc_alpha));
+}
+
+/* h, where it is at most TM_STEP_RATIO spacings: kernels may be wider, waves that run through a body are a few spacings long
+   still, and the error of a step is that of their turn. ratio: h over the spacing. */
+#define TM_STEP_RATIO 1.7
+TM_FN tm_real tm_step_length(tm_real h, tm_real ratio)
+{
+  return ratio > TM_STEP_RATIO ? h * (TM_STEP_RATIO / ratio) : h;
 }
 
 /* acc: magnitude of the acceleration. */

@@ -22,6 +22,8 @@ class ContactProbe {
   virtual std::string write_surface(const std::string &path, double time) = 0;
 
   virtual tm_tool_box box() const = 0;
+  // in a step, when particles and tools are where the forces find them and no force is there yet
+  virtual void before_forces() {}
 
  protected:
   explicit ContactProbe(const std::string &name) : tool_name(name) {}

@@ -96,9 +96,17 @@ void Model::complete_laws()
                    "'heat' or 'none'",
                    i, j);
     }
-  std::string welded;
-  for (const auto &ij : laws.complete(material.data()))
-    welded += fmt::format("{}{} and {}", welded.empty() ? "" : ", ", ij.first, ij.second);
+  const auto listed = [](const std::vector<std::pair<int, int>> &pairs) {
+    std::string text;
+    for (const auto &ij : pairs) text += fmt::format("{}{} and {}", text.empty() ? "" : ", ", ij.first, ij.second);
+    return text;
+  };
+  const std::string welded = listed(laws.complete(material.data())), passing = listed(laws.that_pass(material.data()));
+  if (!passing.empty() && comm->me == 0)
+    utils::logmesg(lmp,
+                   "sph/tm: types {} pass through each other (none or heat: no forces); 'pair_coeff i j contact' "
+                   "makes two bodies of them that do not\n",
+                   passing);
   if (!welded.empty() && comm->me == 0)
     utils::logmesg(lmp,
                    "sph/tm: types {} are one body where they touch (bond, the default); 'pair_coeff i j contact' "

@@ -77,6 +77,18 @@ int PairLaws::contact_sides(std::vector<int> &side) const
   return most;
 }
 
+std::vector<std::pair<int, int>> PairLaws::that_pass(const tm_material *material) const
+{
+  std::vector<std::pair<int, int>> pass;
+  for (int t = 1; t < n; t++)
+    for (int u = t + 1; u < n; u++) {
+      const auto meeting = (*this)(t, u).meeting;
+      const bool solid = material[t].body == TM_BODY_SOLID && material[u].body == TM_BODY_SOLID;
+      if (solid && (meeting == NONE || meeting == HEAT_ONLY)) pass.emplace_back(t, u);
+    }
+  return pass;
+}
+
 static bool is_thermal(const PairLaw &l)
 {
   return l.meeting == HEAT_ONLY || (l.meeting == CONTACT && l.conductance >= 0.0);

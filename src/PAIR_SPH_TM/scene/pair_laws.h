@@ -30,6 +30,8 @@ class PairLaws {
   // returns the pairs that became one body so
   std::vector<std::pair<int, int>> complete(const tm_material *);
 
+  // solids that the script lets pass through each other (none, heat)
+  std::vector<std::pair<int, int>> that_pass(const tm_material *) const;
   bool has_contact() const;
   bool has_friction() const;                         // of bodies
   bool has_thermal() const;                          // that exchange heat and take no part in mechanics together

@@ -86,8 +86,8 @@ double TimeStep::of_sound_speed()
   for (int t = 1; t <= atom->ntypes; t++) {
     const tm_material &m = state.model().materials()[t];
     if (m.body != TM_BODY_SOLID) continue;
-    least = std::min(least, tm_sound_time_step(h, tm_eos_sound_speed(&m, m.rho0, 0.0), set.visc_alpha, set.hourglass,
-                                               state.effects()));
+    least = std::min(least, tm_sound_time_step(tm_step_length(h, set.ratio), tm_eos_sound_speed(&m, m.rho0, 0.0),
+                                               set.visc_alpha, set.hourglass, state.effects()));
   }
   const double value = least < 1e300 ? courant * least : update->dt;
   return most > 0.0 ? std::min(value, most) : value;
@@ -99,8 +99,9 @@ double TimeStep::of_size(int i, double h)
   const tm_material *m = model.materials() + atom->type[i];
   const double rho = state.field(TM_F_RHO)[i], *e = state.field(TM_F_ENERGY), T = state.temperature(i);
   const Settings &set = model.settings_in_use();
-  double value = courant * tm_sound_time_step(h, tm_eos_sound_speed(m, rho, e ? e[3 * (size_t) i] : 0.0),
-                                              set.visc_alpha, set.hourglass, state.effects());
+  double value = courant * tm_sound_time_step(tm_step_length(h, set.ratio),
+                                              tm_eos_sound_speed(m, rho, e ? e[3 * (size_t) i] : 0.0), set.visc_alpha,
+                                              set.hourglass, state.effects());
   if (state.has(TM_FX_CONDUCTION))
     value =
         std::min(value, stages_bear(has_stages()) * tm_conduction_time_step(m, rho, T, h, model.largest_conductivity(),

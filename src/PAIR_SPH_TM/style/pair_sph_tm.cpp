@@ -2,6 +2,7 @@
 #include "pair_sph_tm.h"
 
 #include "body_loops.h"
+#include "contact_probe.h"
 #include "model_checks.h"
 #include "model_input.h"
 #include "model_restart.h"
@@ -205,12 +206,17 @@ void PairSPHTM::compute(int eflag, int vflag)
     source->renew(renewed);
     args.rows = source->mechanical();
   } else args.rows = rows->loop_rows();
-  rates(s, args);
+  const bool counts = !state->time_step().conducts_in_stages() || state->has(TM_FX_SURFACE);
+  const bool thermal = counts && state->has(TM_FX_CONDUCTION) && model.pair_laws().has_thermal();
   tm_rates_args others = args;
   if (source) others.rows = source->others();
+  for (ContactProbe *tool : scene->contact_probes()) tool->before_forces();
+  if (thermal) loops.begin_thermal(state->active().stepping(), atom->nlocal, others, state->effects());
+  rates(s, args);
+  others = args;
+  if (source) others.rows = source->others();
   conduction.set_rows(args.rows, others.rows);
-  const bool counts = !state->time_step().conducts_in_stages() || state->has(TM_FX_SURFACE);
-  if (counts && state->has(TM_FX_CONDUCTION) && model.pair_laws().has_thermal()) {
+  if (thermal) {
     const auto timed = state->clock().timed(RunClock::THERMAL);
     loops.thermal(state->active().stepping(), atom->nlocal, others, state->effects());
   }
