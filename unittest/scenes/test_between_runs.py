@@ -57,7 +57,11 @@ refused("change_box with remap", "run 10\nchange_box all x scale 0.5 remap\nrun 
 for axis in "x", "y":    # a strain that hardly shows in the distance of the nearest
     goes("change_box with remap by 4 % along " + axis, "run 10\nchange_box all %s scale 1.04 remap\nrun 10\n" % axis,
          "moved against each other")
-goes("displace_atoms rotate, all", "run 10\ndisplace_atoms all rotate 4e-3 4e-3 0 0 0 1 30 units box\nrun 10\n")
+for ranks in 1, 2:
+    goes("displace_atoms rotate, all, %d ranks" % ranks, "run 10\ndisplace_atoms all rotate 4e-3 4e-3 0 0 0 1 30 units box\nrun 10\n", "were turned", ranks=ranks)
+goes("displace_atoms rotate before the first run", "displace_atoms all rotate 4e-3 4e-3 0 0 0 1 30 units box\nrun 10\nrun 10\n")
+goes("turned and back", "run 10\ndisplace_atoms all rotate 4e-3 4e-3 0 0 0 1 30 units box\n"
+     "displace_atoms all rotate 4e-3 4e-3 0 0 0 1 -30 units box\nrun 10\n")
 for factor in "0.75", "1.5":
     refused("displace_atoms that strains by " + factor, "run 10\nvariable d atom (%s-1)*x\ndisplace_atoms all move v_d 0 0 "
             "units box\nrun 10\n" % factor, "moved against each other", "know nothing of it")

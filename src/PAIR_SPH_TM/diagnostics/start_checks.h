@@ -9,6 +9,7 @@
 #include "pointers.h"
 
 #include <cstdint>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,7 @@ class StartChecks : protected LAMMPS_NS::Pointers {
     double mean_nearest = 0.0, pair_density = 0.0, mass = 0.0;    // means (tm_nearest) and sum over all
     double depth = 0.0;                                           // of bodies of particles in each other
     uint64_t places = 0;
+    std::vector<std::array<double, 3>> arms;    // of each: from the particle of the lowest tag to that of the highest
     LAMMPS_NS::bigint particles = 0;
   } last_run;
   std::vector<LAMMPS_NS::tagint> fresh;    // of all ranks: those that came since then
@@ -68,7 +70,9 @@ class StartChecks : protected LAMMPS_NS::Pointers {
   void check_types_kept(const std::vector<LAMMPS_NS::bigint> &particles_of_types);
   uint64_t places_hash();
   double total_mass();
+  std::vector<std::array<double, 3>> arms_of_types();
   void check_strain(const tm_nearest &);
+  void check_turned();
   void check_values();
   void check_temperature() const;
   void check_overlap(const tm_nearest &, double least);

@@ -78,6 +78,30 @@ uint64_t StartChecks::places_hash()
   return all;
 }
 
+std::vector<std::array<double, 3>> StartChecks::arms_of_types()
+{
+  const int types = atom->ntypes + 1;
+  std::vector<tagint> mine(2 * types, MAXTAGINT), ends(2 * types);    // the lowest, and less the highest
+  for (int i = 0; i < atom->nlocal; i++) {
+    tagint *of = mine.data() + 2 * (ptrdiff_t) atom->type[i];
+    of[0] = std::min(of[0], atom->tag[i]);
+    of[1] = std::min(of[1], -atom->tag[i]);
+  }
+  MPI_Allreduce(mine.data(), ends.data(), 2 * types, MPI_LMP_TAGINT, MPI_MIN, world);
+  std::vector<std::array<double, 3>> part(types), arms(types);
+  for (int i = 0; i < atom->nlocal; i++) {
+    const int t = atom->type[i];
+    double x[3];
+    domain->unmap(atom->x[i], atom->image[i], x);
+    for (int k = 0; k < 3; k++) {
+      if (atom->tag[i] == ends[2 * t]) part[t][k] -= x[k];
+      if (atom->tag[i] == -ends[2 * t + 1]) part[t][k] += x[k];
+    }
+  }
+  MPI_Allreduce(part.data(), arms.data(), 3 * types, MPI_DOUBLE, MPI_SUM, world);
+  return arms;
+}
+
 double StartChecks::total_mass()
 {
   double mine = 0.0, all;
@@ -113,6 +137,7 @@ void StartChecks::remember_particles()
   const double depth = state.energy().deepest_of_bodies();
   MPI_Allreduce(&depth, &last_run.depth, 1, MPI_DOUBLE, MPI_MAX, world);
   last_run.places = places_hash();
+  last_run.arms = arms_of_types();
   last_run.particles = (bigint) all[3];
 }
 
@@ -130,7 +155,7 @@ void StartChecks::check_strain(const tm_nearest &c)
   const double dense = all[2] / std::max(all[3], 1.0) / std::max(last_run.pair_density, 1e-300);
   constexpr double STOPS = 0.1, WARNS = 0.01;
   const double worst = std::max(fabs(near - 1.0), fabs(dense - 1.0));
-  if (worst < WARNS) return;
+  if (worst < WARNS) return check_turned();
   const std::string text = fmt::format(
       "Fix sph/tm {}: particles were moved against each other after the last run (nearest neighbors on the mean {:.4g} "
       "times as far apart, {:.4g} times as dense); their stress and density know nothing of it. Bodies are moved "
@@ -138,6 +163,29 @@ void StartChecks::check_strain(const tm_nearest &c)
       state.id(), near, dense);
   if (worst > STOPS) error->all(FLERR, text);
   if (comm->me == 0) error->warning(FLERR, text);
+}
+
+// bodies that a command turned: their stress keeps its directions
+void StartChecks::check_turned()
+{
+  const std::vector<std::array<double, 3>> now = arms_of_types();
+  for (int t = 1; t <= atom->ntypes; t++) {
+    double a2 = 0.0, b2 = 0.0, turn2 = 0.0;
+    for (int k = 0; k < 3; k++) {
+      const double a = last_run.arms[t][k], b = now[t][k];
+      a2 += a * a;
+      b2 += b * b;
+      turn2 += (b - a) * (b - a);
+    }
+    constexpr double AS_LONG = 1e-9, TURNED = 1e-3;
+    if (comm->me || a2 == 0.0 || fabs(b2 - a2) > AS_LONG * a2 || turn2 < TURNED * TURNED * a2) continue;
+    error->warning(
+        FLERR,
+        "Fix sph/tm {}: the particles of type {} ({}) were turned after the last run, by displace_atoms rotate or "
+        "the like; their stress keeps its directions, and springs back in those. Turn bodies before "
+        "their first run, or by velocities in a run",
+        state.id(), t, model().material_name(t));
+  }
 }
 
 static bool differs(double now, double before) { return fabs(now - before) > 1e-6 * before; }
