@@ -1,6 +1,8 @@
 #include "neighbor_check.h"
 
+#include "comm.h"
 #include "domain.h"
+#include "error.h"
 #include "fix.h"
 #include "modify.h"
 #include "neighbor.h"
@@ -46,6 +48,7 @@ void NeighborCheck::begin_run(double speed2, bool shifted)
 {
   end_run();
   watching = !shifted && neighbor->dist_check && !domain->box_change && !domain->triclinic && !others_move();
+  blind = !neighbor->dist_check && (neighbor->every > 1 || neighbor->delay > 1) && !domain->box_change && !told;
   delay_of_user = neighbor->delay;
   particles = tools = 0.0;
   set_speed(speed2);
@@ -54,7 +57,7 @@ void NeighborCheck::begin_run(double speed2, bool shifted)
 void NeighborCheck::set_speed(double speed2)
 {
   const double mine = sqrt(speed2);
-  if (watching) MPI_Allreduce(&mine, &speed, 1, MPI_DOUBLE, MPI_MAX, world);
+  if (watching || blind) MPI_Allreduce(&mine, &speed, 1, MPI_DOUBLE, MPI_MAX, world);
 }
 
 void NeighborCheck::end_run()
@@ -77,6 +80,15 @@ void NeighborCheck::of_tool(double way)
 
 void NeighborCheck::decide()
 {
+  if (blind && !told && (particles > neighbor->skin || tools > neighbor->skin)) {
+    told = true;
+    if (comm->me == 0)
+      error->warning(
+          FLERR,
+          "Pair sph/tm: lists of neighbors are renewed too late: particles may have moved by more than the skin, {:.4g}, "
+          "since the last time, and 'neigh_modify check no' keeps LAMMPS from looking; write 'check yes'",
+          neighbor->skin);
+  }
   if (!watching) return;
   const bool none =
       particles < 0.5 * (1.0 - ROUNDING) * neighbor->skin && tools < 0.5 * (1.0 - ROUNDING) * neighbor->skin;

@@ -1,6 +1,6 @@
 /* SPH-TM: LAMMPS looks in every step whether a particle has moved by half of the skin since the lists were made. Where
    the largest speed says that none can have, the look is left out: on a GPU the host waits for it. The lists are
-   renewed in the same steps as without. */
+   renewed in the same steps as without. Where LAMMPS is told not to look, lists that come too late are warned of. */
 #ifndef SPHTM_NEIGHBOR_CHECK_H
 #define SPHTM_NEIGHBOR_CHECK_H
 
@@ -25,9 +25,10 @@ class NeighborCheck : protected LAMMPS_NS::Pointers {
   void after_lists(double speed2, double time);    // with the new velocities
 
  private:
-  bool watching = false;     // in this run
-  int delay_of_user = 0;     // neigh_modify delay
-  double particles = 0.0;    // their way since the lists were made, at most; infinite: not known
+  bool watching = false;               // in this run
+  bool blind = false, told = false;    // LAMMPS is told not to look (neigh_modify check no); that the lists were late
+  int delay_of_user = 0;               // neigh_modify delay
+  double particles = 0.0;              // their way since the lists were made, at most; infinite: not known
   double tools = 0.0;
 
   double speed = 0.0;    // of the fastest particle, of all ranks

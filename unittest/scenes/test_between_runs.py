@@ -57,6 +57,8 @@ refused("change_box with remap", "run 10\nchange_box all x scale 0.5 remap\nrun 
 for axis in "x", "y":    # a strain that hardly shows in the distance of the nearest
     goes("change_box with remap by 4 % along " + axis, "run 10\nchange_box all %s scale 1.04 remap\nrun 10\n" % axis,
          "moved against each other")
+goes("displace_atoms ramp: a shear", "run 10\ndisplace_atoms all ramp y 0 1e-3 x 2e-3 8e-3 units box\nrun 10\n", "moved against each other")
+goes("displace_atoms of a half along its face", PART + "displace_atoms right move 0 0.3e-3 0 units box\nrun 10\n", "moved against each other")
 for ranks in 1, 2:
     goes("displace_atoms rotate, all, %d ranks" % ranks, "run 10\ndisplace_atoms all rotate 4e-3 4e-3 0 0 0 1 30 units box\nrun 10\n", "were turned", ranks=ranks)
 goes("displace_atoms rotate before the first run", "displace_atoms all rotate 4e-3 4e-3 0 0 0 1 30 units box\nrun 10\nrun 10\n")

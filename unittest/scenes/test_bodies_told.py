@@ -41,7 +41,7 @@ def passing(gap, type=1, start=-8e-3, steps=1500, fix="", ranks=1):
 
 for ranks in 1, 2:
     r = passing(0.7e-3, ranks=ranks)
-    warns("a block that drags another past it, %d ranks" % ranks, r, "faces of one body", "1.4 spacings", "contact")
+    warns("a block that drags another past it, %d ranks" % ranks, r, "two faces of one body", "1.4 spacings", "contact")
 checks.below("it is braked", r.thermo[-1]["v_v"][-1], 199.0)
 r = passing(0.7e-3, type=2)
 warns("the same as two types in contact", r)
@@ -72,6 +72,31 @@ thermo_style    custom step time
 run             {steps}
 """
 warns("arms of a strip that are bent together", run(STRIP.format(speed=100, steps=1200)), "faces of one body", "(type 1)")
+HEM = lattice_block("0 12e-3 0 4e-3", "-0.02 0.04 -0.02 0.04") + """
+region          other block 0 12e-3 {low} {high} INF INF units box
+lattice         sq 1e-3 origin 0.5 {origin} 0
+create_atoms    1 region other
+region          top block INF INF $({high}-2e-3) INF INF INF units box
+group           top region top
+pair_style      sph/tm hyperbolic 1.2 spacing 1e-3
+pair_coeff      * * """ + STEEL + """
+fix             body all sph/tm
+fix             top top sph/tm/drive 0 -{speed} 0
+thermo          500
+run             {steps}
+"""
+
+
+def hem(gap, speed=0.0, steps=200):
+    return run(HEM.format(origin=(gap + 0.5) % 1, low=(4 + gap) * 1e-3, high=(8 + gap) * 1e-3, speed=speed, steps=steps))
+
+
+for gap in 0.5, 1.0, 1.3:
+    warns("a slit of %g spacings at the start" % gap, hem(gap), "two faces of one body", "before particle")
+warns("one that is wider than the kernel", hem(1.5))
+for gap in 2.0, 3.0, 5.0:
+    warns("one of %g spacings that is closed" % gap, hem(gap, 100.0, 1400), "two faces of one body")
+
 warns("bent half of the way", run(STRIP.format(speed=100, steps=400)))
 
 # a block pressed to half its height and one sheared: its faces become shorter and fold nothing
@@ -89,6 +114,23 @@ thermo          1000
 run             {steps}
 """
 warns("a block pressed to half", run(PRESSED.format(x=0, y=-100, steps=1000)))
+# its top becomes shorter by as much as that, and roughens, but stays one face
+SHORTER = lattice_block("0 24e-3 0 9e-3", "-0.02 0.05 -0.02 0.05") + """
+pair_style      sph/tm hyperbolic 1.2 spacing 1e-3
+pair_coeff      * * density 7850 elastic 210e9 0.3 strength plastic 350e6 2000e6
+region          left block INF 2e-3 INF INF INF INF units box
+region          right block 22e-3 INF INF INF INF INF units box
+group           left region left
+group           right region right
+fix             body all sph/tm
+fix             left left sph/tm/drive 100 NULL 0
+fix             right right sph/tm/drive -100 NULL 0
+thermo          1000
+run             2400
+"""
+r = run(SHORTER)
+said = [w for w in r.warnings() if "two faces" in w]
+checks.true("a face that becomes shorter by more than half does not meet itself", r.status == 0 and not said, "%s" % said)
 warns("a block sheared by its height", run(PRESSED.format(x=100, y=0, steps=1800)))
 
 # --- bodies that begin inside of each other, or with another spacing
@@ -173,6 +215,20 @@ for fix in "langevin 300 300 1e-6 4711", "temp/berendsen 300 300 1e-6", "temp/re
     warns("fix " + fix, run(BLOCK.format(more="velocity all create 1e20 4711\nfix t all " + fix)), "takes the velocities", "relax")
 r = run(BLOCK.replace("f f p", "p p p").format(more="fix t all press/berendsen iso 1e5 1e5 1e-6"), expect_error=True)
 checks.true("fix press/berendsen is refused", r.status != 0 and "press/berendsen does not work" in r.errors(), r.errors()[:200])
+
+warns("lists that come too late", run(BLOCK.format(more="velocity all set 500 0 0 units box\nneigh_modify every 1000 delay 0 check no").replace("run             3", "run 500")),
+      "renewed too late", "check yes")
+warns("lists that are made often enough", run(BLOCK.format(more="velocity all set 500 0 0 units box\nneigh_modify every 5 delay 0 check no").replace("run             3", "run 500")))
+r = run(OUTSIDE.format(v=0, more=""))
+checks.true("how many particles move", "fix body moves 42 of 60 particles of metal" in r.output)
+r = run(BLOCK.format(more="compute p all sph/tm/atom triaxiality pressure vonmises stress/xx stress/yy stress/zz\n"
+                          "velocity all ramp vx -5 5 x 0 6e-3 units box\ndump d all custom 3 out.dump id c_p[*]\ndump_modify d sort id format float %.17g"))
+frames = r.dump("out.dump")
+start, end = frames[0], frames[-1]
+mean = (end["c_p[4]"] + end["c_p[5]"] + end["c_p[6]"]) / 3.0
+checks.true("no triaxiality without stress", np.all(start["c_p[1]"] == 0.0))
+checks.near("triaxiality of stress", abs(end["c_p[1]"] * end["c_p[3]"] - mean).max() / abs(mean).max(), 0.0, absolute=1e-9)
+checks.above("which is that of tension", end["c_p[1]"].mean(), 0.3)
 
 # --- solids that pass through each other
 for law, words in ("none", "types 1 and 2 pass through each other"), ("heat", "types 1 and 2 pass through each other"), ("contact", ""):

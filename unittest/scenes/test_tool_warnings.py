@@ -42,6 +42,29 @@ warns("between both faces", scene("run 5", head=PERIODIC))
 BOX = PERIODIC.replace("-5e-3 25e-3", "0 4e-3")
 warns("beyond both faces", scene("run 5", head=BOX, at="-2e-3 8e-3 1e-3", scale="8e-3 2e-3 2e-3"))
 
+# --- how thick it is: what is pressed beyond its middle comes out on the other side
+for thick, speed, words in ("0.2e-3", 2000, ("spacings behind the surface", "other side of the tool")), ("0.2e-3", 20, ()), ("8e-3", 400, ()):
+    warns("a block at %g m/s on a plate of %s" % (speed, thick), scene(
+        "velocity all set 0 0 -%g units box\nrun 60" % speed, material=FLOWS, at="-2e-3 -2e-3 -%s" % thick, scale="8e-3 8e-3 " + thick), *words)
+
+# --- what it touches
+GROUP = "region low block INF INF INF INF INF 2e-3 units box\ngroup low region low\ngroup high subtract all low\n"
+for group, words in ("high", ("particles of metal that are not in its group", "(high)")), ("all", ()):
+    lines = GROUP + "fix mine %s contact/tri file tool.stl scale 2e-3 move 1e-3 1e-3 -1e-3 overlap allow\nrun 5" % group
+    r = scene(lines, material=FLOWS)
+    said = [w for w in r.warnings() if "not in its group" in w]
+    checks.true("metal in a tool whose group is %s" % group, r.status == 0 and len(said) == bool(words) and all(x in said[0] for x in words),
+                "%d %s %s" % (r.status, r.errors()[:200], [w[:160] for w in r.warnings()]))
+    checks.true("  that it touched nothing", ("mine: no particle has touched" in r.output) == (group == "high"))
+for mu, more, words in ("30", "", ("Fix contact/tri tool", "friction 30", "ratio")), ("10", " friction/shear 0.9", ()), ("0.9", "", ()):
+    warns("friction %s%s" % (mu, more), scene("run 1", material=FLOWS, tool="friction " + mu + more), *words)
+
+# --- inertia in fast motion: rho v^2 over the flow stress
+for v, scale, words in (200, 10, ("time/scale 10", "inertia", "type 1")), (30, 10, ()), (200, 1, ()):
+    r = scene("fix_modify tool move linear -%g 0 0\nrun 5" % v, material=FLOWS, body="time/scale %g" % scale)
+    warns("a tool at %g m/s with time/scale %g" % (v, scale), r, *words)
+    checks.true("  what its output is", ("Powers (of tools" in r.output) == (scale != 1))
+
 # --- heat
 HOT = dict(material=HEATED, tool="heat conductance 1e5 temperature 400")
 warns("a tool at rest that nothing presses on passes no heat", scene("run 5\nrun 5", **HOT), "has passed", "contact force")

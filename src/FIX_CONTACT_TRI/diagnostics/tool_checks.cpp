@@ -2,6 +2,7 @@
 
 #include "model.h"
 #include "particle_state.h"
+#include "tool_query.h"
 
 #include "atom.h"
 #include "comm.h"
@@ -226,6 +227,53 @@ void ToolChecks::heat_without_contact(bool moves, bool pressed)
         "{}: no particle has pressed on the tool in this run, so no heat has passed ('heat' needs a contact force, and "
         "particles that only touch, or shrink away, have none); let it press, or heat with fix sph/tm/heat",
         who);
+}
+
+void ToolChecks::untouched(const ToolQuery &q, const Model &model) const
+{
+  Atom *atom = lmp->atom;
+  bigint mine = 0, within;
+  for (int i = 0; tool.mesh().closed && i < atom->nlocal; i++) {
+    if (atom->mask[i] & fix.groupbit || model.materials()[atom->type[i]].body != TM_BODY_SOLID) continue;
+    tm_touch touch[TM_TOUCH_MAX];
+    const int n = q.touch(tm_load3(atom->x[i]), 0.5 * q.deep, touch);
+    for (int k = 0; k < n; k++)
+      if (touch[k].distance < 0.0) {
+        mine++;
+        break;
+      }
+  }
+  MPI_Allreduce(&mine, &within, 1, MPI_LMP_BIGINT, MPI_SUM, lmp->world);
+  if (lmp->comm->me) return;
+  utils::logmesg(lmp, "contact/tri {}: no particle has touched it in this run\n", fix.id);
+  if (within)
+    lmp->error->warning(
+        FLERR,
+        "{}: {} particles of metal that are not in its group ({}) lie within its mesh: the tool does not "
+        "act on them",
+        who, within, lmp->group->names[fix.igroup]);
+}
+
+static constexpr double INERT = 0.05;    // rho v^2 over the flow stress
+
+void ToolChecks::inertia(const Model &model, double s, double speed, double temperature)
+{
+  if (s <= 1.0 || warned_inertia) return;
+  for (int t = 1; t <= lmp->atom->ntypes; t++) {
+    const tm_material &m = model.materials()[t];
+    if (m.body != TM_BODY_SOLID || tm_strength_flow(m.strength) == TM_FLOW_NONE) continue;
+    const double pressure = m.rho0 * speed * speed, share = pressure / tm_flow_stress(&m, 0.0, 0.0, temperature);
+    if (!(share > INERT)) continue;
+    warned_inertia = true;
+    if (lmp->comm->me == 0)
+      lmp->error->warning(
+          FLERR,
+          "{}: with time/scale {:.6g} the tool moves at {:.4g}, and the inertia rho v^2 of type {} ({}) is "
+          "{:.2g} of its first flow stress; about 0.01 changes nothing, at 1 the force of a cut was 40 % too high: lower "
+          "speed and time/scale",
+          who, s, speed, t, model.material_name(t), share);
+    return;
+  }
 }
 
 // types of this kind of body (TM_BODY_SOLID ...) that have particles in the group, on any rank

@@ -13,6 +13,7 @@ namespace SPHTM_NS {
 
 class Model;
 class ParticleState;
+struct ToolQuery;
 
 class ToolChecks {
  public:
@@ -28,6 +29,10 @@ class ToolChecks {
   void far_from_box(const tm_pose &, double spacing) const;    // or far larger, or lost in it: a unit is wrong
   void periodic(const tm_pose &) const;                        // in a box whose faces let particles through
   void heat_without_contact(bool moves, bool pressed);         // at the end of a run
+  // at the end of a run in which nothing touched it; says whether metal outside of its group lies in its mesh
+  void untouched(const ToolQuery &, const Model &) const;
+  // where the process runs s times as fast: inertia of what the tool moves, over the flow stress
+  void inertia(const Model &, double s, double speed, double temperature);
   // turns heat on as a state where the tool needs it, and warns where it cannot be
   void heat(ParticleState &);
   // a step: largest speed of the tool, sound speed of the particles (0: there are none)
@@ -43,7 +48,8 @@ class ToolChecks {
   const ContactSettings &set;
   const TriTool &tool;
   std::string who;
-  bool warned_empty = false, warned_heat = false, warned_conductors = false, warned_no_contact = false;
+  bool warned_empty = false, warned_heat = false, warned_conductors = false, warned_no_contact = false,
+       warned_inertia = false;
   tm_vec3 last_corner[8];                 // of the mesh's box after the last step, here or before a restart
   bool seen = false, restored = false;    // there was one; before a restart
 

@@ -161,6 +161,7 @@ void FixContactTri::limit_time_step()
   // no point of the tool moves by more than a fifth of the smallest spacing in a step
   const double speed = motion.top_speed(tool.mesh().lo, tool.mesh().hi);
   checks.speed(speed, laws.sound_speed());
+  checks.inertia(*model, scene->time_scale(), speed, state->start_temperatures().of_all());
   if (speed > 0.0) state->time_step().limit(0.2 * smallest / speed, TM_DT_MOTION, this);
 }
 
@@ -186,6 +187,8 @@ static std::string softness_in_words(const tm_material &m, double modulus, doubl
                      0.5 * half_layer / modulus, 0.5 * half_layer / material);
 }
 
+static constexpr double HIGH_FRICTION = 1.5;    // of metal on metal without a film
+
 void FixContactTri::report() const
 {
   if (comm->me) return;
@@ -203,6 +206,12 @@ void FixContactTri::report() const
   for (int t = 1; t <= atom->ntypes; t++) {
     const tm_contact_law &w = laws.of(t);
     if (!w.active) continue;
+    if (w.friction.n == 0 && w.friction.value > HIGH_FRICTION && w.shear == 0.0)
+      error->warning(
+          FLERR,
+          "Fix contact/tri {}: friction {:.4g} is a ratio of forces: 0.3 for 30 %; where the limit of the shear flow "
+          "stress is meant, give friction/shear too",
+          id, w.friction.value);
     const std::string mu = (w.friction.n ? "by table" : fmt::format("{:.4g}", w.friction.value)) +
                            (w.shear > 0.0 ? fmt::format(", at most {:.4g} of the shear flow stress", w.shear) : "");
     const tm_material &m = model->materials()[t];
@@ -497,9 +506,13 @@ void FixContactTri::unpack_forward_comm(int n, int first, double *buf) { particl
 
 void FixContactTri::post_run()
 {
-  if (!set.conducts() || !state) return;
-  results_now();
-  checks.heat_without_contact(motion.top_speed(tool.mesh().lo, tool.mesh().hi) > 0.0, results.pressed(world));
+  if (!state || !scene->is_current(state)) return;
+  finish_contact();
+  const bool pressed = results.pressed(world);
+  checks.heat_without_contact(motion.top_speed(tool.mesh().lo, tool.mesh().hi) > 0.0, pressed);
+  if (pressed || update->nsteps == 0) return;
+  state->atoms().to_host();
+  checks.untouched(query(), *model);
 }
 
 double FixContactTri::memory_usage()

@@ -81,6 +81,10 @@ void FractureWatch::look(Pair *pair)
   const auto timed = state.clock().timed_rarely(RunClock::FRACTURE);
   if (refer(pair)) return;
   tell(pair);
+  if (!meeting_reported) {
+    PairLoops::of(state.loops()).fracture_normal(state.active().stepping(), atom->nlocal, args(), state.effects());
+    scene.results().communicate(pair, known, TM_FRACTURE_KNOWN);
+  }
   const tm_fracture_result mine =
       PairLoops::of(state.loops()).fracture_look(state.active().stepping(), atom->nlocal, args(), state.effects());
   if (reported && meeting_reported) return;
@@ -88,7 +92,10 @@ void FractureWatch::look(Pair *pair)
   int least[2];
   MPI_Allreduce(tags, least, 2, MPI_INT, MPI_MIN, world);
   if (least[0] < INT_MAX && !reported) report(least[0]);
-  if (least[1] < INT_MAX && !meeting_reported) report_meeting(least[1]);
+  if (least[1] == INT_MAX || meeting_reported) return;
+  int other = mine.first_met == least[1] ? mine.other : INT_MAX;
+  MPI_Allreduce(MPI_IN_PLACE, &other, 1, MPI_INT, MPI_MIN, world);
+  report_meeting(least[1], other);
 }
 
 // the particle of this tag, from the rank that owns it
@@ -125,17 +132,17 @@ void FractureWatch::report(int tag)
         state.id(), first);
 }
 
-void FractureWatch::report_meeting(int tag)
+void FractureWatch::report_meeting(int tag, int other)
 {
   const std::string where = particle(tag);
   meeting_reported = true;
   if (comm->me == 0)
     error->warning(
         FLERR,
-        "Fix sph/tm {}: faces of one body have come within reach of each other, {}. There is no contact inside of "
+        "Fix sph/tm {}: two faces of one body are within reach of each other, {}, before particle {}. There is no contact inside of "
         "a body: from {:.2g} spacings of free space on they drag each other, and weld. Parts that meet and part again "
         "want types of their own, with 'pair_coeff I J contact'",
-        state.id(), where,
+        state.id(), where, other,
         tm_kernel_support(state.model().settings_in_use().kernel) * state.model().settings_in_use().ratio - 1.0);
 }
 

@@ -46,7 +46,7 @@ class FractureWatch : protected LAMMPS_NS::Pointers {
   bool refer(LAMMPS_NS::Pair *);    // anew, where particles came or went; whether
   std::string particle(int tag);    // when and where, for all ranks
   void report(int tag);
-  void report_meeting(int tag);
+  void report_meeting(int tag, int other);
 };
 
 }    // namespace SPHTM_NS

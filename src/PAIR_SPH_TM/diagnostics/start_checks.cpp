@@ -91,6 +91,16 @@ void StartChecks::check_company(const Pair *pair)
   if (atom->natoms == 0 && comm->me == 0)
     error->warning(FLERR, "Fix sph/tm {}: there are no particles; does create_atoms meet the region, in its units?",
                    state.id());
+  bigint mine[2] = {0, 0}, solids[2];
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (model().materials()[atom->type[i]].body != TM_BODY_SOLID) continue;
+    mine[0]++;
+    mine[1] += (atom->mask[i] & fix.groupbit) != 0;
+  }
+  MPI_Allreduce(mine, solids, 2, MPI_LMP_BIGINT, MPI_SUM, world);
+  if (solids[1] && solids[1] < solids[0] && comm->me == 0)
+    utils::logmesg(lmp, "sph/tm: fix {} moves {} of {} particles of metal; the others stand still\n", state.id(),
+                   solids[1], solids[0]);
   if (members == 0 && atom->natoms > 0 && comm->me == 0)
     error->warning(FLERR, "Fix sph/tm {}: group {} is empty: no particle moves", state.id(), group->names[fix.igroup]);
 }

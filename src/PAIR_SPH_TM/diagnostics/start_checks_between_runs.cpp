@@ -153,7 +153,7 @@ void StartChecks::check_strain(const tm_nearest &c)
   if ((bigint) all[3] != last_run.particles) return;
   const double near = all[0] / std::max(all[1], 1.0) / std::max(last_run.mean_nearest, 1e-300);
   const double dense = all[2] / std::max(all[3], 1.0) / std::max(last_run.pair_density, 1e-300);
-  constexpr double STOPS = 0.1, WARNS = 0.01;
+  constexpr double STOPS = 0.1, WARNS = 0.001;
   const double worst = std::max(fabs(near - 1.0), fabs(dense - 1.0));
   if (worst < WARNS) return check_turned();
   const std::string text = fmt::format(

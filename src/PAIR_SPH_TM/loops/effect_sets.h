@@ -2,8 +2,9 @@
 
    Rate pass: literal are the bits of TM_FX_RATE_MASK and the kernel; with TM_FX_EXTENDED all other effects are tested
    at run time, on the host once for each chunk of neighbors, so that what is on costs its arithmetic. With one pass, the default,
-   Balsara's switch and XSPH have loops of their own. All sets exist for all kernels in double on the host. In single, and on a
-   GPU, the kernels but the default one have only the set that tests them all, so that the compiler is done in minutes.
+   Balsara's switch and XSPH have loops of their own. All sets exist for the default kernel; for the others those of one pass, in
+   double on the host. In single, on a GPU and for processors without AVX2 the other kernels have only the sets that test all, so that
+   the compiler is done in minutes.
 
    Prediction and update: scenes without the rare effects have loops for just their set; with one of those the rare ones
    are tested at run time. */
@@ -20,14 +21,12 @@ namespace SPHTM_NS {
 // + one pass: viscosity x {conduction, smoothing} (4) + extended (1) + viscosity and faces (1)
 //   + Balsara, alone and with XSPH, x {conduction} (4)
 constexpr int RATE_SETS_PER_KERNEL = 2 * 23;
-constexpr int RATE_SETS = TM_KERNEL_COUNT * RATE_SETS_PER_KERNEL;
 
+// of the default kernel, which is number 0
 static constexpr unsigned rate_set(int index)
 {
-  const unsigned kernel = index / RATE_SETS_PER_KERNEL;
-  const unsigned rest = index % RATE_SETS_PER_KERNEL;
-  const unsigned set = rest / 2;
-  unsigned effects = (kernel << TM_FX_KERNEL_SHIFT) | ((rest & 1u) ? unsigned(TM_FX_3D) : 0u);
+  const unsigned set = index / 2;
+  unsigned effects = (index & 1) ? unsigned(TM_FX_3D) : 0u;
   if (set > 18) {    // of a particle without the switch it is 1
     effects |= unsigned(TM_FX_ONE_PASS) | unsigned(TM_FX_VISCOSITY) | unsigned(TM_FX_BALSARA);
     if ((set - 19) & 1u) effects |= unsigned(TM_FX_CONDUCTION);
@@ -58,6 +57,7 @@ static constexpr unsigned rate_set(int index)
 static constexpr int kernel_of(unsigned effects) { return (effects >> TM_FX_KERNEL_SHIFT) & 7u; }
 static constexpr int is_3d(unsigned effects) { return (effects & TM_FX_3D) ? 1 : 0; }
 
+// of the effects, whatever the kernel
 static constexpr int rate_set_index(unsigned effects)
 {
   int set = 0;
@@ -79,7 +79,25 @@ static constexpr int rate_set_index(unsigned effects)
   else
     set = ((effects & TM_FX_VISCOSITY) ? 1 : 0) + ((effects & TM_FX_ARTSTRESS) ? 2 : 0) +
           ((effects & TM_FX_CONDUCTION) ? 4 : 0);
-  return kernel_of(effects) * RATE_SETS_PER_KERNEL + 2 * set + is_3d(effects);
+  return 2 * set + is_3d(effects);
+}
+
+// other kernels: without one pass the set that tests all, number 8, and those of one pass, from number 13 on
+constexpr int OTHER_SETS_PER_KERNEL = 2 * (1 + 23 - 13);
+constexpr int MOST_RATE_SETS = RATE_SETS_PER_KERNEL + (TM_KERNEL_COUNT - 1) * OTHER_SETS_PER_KERNEL;
+static constexpr unsigned most_rate_set(int index)
+{
+  if (index < RATE_SETS_PER_KERNEL) return rate_set(index);
+  const int k = index - RATE_SETS_PER_KERNEL, of_kernel = k % OTHER_SETS_PER_KERNEL;
+  const int of_default = of_kernel < 2 ? 2 * 8 + of_kernel : 2 * 12 + of_kernel;
+  return unsigned(k / OTHER_SETS_PER_KERNEL + 1) << TM_FX_KERNEL_SHIFT | rate_set(of_default);
+}
+static constexpr int most_rate_set_index(unsigned effects)
+{
+  const int kernel = kernel_of(effects), of_default = rate_set_index(effects);
+  if (kernel == 0) return of_default;
+  return RATE_SETS_PER_KERNEL + (kernel - 1) * OTHER_SETS_PER_KERNEL +
+         (of_default < 2 * 13 ? is_3d(effects) : of_default - 2 * 12);
 }
 
 constexpr int FEW_RATE_SETS = RATE_SETS_PER_KERNEL + 4 * (TM_KERNEL_COUNT - 1);

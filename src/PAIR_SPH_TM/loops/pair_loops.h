@@ -96,6 +96,7 @@ TM_FN tm_tally_result tm_tally_nothing(void)
   LOOP(SUM, fracture_torn, tm_fracture_args, double, tm_number, tm_fracture_is_torn(i, &a))            \
   LOOP(EACH, fracture_refer, tm_fracture_args, tm_fracture_refer(i, &a))                               \
   LOOP(EACH, fracture_tell, tm_fracture_args, tm_fracture_tell(i, &a))                                 \
+  LOOP(EACH, fracture_normal, tm_fracture_args, tm_fracture_normal(i, &a))                             \
   LOOP(EACH, fracture_bonds, tm_fracture_args, tm_fracture_bonds(i, &a))                               \
   LOOP(SUM, fracture_look, tm_fracture_args, tm_fracture_result, tm_fracture, tm_fracture_look(i, &a)) \
   LOOP(SUM, size_range, tm_state, tm_size_range, tm_size, tm_size_of(i, &a))                           \

@@ -1,5 +1,5 @@
 /* SPH-TM: the hot loops of a step, for particles begin to end - 1; included once per instruction set with SPHTM_ISA set
-   to its namespace. */
+   to its namespace, and SPHTM_FEW_SETS for one that few processors need. */
 #include "effect_sets.h"
 #include "pair_loops.h"
 
@@ -32,12 +32,20 @@ template <unsigned EFFECTS> void rates_of_set(int begin, int end, const tm_rates
 }
 template <int... INDEX> rate_range_t rates_of(int index, std::integer_sequence<int, INDEX...>)
 {
-  static const rate_range_t range[] = {rates_of_set<rate_set(INDEX)>...};
+#if defined(SPHTM_FEW_SETS)
+  static const rate_range_t range[] = {rates_of_set<few_rate_set(INDEX)>...};
+#else
+  static const rate_range_t range[] = {rates_of_set<most_rate_set(INDEX)>...};
+#endif
   return range[index];
 }
 void rates_in_double(int begin, int end, const tm_rates_args *args, unsigned effects)
 {
-  rates_of(rate_set_index(effects), std::make_integer_sequence<int, RATE_SETS>())(begin, end, args);
+#if defined(SPHTM_FEW_SETS)
+  rates_of(few_rate_set_index(effects), std::make_integer_sequence<int, FEW_RATE_SETS>())(begin, end, args);
+#else
+  rates_of(most_rate_set_index(effects), std::make_integer_sequence<int, MOST_RATE_SETS>())(begin, end, args);
+#endif
 }
 
 template <unsigned EFFECTS> void correction_of_set(int begin, int end, const tm_rates_args *args)

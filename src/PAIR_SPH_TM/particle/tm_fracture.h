@@ -16,8 +16,9 @@
 
    The other way round, faces of one body that meet act on each other as its inside does: they weld. Particle i of a face
    (|B| at least that of half a face, which points inward) has done so where a neighbor j within the support radius is of a
-   face too, was more than TM_FRACTURE_FAR support radii away, and lies outward: within TM_FRACTURE_CONE of the direction
-   opposite to the sum of x_j - x_i over the kept bonds. */
+   face too and was no bond, the two lie outward of each other, each within a cone of TM_FRACTURE_CONE about the other's
+   outward normal, and the normals oppose each other as much. A normal is that of the sum of x_j - x_i over the kept bonds.
+   The face of a chip or of a die's cavity that becomes shorter has normals that agree. */
 #ifndef TM_FRACTURE_H
 #define TM_FRACTURE_H
 
@@ -37,8 +38,6 @@
 #define TM_FRACTURE_EMPTY 0.85
 /* Largest share of the square of the kept bonds that F does not tell. */
 #define TM_FRACTURE_ROUGH 0.03
-/* Distance in the reference over the support radius, of faces that meet. */
-#define TM_FRACTURE_FAR 2.0
 /* |F u|: pressed together below the first; above the second, over the support radius, neighbors hardly meet. */
 #define TM_FRACTURE_PRESSED 0.8
 #define TM_FRACTURE_STRETCHED 0.8
@@ -47,8 +46,9 @@
 
 /* what is known of a particle, last column of the field */
 enum { TM_FRACTURE_UNKNOWN = 0, TM_FRACTURE_WHOLE = 1, TM_FRACTURE_LEFT_OUT = 2, TM_FRACTURE_TORN = 3 };
-/* what neighbors know of a particle: X, and 1 where it has failed, -1 where it has not and is of a face */
-enum { TM_FRACTURE_KNOWN = 4 };
+/* what neighbors know of a particle: X; 1 where it has failed, -1 where it has not and is of a face; the inward normal of a
+   face, 0 elsewhere */
+enum { TM_FRACTURE_X = 0, TM_FRACTURE_FLAG = 3, TM_FRACTURE_NORMAL = 4, TM_FRACTURE_KNOWN = 7 };
 
 typedef struct {
   tm_state state;
@@ -62,17 +62,17 @@ typedef struct {
 } tm_fracture_args;
 
 /* Of a look at all particles: how many are torn; of those that were not yet, the least tag; how many are of faces that meet,
-   and the least tag of them. */
+   the least tag of them, and that of whom it met. */
 typedef struct {
   tm_real torn, met;
-  int first, first_met;
+  int first, first_met, other;
 } tm_fracture_result;
 
 TM_FN tm_fracture_result tm_fracture_nothing(void)
 {
   tm_fracture_result r;
   r.torn = r.met = 0.0;
-  r.first = r.first_met = INT_MAX;
+  r.first = r.first_met = r.other = INT_MAX;
   return r;
 }
 TM_FN void tm_fracture_sum(tm_fracture_result *sum, const tm_fracture_result *r)
@@ -80,7 +80,10 @@ TM_FN void tm_fracture_sum(tm_fracture_result *sum, const tm_fracture_result *r)
   sum->torn += r->torn;
   sum->met += r->met;
   if (r->first < sum->first) sum->first = r->first;
-  if (r->first_met < sum->first_met) sum->first_met = r->first_met;
+  if (r->first_met < sum->first_met) {
+    sum->first_met = r->first_met;
+    sum->other = r->other;
+  }
 }
 
 TM_FN int tm_fracture_state(const tm_state *s, int i)
@@ -131,7 +134,8 @@ TM_FN void tm_fracture_tell(int i, const tm_fracture_args *a)
   tm_real *k = a->known + (ptrdiff_t) i * TM_FRACTURE_KNOWN;
   for (int d = 0; d < 3; d++) k[d] = f[tm_column(TM_R_X + d)];
   const int failed = a->state.field[TM_F_DAMAGE] && tm_field_row(&a->state, TM_F_DAMAGE, i)[tm_column(1)] > 0.5;
-  k[3] = failed ? 1.0 : tm_fracture_is_face(i, a) ? -1.0 : 0.0;
+  k[TM_FRACTURE_FLAG] = failed ? 1.0 : tm_fracture_is_face(i, a) ? -1.0 : 0.0;
+  for (int d = 0; d < 3; d++) k[TM_FRACTURE_NORMAL + d] = 0.0;
 }
 
 /* Support radius of particle i. */
@@ -253,16 +257,30 @@ TM_FN int tm_fracture_is_loose(int i, const tm_fracture_args *a, const tm_fractu
   return tm_fracture_is_empty(i, a, tm_vec_scale(1.0 / stretch, to), TM_FRACTURE_CONE, TM_FRACTURE_EMPTY * reach);
 }
 
-/* Whether particle i, of a face, has met another face of its body. */
-TM_FN int tm_fracture_has_met(int i, const tm_fracture_args *a, tm_vec3 inward, tm_real reach)
+/* The normal of particle i of a face, for its neighbors; what they are told is known. */
+TM_FN void tm_fracture_normal(int i, const tm_fracture_args *a)
 {
-  const tm_real size = tm_vec_norm(inward), far = TM_FRACTURE_FAR * reach;
+  tm_real *known = a->known + (ptrdiff_t) i * TM_FRACTURE_KNOWN;
+  if (known[TM_FRACTURE_FLAG] > -0.5) return;
+  const tm_vec3 inward = tm_fracture_gather(i, a, tm_fracture_spacing(i, a), tm_fracture_reach(i, a)).inward;
+  const tm_real size = tm_vec_norm(inward);
+  if (size > 0.0) tm_store3(known + TM_FRACTURE_NORMAL, tm_vec_scale(1.0 / size, inward));
+}
+
+/* The tag of a neighbor on another face of its body that particle i of a face has met; 0: none. */
+TM_FN int tm_fracture_met(int i, const tm_fracture_args *a, tm_real dp, tm_real reach)
+{
+  const tm_vec3 n = tm_load3(a->known + (ptrdiff_t) i * TM_FRACTURE_KNOWN + TM_FRACTURE_NORMAL);
   for (int k = 0; k < a->rows.mechanical[i]; k++) {
     const int j = a->rows.index[a->rows.first[i] + k * a->rows.stride];
-    if (a->known[(ptrdiff_t) j * TM_FRACTURE_KNOWN + 3] > -0.5) continue;
+    const tm_real *known = a->known + (ptrdiff_t) j * TM_FRACTURE_KNOWN;
+    if (known[TM_FRACTURE_FLAG] > -0.5) continue;
     const tm_vec3 x = tm_fracture_apart(i, j, a), X = tm_fracture_bond(i, j, a);
-    const tm_real r = tm_vec_norm(x);
-    if (r < reach && tm_vec_dot(X, X) > far * far && tm_vec_dot(x, inward) < -TM_FRACTURE_CONE * r * size) return 1;
+    const tm_vec3 m = tm_load3(known + TM_FRACTURE_NORMAL);
+    const tm_real r = tm_vec_norm(x), most = -TM_FRACTURE_CONE;
+    if (r < reach && tm_vec_dot(X, X) > TM_FRACTURE_BOND * TM_FRACTURE_BOND * dp * dp && tm_vec_dot(x, n) < most * r &&
+        -tm_vec_dot(x, m) < most * r && tm_vec_dot(n, m) < most)
+      return a->tag[j];
   }
   return 0;
 }
@@ -274,9 +292,12 @@ TM_FN tm_fracture_result tm_fracture_look(int i, const tm_fracture_args *a)
   if (*state == (tm_real) TM_FRACTURE_WHOLE) {
     const tm_real dp = tm_fracture_spacing(i, a), reach = tm_fracture_reach(i, a);
     const tm_fracture_kept kept = tm_fracture_gather(i, a, dp, reach);
-    if (!kept.near_failed && tm_fracture_is_face(i, a) && tm_fracture_has_met(i, a, kept.inward, reach)) {
+    const int face = a->known[(ptrdiff_t) i * TM_FRACTURE_KNOWN + TM_FRACTURE_FLAG] < -0.5 && !kept.near_failed;
+    const int other = face ? tm_fracture_met(i, a, dp, reach) : 0;
+    if (other) {
       out.met = 1.0;
       out.first_met = a->tag[i];
+      out.other = other;
     }
     if (kept.near_failed) *state = TM_FRACTURE_LEFT_OUT;
     else if (tm_fracture_is_loose(i, a, &kept, dp, reach)) {

@@ -18,6 +18,7 @@
   VALUE(TM_OUT_FLOW, "flowstress")         \
   VALUE(TM_OUT_MISES, "vonmises")          \
   VALUE(TM_OUT_PRESSURE, "pressure")       \
+  VALUE(TM_OUT_TRIAXIALITY, "triaxiality") \
   VALUE(TM_OUT_XX, "stress/xx")            \
   VALUE(TM_OUT_YY, "stress/yy")            \
   VALUE(TM_OUT_ZZ, "stress/zz")            \
@@ -95,6 +96,10 @@ TM_FN tm_real tm_output_value(int which, int i, const tm_output_args *a)
     case TM_OUT_FLOW: return to_stress * tm_output_state(i, a, TM_F_PSTRAIN, 2, 0.0);
     case TM_OUT_MISES: return to_stress * tm_sym_mises(tm_sym_from_row(tm_field_row(&a->state, TM_F_STRESS, i)));
     case TM_OUT_PRESSURE: return to_stress * tm_output_pressure(i, a, m);
+    case TM_OUT_TRIAXIALITY: { /* mean stress over von Mises stress */
+      const tm_real mises = tm_sym_mises(tm_sym_from_row(tm_field_row(&a->state, TM_F_STRESS, i)));
+      return mises > 0.0 ? -tm_output_pressure(i, a, m) / mises : 0.0;
+    }
     case TM_OUT_XX:
     case TM_OUT_YY:
     case TM_OUT_ZZ:

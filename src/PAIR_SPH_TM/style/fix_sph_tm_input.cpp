@@ -73,8 +73,16 @@ void FixSPHTM::read_keywords(Keywords &&k)
   while (k.next()) {
     if (k.is("temperature")) state.start_temperatures().set_all(k.positive());
     else if (read_setting(k)) continue;
-    else if (k.is("time/scale")) scene->set_time_scale(k.positive());
-    else if (k.is("active")) state.active().read(k);
+    else if (k.is("time/scale")) {
+      scene->set_time_scale(k.positive());
+      if (scene->time_scale() != 1.0 && comm->me == 0)
+        utils::logmesg(
+            lmp,
+            "sph/tm: time/scale {0:.6g}: the run is {0:.6g} times as fast as the process. Powers (of tools, friction, "
+            "heat) and rates in its output are those of the run, {0:.6g} times those of the process; forces, "
+            "energies and temperatures are the same\n",
+            scene->time_scale());
+    } else if (k.is("active")) state.active().read(k);
     else if (k.is("state")) begin_anew = k.second("keep", "new");
     else if (k.is("energy")) balance = k.yes();
     else if (k.is("table")) {
