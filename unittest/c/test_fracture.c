@@ -153,7 +153,7 @@ int main(void)
           place(&a, x);
           const tm_fracture_result r = look(&a);
           const int meets = gap + way > 1.5 && gap < 2.0 * H;
-          const double inner = dim == 3 ? (SIDE - 2) * (SIDE - 2) : SIDE - 2; /* without edges, whose normals are askew */
+          const double inner = dim == 3 ? (SIDE - 4) * (SIDE - 4) : SIDE - 4; /* without edges: normals beside them are askew */
           UT_TRUE(meets ? r.met >= 2.0 * inner && r.met <= 2.0 * face : r.met == 0.0);
           UT_TRUE((r.first_met < INT_MAX) == meets);
         }

@@ -93,6 +93,9 @@ void FractureWatch::look(Pair *pair)
   MPI_Allreduce(tags, least, 2, MPI_INT, MPI_MIN, world);
   if (least[0] < INT_MAX && !reported) report(least[0]);
   if (least[1] == INT_MAX || meeting_reported) return;
+  double met;
+  MPI_Allreduce(&mine.met, &met, 1, MPI_DOUBLE, MPI_SUM, world);
+  if (met < TM_FRACTURE_MEETINGS) return;
   int other = mine.first_met == least[1] ? mine.other : INT_MAX;
   MPI_Allreduce(MPI_IN_PLACE, &other, 1, MPI_INT, MPI_MIN, world);
   report_meeting(least[1], other);

@@ -17,8 +17,11 @@
    The other way round, faces of one body that meet act on each other as its inside does: they weld. Particle i of a face
    (|B| at least that of half a face, which points inward) has done so where a neighbor j within the support radius is of a
    face too and was no bond, the two lie outward of each other, each within a cone of TM_FRACTURE_CONE about the other's
-   outward normal, and the normals oppose each other as much. A normal is that of the sum of x_j - x_i over the kept bonds.
-   The face of a chip or of a die's cavity that becomes shorter has normals that agree. */
+   outward normal, the normals oppose each other as much, and no third particle is within TM_FRACTURE_BETWEEN spacings of the
+   middle between them. A normal is that of the sum of x_j - x_i over the neighbors that are of no face, in a body of two
+   rows over the kept bonds. The face of a chip or of a die's cavity that becomes shorter has normals that agree, and where it is
+   rough, particles between. Fewer than TM_FRACTURE_MEETINGS particles
+   tell nothing. */
 #ifndef TM_FRACTURE_H
 #define TM_FRACTURE_H
 
@@ -38,6 +41,8 @@
 #define TM_FRACTURE_EMPTY 0.85
 /* Largest share of the square of the kept bonds that F does not tell. */
 #define TM_FRACTURE_ROUGH 0.03
+#define TM_FRACTURE_BETWEEN 0.6
+#define TM_FRACTURE_MEETINGS 4
 /* |F u|: pressed together below the first; above the second, over the support radius, neighbors hardly meet. */
 #define TM_FRACTURE_PRESSED 0.8
 #define TM_FRACTURE_STRETCHED 0.8
@@ -197,6 +202,7 @@ TM_FN int tm_fracture_is_empty(int i, const tm_fracture_args *a, tm_vec3 e, tm_r
 /* The kept bonds of particle i. */
 typedef struct {
   tm_vec3 sum, inward; /* of X_j - X_i, of x_j - x_i */
+  tm_vec3 inner;       /* of x_j - x_i, over all neighbors of no face that have not failed */
   tm_sym3 XX;
   tm_mat3 xX;
   tm_real xx;
@@ -206,7 +212,7 @@ typedef struct {
 TM_FN tm_fracture_kept tm_fracture_gather(int i, const tm_fracture_args *a, tm_real dp, tm_real reach)
 {
   tm_fracture_kept s;
-  s.sum = s.inward = tm_vec(0, 0, 0);
+  s.sum = s.inward = s.inner = tm_vec(0, 0, 0);
   s.XX = tm_sym(0, 0, 0, 0, 0, 0);
   s.xX = tm_mat_scale(0.0, tm_mat_identity());
   s.xx = 0.0;
@@ -216,6 +222,7 @@ TM_FN tm_fracture_kept tm_fracture_gather(int i, const tm_fracture_args *a, tm_r
     const tm_vec3 x = tm_fracture_apart(i, j, a), X = tm_fracture_bond(i, j, a);
     if (!(tm_vec_dot(x, x) < reach * reach)) continue;
     if (a->known[(ptrdiff_t) j * TM_FRACTURE_KNOWN + 3] > 0.5) s.near_failed = 1;
+    if (a->known[(ptrdiff_t) j * TM_FRACTURE_KNOWN + TM_FRACTURE_FLAG] == 0.0) s.inner = tm_vec_add(s.inner, x);
     if (!(tm_vec_dot(X, X) < TM_FRACTURE_BOND * TM_FRACTURE_BOND * dp * dp)) continue;
     const tm_real c[9] = {x.x * X.x, x.x * X.y, x.x * X.z, x.y * X.x, x.y * X.y,
                           x.y * X.z, x.z * X.x, x.z * X.y, x.z * X.z};
@@ -262,9 +269,21 @@ TM_FN void tm_fracture_normal(int i, const tm_fracture_args *a)
 {
   tm_real *known = a->known + (ptrdiff_t) i * TM_FRACTURE_KNOWN;
   if (known[TM_FRACTURE_FLAG] > -0.5) return;
-  const tm_vec3 inward = tm_fracture_gather(i, a, tm_fracture_spacing(i, a), tm_fracture_reach(i, a)).inward;
+  const tm_fracture_kept kept = tm_fracture_gather(i, a, tm_fracture_spacing(i, a), tm_fracture_reach(i, a));
+  const tm_vec3 inward = tm_vec_norm(kept.inner) > 0.0 ? kept.inner : kept.inward;
   const tm_real size = tm_vec_norm(inward);
   if (size > 0.0) tm_store3(known + TM_FRACTURE_NORMAL, tm_vec_scale(1.0 / size, inward));
+}
+
+/* Whether a neighbor of i other than j lies near the middle between them; x = x_j - x_i. */
+TM_FN int tm_fracture_between(int i, int j, const tm_fracture_args *a, tm_vec3 x, tm_real dp)
+{
+  for (int k = 0; k < a->rows.mechanical[i]; k++) {
+    const int m = a->rows.index[a->rows.first[i] + k * a->rows.stride];
+    const tm_vec3 off = tm_vec_axpy(tm_fracture_apart(i, m, a), -0.5, x);
+    if (m != j && tm_vec_dot(off, off) < TM_FRACTURE_BETWEEN * TM_FRACTURE_BETWEEN * dp * dp) return 1;
+  }
+  return 0;
 }
 
 /* The tag of a neighbor on another face of its body that particle i of a face has met; 0: none. */
@@ -279,7 +298,7 @@ TM_FN int tm_fracture_met(int i, const tm_fracture_args *a, tm_real dp, tm_real 
     const tm_vec3 m = tm_load3(known + TM_FRACTURE_NORMAL);
     const tm_real r = tm_vec_norm(x), most = -TM_FRACTURE_CONE;
     if (r < reach && tm_vec_dot(X, X) > TM_FRACTURE_BOND * TM_FRACTURE_BOND * dp * dp && tm_vec_dot(x, n) < most * r &&
-        -tm_vec_dot(x, m) < most * r && tm_vec_dot(n, m) < most)
+        -tm_vec_dot(x, m) < most * r && tm_vec_dot(n, m) < most && !tm_fracture_between(i, j, a, x, dp))
       return a->tag[j];
   }
   return 0;
