@@ -18,10 +18,9 @@
    (|B| at least that of half a face, which points inward) has done so where a neighbor j within the support radius is of a
    face too and was no bond, the two lie outward of each other, each within a cone of TM_FRACTURE_CONE about the other's
    outward normal, the normals oppose each other as much, and no third particle is within TM_FRACTURE_BETWEEN spacings of the
-   middle between them. A normal is that of the sum of x_j - x_i over the neighbors that are of no face, in a body of two
-   rows over the kept bonds. The face of a chip or of a die's cavity that becomes shorter has normals that agree, and where it is
-   rough, particles between. Fewer than TM_FRACTURE_MEETINGS particles
-   tell nothing. */
+   middle between them. A normal is that of the sum of x_j - x_i over the neighbors that are of no face: the face of a
+   chip or of a die's cavity that becomes shorter, and rough, has normals that agree. A body of two rows has none, and is not
+   told. Fewer than TM_FRACTURE_MEETINGS particles tell nothing. */
 #ifndef TM_FRACTURE_H
 #define TM_FRACTURE_H
 
@@ -201,8 +200,8 @@ TM_FN int tm_fracture_is_empty(int i, const tm_fracture_args *a, tm_vec3 e, tm_r
 
 /* The kept bonds of particle i. */
 typedef struct {
-  tm_vec3 sum, inward; /* of X_j - X_i, of x_j - x_i */
-  tm_vec3 inner;       /* of x_j - x_i, over all neighbors of no face that have not failed */
+  tm_vec3 sum;   /* of X_j - X_i */
+  tm_vec3 inner; /* of x_j - x_i, over all neighbors of no face that have not failed */
   tm_sym3 XX;
   tm_mat3 xX;
   tm_real xx;
@@ -212,7 +211,7 @@ typedef struct {
 TM_FN tm_fracture_kept tm_fracture_gather(int i, const tm_fracture_args *a, tm_real dp, tm_real reach)
 {
   tm_fracture_kept s;
-  s.sum = s.inward = s.inner = tm_vec(0, 0, 0);
+  s.sum = s.inner = tm_vec(0, 0, 0);
   s.XX = tm_sym(0, 0, 0, 0, 0, 0);
   s.xX = tm_mat_scale(0.0, tm_mat_identity());
   s.xx = 0.0;
@@ -227,7 +226,6 @@ TM_FN tm_fracture_kept tm_fracture_gather(int i, const tm_fracture_args *a, tm_r
     const tm_real c[9] = {x.x * X.x, x.x * X.y, x.x * X.z, x.y * X.x, x.y * X.y,
                           x.y * X.z, x.z * X.x, x.z * X.y, x.z * X.z};
     s.sum = tm_vec_add(s.sum, X);
-    s.inward = tm_vec_add(s.inward, x);
     s.xx += tm_vec_dot(x, x);
     s.XX = tm_sym_add_dyad(s.XX, 1.0, X);
     s.xX = tm_mat_add(s.xX, tm_mat_load(c));
@@ -270,9 +268,8 @@ TM_FN void tm_fracture_normal(int i, const tm_fracture_args *a)
   tm_real *known = a->known + (ptrdiff_t) i * TM_FRACTURE_KNOWN;
   if (known[TM_FRACTURE_FLAG] > -0.5) return;
   const tm_fracture_kept kept = tm_fracture_gather(i, a, tm_fracture_spacing(i, a), tm_fracture_reach(i, a));
-  const tm_vec3 inward = tm_vec_norm(kept.inner) > 0.0 ? kept.inner : kept.inward;
-  const tm_real size = tm_vec_norm(inward);
-  if (size > 0.0) tm_store3(known + TM_FRACTURE_NORMAL, tm_vec_scale(1.0 / size, inward));
+  const tm_real size = tm_vec_norm(kept.inner);
+  if (size > 0.0) tm_store3(known + TM_FRACTURE_NORMAL, tm_vec_scale(1.0 / size, kept.inner));
 }
 
 /* Whether a neighbor of i other than j lies near the middle between them; x = x_j - x_i. */
