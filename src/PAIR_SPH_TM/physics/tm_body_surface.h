@@ -66,8 +66,7 @@ TM_FN void tm_body_plane(const tm_body_surface *s, tm_real g, int dim, tm_real *
 /* y times the sum over layers at 1, 1 + y, 1 + 2 y ...; of y = 0 the integral. */
 TM_FN tm_real tm_body_layers(const tm_body_surface *s, tm_real y, int dim)
 {
-  enum { FINE = 400 };
-  const tm_real reach = sqrt(s->reach2), step = y > 0.0 ? y : (reach - 1.0) / FINE;
+  const tm_real reach = sqrt(s->reach2), step = y > 0.0 ? y : (reach - 1.0) / 400.0;
   tm_real sum = 0.0, weight, fall;
   for (tm_real g = y > 0.0 ? 1.0 : 1.0 + 0.5 * step; g < reach; g += step) {
     tm_body_plane(s, g, dim, &weight, &fall);
