@@ -354,7 +354,7 @@ tm_contact_args FixContactTri::contact_args(bool of_triangles)
 // where the loops run beside each other, the places of contact are looked for while the rates are made
 void FixContactTri::before_forces()
 {
-  if (update->setupflag || state->loops().shared()) return;
+  if (!state || update->setupflag || state->loops().shared()) return;    // none: made since the last init (run pre no)
   tm_contact_args a = contact_args(false);
   a.found = places.begin(atom->nlocal);
   ContactLoops::of(state->loops())
