@@ -2,6 +2,7 @@
 #include "fix_contact_tri.h"
 
 #include "argument.h"
+#include "friction_table.h"
 #include "overlap_check.h"
 #include "scene.h"
 
@@ -187,8 +188,6 @@ static std::string softness_in_words(const tm_material &m, double modulus, doubl
                      0.5 * half_layer / modulus, 0.5 * half_layer / material);
 }
 
-static constexpr double HIGH_FRICTION = 1.5;    // of metal on metal without a film
-
 void FixContactTri::report() const
 {
   if (comm->me) return;
@@ -207,11 +206,7 @@ void FixContactTri::report() const
     const tm_contact_law &w = laws.of(t);
     if (!w.active) continue;
     if (w.friction.n == 0 && w.friction.value > HIGH_FRICTION && w.shear == 0.0)
-      error->warning(
-          FLERR,
-          "Fix contact/tri {}: friction {:.4g} is a ratio of forces: 0.3 for 30 %; where the limit of the shear flow "
-          "stress is meant, give friction/shear too",
-          id, w.friction.value);
+      error->warning(FLERR, "Fix contact/tri {}: friction {:.4g} {}", id, w.friction.value, FRICTION_HIGH);
     const std::string mu = (w.friction.n ? "by table" : fmt::format("{:.4g}", w.friction.value)) +
                            (w.shear > 0.0 ? fmt::format(", at most {:.4g} of the shear flow stress", w.shear) : "");
     const tm_material &m = model->materials()[t];

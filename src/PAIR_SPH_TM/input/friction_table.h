@@ -18,6 +18,11 @@ tm_table read_friction_table(LAMMPS_NS::LAMMPS *, Keywords &);    // of the keyw
 constexpr const char *FRICTION_SHEAR_ALONE =
     "limits friction, and there is none: give friction or friction/table too; with friction 10 the limit alone is left";
 
+// above it, without friction/shear, a percentage was most likely meant; and what is said then
+constexpr double HIGH_FRICTION = 1.5;
+constexpr const char *FRICTION_HIGH =
+    "is a ratio of forces: 0.3 for 30 %; where the limit of the shear flow stress is meant, give friction/shear too";
+
 }    // namespace SPHTM_NS
 
 #endif

@@ -183,13 +183,9 @@ static void read_meeting(LAMMPS *lmp, int narg, char **arg, Model &model)
   }
   if (limited && !rubs)
     error->all(FLERR, "Pair sph/tm coeff contact friction/shear {:.6g} {}", law.contact.shear, FRICTION_SHEAR_ALONE);
-  constexpr double HIGH_FRICTION = 1.5;
   if (law.contact.friction.n == 0 && law.contact.friction.value > HIGH_FRICTION && !limited && lmp->comm->me == 0)
-    error->warning(
-        FLERR,
-        "Pair sph/tm coeff contact of types {} {}: friction {:.4g} is a ratio of forces: 0.3 for 30 %; where the limit of the "
-        "shear flow stress is meant, give friction/shear too",
-        arg[0], arg[1], law.contact.friction.value);
+    error->warning(FLERR, "Pair sph/tm coeff contact of types {} {}: friction {:.4g} {}", arg[0], arg[1],
+                   law.contact.friction.value, FRICTION_HIGH);
   int count = 0;
   for (int i = ilo; i <= ihi; i++)
     for (int j = jlo; j <= jhi; j++) {

@@ -52,7 +52,7 @@
 enum { TM_FRACTURE_UNKNOWN = 0, TM_FRACTURE_WHOLE = 1, TM_FRACTURE_LEFT_OUT = 2, TM_FRACTURE_TORN = 3 };
 /* what neighbors know of a particle: X; 1 where it has failed, -1 where it has not and is of a face; the inward normal of a
    face, 0 elsewhere */
-enum { TM_FRACTURE_X = 0, TM_FRACTURE_FLAG = 3, TM_FRACTURE_NORMAL = 4, TM_FRACTURE_KNOWN = 7 };
+enum { TM_FRACTURE_FLAG = 3, TM_FRACTURE_NORMAL = 4, TM_FRACTURE_KNOWN = 7 };
 
 typedef struct {
   tm_state state;
@@ -215,12 +215,12 @@ TM_FN tm_fracture_kept tm_fracture_gather(int i, const tm_fracture_args *a, tm_r
   s.XX = tm_sym(0, 0, 0, 0, 0, 0);
   s.xX = tm_mat_scale(0.0, tm_mat_identity());
   s.xx = 0.0;
-  s.near_failed = a->known[(ptrdiff_t) i * TM_FRACTURE_KNOWN + 3] > 0.5;
+  s.near_failed = a->known[(ptrdiff_t) i * TM_FRACTURE_KNOWN + TM_FRACTURE_FLAG] > 0.5;
   for (int k = 0; k < a->rows.mechanical[i]; k++) {
     const int j = a->rows.index[a->rows.first[i] + k * a->rows.stride];
     const tm_vec3 x = tm_fracture_apart(i, j, a), X = tm_fracture_bond(i, j, a);
     if (!(tm_vec_dot(x, x) < reach * reach)) continue;
-    if (a->known[(ptrdiff_t) j * TM_FRACTURE_KNOWN + 3] > 0.5) s.near_failed = 1;
+    if (a->known[(ptrdiff_t) j * TM_FRACTURE_KNOWN + TM_FRACTURE_FLAG] > 0.5) s.near_failed = 1;
     if (a->known[(ptrdiff_t) j * TM_FRACTURE_KNOWN + TM_FRACTURE_FLAG] == 0.0) s.inner = tm_vec_add(s.inner, x);
     if (!(tm_vec_dot(X, X) < TM_FRACTURE_BOND * TM_FRACTURE_BOND * dp * dp)) continue;
     const tm_real c[9] = {x.x * X.x, x.x * X.y, x.x * X.z, x.y * X.x, x.y * X.y,
