@@ -159,6 +159,19 @@ int main(void)
         }
       }
   }
+  /* a row of holes inside has no faces, though as many bonds are missing there */
+  {
+    tm_fracture_args a = make(3);
+    const double y = SIDE / 2, z = SIDE / 2;
+    double lost = 0.0;
+    for (int i = 0; i < n; i++)
+      if (x0[3 * i + 1] == y && x0[3 * i + 2] == z) x0[3 * i + 1] += 40.0;
+    refer(&a);
+    for (int i = 0; i < n; i++)
+      if (x0[3 * i + 1] == y + 1.0 && x0[3 * i + 2] == z) lost = fmax(lost, tm_vec_norm(tm_fracture_inward(i, &a)));
+    UT_TRUE(lost >= TM_FRACTURE_LOSS_3D);
+    UT_TRUE(look(&a).met == 0.0);
+  }
   /* failed neighbors, said once, one alone, across a periodic boundary */
   tm_fracture_args a = make(2);
   double x[3 * MOST];

@@ -47,6 +47,11 @@ goes("a body one spacing from another", OTHER % ("0.5", "0 8e-3 8e-3 12e-3", 1))
 goes("a body that is read", "write_data more.data nocoeff\ndelete_atoms group all compress no\n"
      "read_data more.data add append\nrun 10\nread_data more.data add append shift 0 8e-3 0\nrun 10\n", "image flags")
 
+# --- a tool that comes
+NEW = "run 10\nfix new all contact/tri file %s scale 1e-3 move 20e-3 0 0\nrun 10%%s\n" % TOOL
+goes("a tool that is made before 'run pre no'", NEW % " pre no", "goes on without it")
+refused("a tool that is made inside of the body before a run", NEW.replace("20e-3", "4e-3") % "", "overlaps particles")
+
 # --- particles that go or move
 goes("delete_atoms", "run 10\ngroup some id 1:8\ndelete_atoms group some compress no\nrun 10\n")
 goes("displace_atoms, all", "run 10\ndisplace_atoms all move 1e-3 0 0 units box\nrun 10\n")

@@ -11,15 +11,15 @@ import case_plate_impact as impact                                              
 checks = Checks()
 
 
-def behind(options, metal="aluminum", speed=400, body=""):
-    coefficients = impact.coefficients(metal)
+def behind(options, metal="aluminum", speed=400, body="", linear=False):
+    coefficients = impact.coefficients(metal, linear)
     r = run(impact.SCRIPT, {"dx": 1e-4, "options": options, "metal": coefficients, "speed": speed, "body": body})
     found, t = impact.measure(r, {"speed": speed}), r.thermo[-1]
-    errors = [found[q][0] / k - 1 for q, k in zip(impact.COMPARED, impact.behind(metal, speed))]
+    errors = [found[q][0] / k - 1 for q, k in zip(impact.COMPARED, impact.behind(metal, speed, linear))]
     drift = abs(t["f_body[9]"] - t["f_body[9]"][0]).max() / t["f_body[1]"][0]
     print("%-9s %4g m/s, %-24s longitudinal stress %+.2f %%, von Mises stress %+.1f %%, plastic strain %+.1f %%, work of artificial terms %.4f, energy %.1e"
-          % (metal, speed, options or body or "default", *(100 * e for e in errors), found["artificial share"][0], drift))
-    checks.below("%s %g %s: drift of the sum of the energies" % (metal, speed, options or body), drift, 2e-4)
+          % (metal, speed, (options or body or "default") + linear * ", eos linear", *(100 * e for e in errors), found["artificial share"][0], drift))
+    checks.below("%s %g %s%s: drift of the sum of the energies" % (metal, speed, options or body, linear * " linear"), drift, 2e-4)
     return errors
 
 
@@ -27,12 +27,18 @@ for metal, speed, limits in (("aluminum", 400, (0.002, 0.03, 0.01)), ("copper", 
     for name, e, most in zip(impact.COMPARED, behind("shock 1", metal, speed), limits):
         checks.below("%s, %d m/s, shock 1: %s" % (metal, speed, name), abs(e), most)
 whole, half = behind("shock 1"), behind("")
-checks.true("with a shock equation of state 0.5 is the default", behind("shock 0.5") == half == behind("shock auto"), str(half))
+checks.true("0.5 is the default", behind("shock 0.5") == half == behind("shock auto"), str(half))
 for name, e, most in zip(impact.COMPARED, half, (0.002, 0.07, 0.02)):
     checks.below("aluminum, 400 m/s, default: " + name, abs(e), most)
 without = behind("shock 0")
 for name, e, least in zip(impact.COMPARED, without, (0.01, 0.6, 0.15)):
     checks.above("fails without: " + name, abs(e), least)
+for metal, speed, mises in (("aluminum", 400, 0.07), ("copper", 100, 0.08), ("copper", 400, 0.1)):    # with a linear equation of state it is on, too
+    half_linear, without_linear = behind("", metal, speed, linear=True), behind("shock 0", metal, speed, linear=True)
+    for name, e, most in zip(impact.COMPARED, half_linear, (0.002, mises, 0.02)):
+        checks.below("%s, %d m/s, eos linear, default: %s" % (metal, speed, name), abs(e), most)
+    for name, e, least in zip(list(impact.COMPARED)[1:], without_linear[1:], (0.2, 0.05)):
+        checks.above("%s, %d m/s, eos linear, fails without: %s" % (metal, speed, name), abs(e), least)
 checks.true("half of it is between", abs(whole[2]) < half[2] < without[2] and abs(whole[1]) < abs(half[1]) < abs(without[1]), str(half))
 checks.below("courant 0.6, which bears 0.57: von Mises stress", abs(behind("shock 1", body="courant 0.6")[1]), 0.06)
 
@@ -72,8 +78,8 @@ def pressed(options):
     return t["f_body[7]"][-1] / t["f_body[8]"][-1], t["f_body[8]"][-1]
 
 
-checks.true("with a linear equation of state 0 is the default", pressed("") == pressed("shock 0"))
-(on, work), (off, same) = pressed("shock 1"), pressed("")
+checks.true("0.5 is the default here, too", pressed("") == pressed("shock 0.5"))
+(on, work), (off, same) = pressed("shock 1"), pressed("shock 0")
 print("pressed by a tenth at 20 m/s: artificial share %.5f, without %.5f; work %.6g, %.6g" % (on, off, work, same))
 checks.near("pressed: work", work, same, relative=0.002)
 checks.below("pressed: artificial share above that without", on - off, 0.001)

@@ -116,6 +116,36 @@ void ToolChecks::jump(const tm_pose &end, bool by_variable, double dt, double dp
                   stops, far, restored ? "last step or the restart file" : "last step");
 }
 
+void ToolChecks::left_out()
+{
+  if (!warned_left_out && lmp->comm->me == 0)
+    lmp->error->warning(FLERR, "{}: made after the last set-up: a run with 'pre no' goes on without it", who);
+  warned_left_out = true;
+}
+
+void ToolChecks::pressed(const tm_contact_result &sums, double spacing)
+{
+  const double thickness = tool.mesh().closed && !set.two_sided ? tool.thickness(lmp->domain->dimension) : 1e300;
+  if (sums.inner > std::min(0.5 * spacing, 0.4 * thickness) && !warned_deep) {
+    warned_deep = true;
+    const bool thin = thickness < 2.0 * spacing;
+    lmp->error->warning(FLERR,
+                        "{}: a particle's center lies {:.2f} spacings behind the "
+                        "surface; beyond {} it is {}: raise penalty or lower the speed{}",
+                        who, sums.inner / spacing, thin ? fmt::format("{:.2f}", 0.5 * thickness / spacing) : "1",
+                        thin ? "pushed out on the other side of the tool, which is too thin here"
+                             : "no longer pushed out",
+                        set.overlap_allowed ? ", or start without overlap" : "");
+  }
+  if (sums.faced && !warned_faced) {
+    warned_faced = true;
+    lmp->error->warning(FLERR,
+                        "{}: pressed from two opposite sides: {} particles in step {}; a sheet of one row has no "
+                        "strain across and resists several times too much: give it 6 rows or more",
+                        who, sums.faced, lmp->update->ntimestep);
+  }
+}
+
 void ToolChecks::restarted_at(const tm_pose &pose)
 {
   restored = seen = true;

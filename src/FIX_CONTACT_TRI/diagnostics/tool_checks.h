@@ -3,6 +3,7 @@
 #define SPHTM_TOOL_CHECKS_H
 
 #include "contact_settings.h"
+#include "tm_contact_sums.h"
 #include "tool_motion.h"
 
 namespace LAMMPS_NS {
@@ -41,6 +42,9 @@ class ToolChecks {
   // inside; dp: the smallest spacing
   void jump(const tm_pose &end, bool by_variable, double dt, double dp);
   void restarted_at(const tm_pose &);
+  void left_out();    // of a run with 'pre no', since it was made after the last set-up
+  // behind a step: particles too deep in the tool, or in it from two sides
+  void pressed(const tm_contact_result &, double spacing);
 
  private:
   LAMMPS_NS::LAMMPS *lmp;
@@ -49,7 +53,7 @@ class ToolChecks {
   const TriTool &tool;
   std::string who;
   bool warned_empty = false, warned_heat = false, warned_conductors = false, warned_no_contact = false,
-       warned_inertia = false;
+       warned_inertia = false, warned_deep = false, warned_faced = false, warned_left_out = false;
   tm_vec3 last_corner[8];                 // of the mesh's box after the last step, here or before a restart
   bool seen = false, restored = false;    // there was one; before a restart
 

@@ -2,7 +2,7 @@
 #include "fix_contact_tri.h"
 
 #include "argument.h"
-#include "friction_table.h"
+#include "contact_report.h"
 #include "overlap_check.h"
 #include "scene.h"
 
@@ -112,7 +112,7 @@ void FixContactTri::init()
   checks.body_material(*model);
   laws.make(set, *model, state->start_temperatures().of_all(), domain->dimension);
   if (first) {
-    report();
+    report_tool();
     checks.far_from_box(motion.pose_now(), spacing);
     checks.periodic(motion.pose_now());
   }
@@ -166,29 +166,7 @@ void FixContactTri::limit_time_step()
   if (speed > 0.0) state->time_step().limit(0.2 * smallest / speed, TM_DT_MOTION, this);
 }
 
-// friction heat of a type
-static std::string heat_in_words(const tm_contact_law &w, const tm_material &m, double T, const ContactSettings &set)
-{
-  const double e = tm_effusivity(tm_conductivity(&m, T), m.rho0, tm_capacity(&m, T));
-  const char *why = set.share >= 0.0        ? "as given"
-                    : set.effusivity >= 0.0 ? "by effusivity"
-                    : set.body_type         ? "by effusivity, the tool's from its particles"
-                                    : "half: the tool's material is not known, give 'material', 'effusivity' or "
-                                      "'share'";
-  return fmt::format(", {:.3f} of the friction heat into the particles ({})", tm_contact_share(&w, e), why);
-}
-
-// elastic contact that is softer than it need be; modulus: what takes the place of E in it, material: that of penalty
-// material, half_layer: tm_contact_half_layer()
-static std::string softness_in_words(const tm_material &m, double modulus, double material, double half_layer)
-{
-  if (tm_strength_flow(m.strength) != TM_FLOW_NONE || material < TM_SOFT_CONTACT * modulus) return "";
-  return fmt::format("; gives way like {:.2g} spacings of the material: where few spacings touch, 'penalty material', "
-                     "with {:.2g}, is nearer to what elastic contact is",
-                     0.5 * half_layer / modulus, 0.5 * half_layer / material);
-}
-
-void FixContactTri::report() const
+void FixContactTri::report_tool() const
 {
   if (comm->me) return;
   if (restored && !motion_given && motion.top_speed(tool.mesh().lo, tool.mesh().hi) > 0.0)
@@ -201,22 +179,7 @@ void FixContactTri::report() const
         id);
   utils::logmesg(lmp, "contact/tri {}: {}: {}\n", id, set.shape.file, tool.summary());
   for (const auto &line : tool.flaws(set.two_sided)) error->warning(FLERR, "Fix contact/tri {}: {}", id, line);
-  const bool heat = state->has(TM_FX_HEAT) && set.has_friction();
-  for (int t = 1; t <= atom->ntypes; t++) {
-    const tm_contact_law &w = laws.of(t);
-    if (!w.active) continue;
-    if (w.friction.n == 0 && w.friction.value > HIGH_FRICTION && w.shear == 0.0)
-      error->warning(FLERR, "Fix contact/tri {}: friction {:.4g} {}", id, w.friction.value, FRICTION_HIGH);
-    const std::string mu = (w.friction.n ? "by table" : fmt::format("{:.4g}", w.friction.value)) +
-                           (w.shear > 0.0 ? fmt::format(", at most {:.4g} of the shear flow stress", w.shear) : "");
-    const tm_material &m = model->materials()[t];
-    utils::logmesg(lmp, "contact/tri {}: type {}: stiffness {:.6g}, damping {:.4g} of critical, friction {}{}{}\n", id,
-                   t, w.stiffness / model->units().force, w.damping, mu,
-                   heat ? heat_in_words(w, m, state->start_temperatures().of_all(), set) : "",
-                   softness_in_words(m, tool_modulus(set, *model, t, set.penalty),
-                                     tool_modulus(set, *model, t, TM_PENALTY_MATERIAL),
-                                     model->contact_modulus(t, TM_PENALTY_MATERIAL)));
-  }
+  report_contact_laws(lmp, id, set, laws, *state);
 }
 
 // penetration at the start that passes, in spacings: rounding of positions and of tessellated arcs; and what particles
@@ -349,7 +312,8 @@ tm_contact_args FixContactTri::contact_args(bool of_triangles)
 // where the loops run beside each other, the places of contact are looked for while the rates are made
 void FixContactTri::before_forces()
 {
-  if (!state || update->setupflag || state->loops().shared()) return;    // none: made since the last init (run pre no)
+  if (!state) checks.left_out();
+  if (!state || update->setupflag || state->loops().shared()) return;
   tm_contact_args a = contact_args(false);
   a.found = places.begin(atom->nlocal);
   ContactLoops::of(state->loops())
@@ -378,26 +342,7 @@ void FixContactTri::finish_contact()
   particles.check_heat();
   if (state->time_step().ahead() > 0.0) results.add_to(state->energy(), state->time_step().now(), set.body_type != 0);
   const tm_contact_result &sums = results.mine();
-  const double thickness = tool.mesh().closed && !set.two_sided ? tool.thickness(domain->dimension) : 1e300;
-  if (sums.inner > std::min(0.5 * spacing, 0.4 * thickness) && !warned_deep) {
-    warned_deep = true;
-    error->warning(FLERR,
-                   "Fix contact/tri {}: a particle's center lies {:.2f} spacings behind the "
-                   "surface; beyond {} it is {}: raise penalty or lower the speed{}",
-                   id, sums.inner / spacing,
-                   thickness < 2.0 * spacing ? fmt::format("{:.2f}", 0.5 * thickness / spacing) : "1",
-                   thickness < 2.0 * spacing ? "pushed out on the other side of the tool, which is too thin here"
-                                             : "no longer pushed out",
-                   set.overlap_allowed ? ", or start without overlap" : "");
-  }
-  if (sums.faced && !warned_faced) {
-    warned_faced = true;
-    error->warning(
-        FLERR,
-        "Fix contact/tri {}: pressed from two opposite sides: {} particles in step {}; a sheet of one row has no "
-        "strain across and resists several times too much: give it 6 rows or more",
-        id, sums.faced, update->ntimestep);
-  }
+  checks.pressed(sums, spacing);
   state->energy().add_spring(sums.spring);
 }
 

@@ -81,10 +81,10 @@ class FixContactTri : public Fix, public SPHTM_NS::ContactProbe {
   const SPHTM_NS::Model *model = nullptr;
   tm_vec3 reference;       // point of the torques, in the tool's frame
   double spacing = 0.0;    // of the particles, with which the search grid was built
-  bool restored = false, motion_given = false, overlap_checked = false, warned_deep = false, warned_faced = false;
+  bool restored = false, motion_given = false, overlap_checked = false;
 
   void find_first_tool();
-  void report() const;
+  void report_tool() const;
   void limit_time_step();
   void check_overlap();
   void evaluate_variables(double dt);

@@ -14,13 +14,14 @@
    Particles that have failed, and those that ever had a failed neighbor, are left out: there fracture is physical. So are
    those without bonds in the reference.
 
-   The other way round, faces of one body that meet act on each other as its inside does: they weld. Particle i of a face
-   (|B| at least that of half a face, which points inward) has done so where a neighbor j within the support radius is of a
+   The other way round, faces of one body that meet act on each other as its inside does: they weld. A particle is of a face where
+   |B| is at least that of half a face, and the sum of X_j - X_i over the support radius TM_FRACTURE_ASIDE of that of half a
+   ball: the inside of a bar that is made of rings has holes in its bonds. Particle i of a face has met another where a neighbor j within the support radius is of a
    face too and was no bond, the two lie outward of each other, each within a cone of TM_FRACTURE_CONE about the other's
    outward normal, the normals oppose each other as much, and no third particle is within TM_FRACTURE_BETWEEN spacings of the
-   middle between them. A normal is that of the sum of x_j - x_i over the neighbors that are of no face: the face of a
-   chip or of a die's cavity that becomes shorter, and rough, has normals that agree. A body of two rows has none, and is not
-   told. Fewer than TM_FRACTURE_MEETINGS particles tell nothing. */
+   middle between them. A normal is that of the sum of x_j - x_i over the neighbors that are of no face, where that is
+   TM_FRACTURE_CLEAR of that of half a ball: the face of a chip or of a die's cavity that becomes shorter, and rough, has normals
+   that agree. A body of two rows has none, and is not told. Fewer than TM_FRACTURE_MEETINGS particles tell nothing. */
 #ifndef TM_FRACTURE_H
 #define TM_FRACTURE_H
 
@@ -41,6 +42,8 @@
 /* Largest share of the square of the kept bonds that F does not tell. */
 #define TM_FRACTURE_ROUGH 0.03
 #define TM_FRACTURE_BETWEEN 0.6
+#define TM_FRACTURE_ASIDE 0.3
+#define TM_FRACTURE_CLEAR 0.3
 #define TM_FRACTURE_MEETINGS 4
 /* |F u|: pressed together below the first; above the second, over the support radius, neighbors hardly meet. */
 #define TM_FRACTURE_PRESSED 0.8
@@ -49,7 +52,13 @@
 #define TM_FRACTURE_LEAST 0.02
 
 /* what is known of a particle, last column of the field */
-enum { TM_FRACTURE_UNKNOWN = 0, TM_FRACTURE_WHOLE = 1, TM_FRACTURE_LEFT_OUT = 2, TM_FRACTURE_TORN = 3 };
+enum {
+  TM_FRACTURE_UNKNOWN = 0,
+  TM_FRACTURE_WHOLE = 1,
+  TM_FRACTURE_LEFT_OUT = 2,
+  TM_FRACTURE_TORN = 3,
+  TM_FRACTURE_FACE = 4 /* whole, and of a face of the reference */
+};
 /* what neighbors know of a particle: X; 1 where it has failed, -1 where it has not and is of a face; the inward normal of a
    face, 0 elsewhere */
 enum { TM_FRACTURE_FLAG = 3, TM_FRACTURE_NORMAL = 4, TM_FRACTURE_KNOWN = 7 };
@@ -94,6 +103,10 @@ TM_FN int tm_fracture_state(const tm_state *s, int i)
 {
   return (int) tm_field_row(s, TM_F_FRACTURE, i)[tm_column(TM_R_STATE)];
 }
+TM_FN int tm_fracture_is_whole(tm_real state)
+{
+  return state == (tm_real) TM_FRACTURE_WHOLE || state == (tm_real) TM_FRACTURE_FACE;
+}
 TM_FN tm_real tm_fracture_is_unknown(int i, const tm_fracture_args *a)
 {
   return tm_fracture_state(&a->state, i) == (tm_real) TM_FRACTURE_UNKNOWN ? 1.0 : 0.0;
@@ -118,17 +131,11 @@ TM_FN tm_real tm_fracture_spacing(int i, const tm_fracture_args *a)
   return a->state.field[TM_F_SIZE] ? tm_field_row(&a->state, TM_F_SIZE, i)[tm_column(TM_S_DP)] : a->spacing;
 }
 
-/* The sum B of the reference, and whether it is that of a face. */
+/* The sum B of the reference. */
 TM_FN tm_vec3 tm_fracture_inward(int i, const tm_fracture_args *a)
 {
   const tm_real *f = tm_field_row(&a->state, TM_F_FRACTURE, i);
   return tm_vec(f[tm_column(TM_R_B)], f[tm_column(TM_R_B + 1)], f[tm_column(TM_R_B + 2)]);
-}
-TM_FN int tm_fracture_is_face(int i, const tm_fracture_args *a)
-{
-  const tm_real least = (a->dim3 ? TM_FRACTURE_LOSS_3D : TM_FRACTURE_LOSS_2D) * tm_fracture_spacing(i, a);
-  const tm_vec3 B = tm_fracture_inward(i, a);
-  return tm_vec_dot(B, B) >= least * least;
 }
 
 /* What neighbors are told. */
@@ -138,7 +145,7 @@ TM_FN void tm_fracture_tell(int i, const tm_fracture_args *a)
   tm_real *k = a->known + (ptrdiff_t) i * TM_FRACTURE_KNOWN;
   for (int d = 0; d < 3; d++) k[d] = f[tm_column(TM_R_X + d)];
   const int failed = a->state.field[TM_F_DAMAGE] && tm_field_row(&a->state, TM_F_DAMAGE, i)[tm_column(1)] > 0.5;
-  k[TM_FRACTURE_FLAG] = failed ? 1.0 : tm_fracture_is_face(i, a) ? -1.0 : 0.0;
+  k[TM_FRACTURE_FLAG] = failed ? 1.0 : tm_fracture_state(&a->state, i) == TM_FRACTURE_FACE ? -1.0 : 0.0;
   for (int d = 0; d < 3; d++) k[TM_FRACTURE_NORMAL + d] = 0.0;
 }
 
@@ -146,6 +153,13 @@ TM_FN void tm_fracture_tell(int i, const tm_fracture_args *a)
 TM_FN tm_real tm_fracture_reach(int i, const tm_fracture_args *a)
 {
   return a->support * (a->state.field[TM_F_SIZE] ? tm_field_row(&a->state, TM_F_SIZE, i)[tm_column(TM_S_H)] : a->h);
+}
+
+/* The length of the sum of x_j - x_i over the neighbors of a plane face of an even lattice. */
+TM_FN tm_real tm_fracture_half_ball(tm_real reach, tm_real dp, int dim3)
+{
+  const tm_real r = reach / dp;
+  return dp * (dim3 ? TM_PI / 4.0 * r * r * r * r : 2.0 / 3.0 * r * r * r);
 }
 
 /* X_j - X_i, to the nearest image. */
@@ -167,24 +181,28 @@ TM_FN tm_vec3 tm_fracture_apart(int i, int j, const tm_fracture_args *a)
                 a->dim3 ? q[tm_part(2)] - p[tm_part(2)] : 0.0);
 }
 
-/* The sum B of a reference that was just taken. */
+/* The sum B of a reference that was just taken, and whether it is that of a face. */
 TM_FN void tm_fracture_bonds(int i, const tm_fracture_args *a)
 {
-  const tm_real most = TM_FRACTURE_BOND * tm_fracture_spacing(i, a);
-  tm_vec3 sum = tm_vec(0, 0, 0);
+  const tm_real dp = tm_fracture_spacing(i, a), most = TM_FRACTURE_BOND * dp, reach = tm_fracture_reach(i, a);
+  tm_vec3 sum = tm_vec(0, 0, 0), wide = sum;
   int bonds = 0;
   for (int k = 0; k < a->rows.mechanical[i]; k++) {
     const tm_vec3 X = tm_fracture_bond(i, a->rows.index[a->rows.first[i] + k * a->rows.stride], a);
-    if (!(tm_vec_dot(X, X) < most * most)) continue;
+    const tm_real r2 = tm_vec_dot(X, X);
+    if (r2 < reach * reach) wide = tm_vec_add(wide, X);
+    if (!(r2 < most * most)) continue;
     sum = tm_vec_add(sum, X);
     bonds++;
   }
-  tm_real *f = tm_field_row(&a->state, TM_F_FRACTURE, i);
+  tm_real *f = tm_field_row(&a->state, TM_F_FRACTURE, i), *state = f + tm_column(TM_R_STATE);
   f[tm_column(TM_R_B)] = sum.x;
   f[tm_column(TM_R_B + 1)] = sum.y;
   f[tm_column(TM_R_B + 2)] = sum.z;
-  if (!bonds && f[tm_column(TM_R_STATE)] == (tm_real) TM_FRACTURE_WHOLE)
-    f[tm_column(TM_R_STATE)] = TM_FRACTURE_LEFT_OUT;
+  if (!tm_fracture_is_whole(*state)) return;
+  const int face = tm_vec_norm(sum) >= (a->dim3 ? TM_FRACTURE_LOSS_3D : TM_FRACTURE_LOSS_2D) * dp &&
+                   tm_vec_norm(wide) >= TM_FRACTURE_ASIDE * tm_fracture_half_ball(reach, dp, a->dim3);
+  *state = !bonds ? TM_FRACTURE_LEFT_OUT : face ? TM_FRACTURE_FACE : TM_FRACTURE_WHOLE;
 }
 
 /* No neighbor of i within a distance and, where cosine > -1, within a cone about the unit vector e. */
@@ -267,9 +285,11 @@ TM_FN void tm_fracture_normal(int i, const tm_fracture_args *a)
 {
   tm_real *known = a->known + (ptrdiff_t) i * TM_FRACTURE_KNOWN;
   if (known[TM_FRACTURE_FLAG] > -0.5) return;
-  const tm_fracture_kept kept = tm_fracture_gather(i, a, tm_fracture_spacing(i, a), tm_fracture_reach(i, a));
+  const tm_real dp = tm_fracture_spacing(i, a), reach = tm_fracture_reach(i, a);
+  const tm_fracture_kept kept = tm_fracture_gather(i, a, dp, reach);
   const tm_real size = tm_vec_norm(kept.inner);
-  if (size > 0.0) tm_store3(known + TM_FRACTURE_NORMAL, tm_vec_scale(1.0 / size, kept.inner));
+  if (size >= TM_FRACTURE_CLEAR * tm_fracture_half_ball(reach, dp, a->dim3))
+    tm_store3(known + TM_FRACTURE_NORMAL, tm_vec_scale(1.0 / size, kept.inner));
 }
 
 /* Whether a neighbor of i other than j lies near the middle between them; x = x_j - x_i. */
@@ -305,7 +325,7 @@ TM_FN tm_fracture_result tm_fracture_look(int i, const tm_fracture_args *a)
 {
   tm_fracture_result out = tm_fracture_nothing();
   tm_real *state = tm_field_row(&a->state, TM_F_FRACTURE, i) + tm_column(TM_R_STATE);
-  if (*state == (tm_real) TM_FRACTURE_WHOLE) {
+  if (tm_fracture_is_whole(*state)) {
     const tm_real dp = tm_fracture_spacing(i, a), reach = tm_fracture_reach(i, a);
     const tm_fracture_kept kept = tm_fracture_gather(i, a, dp, reach);
     const int face = a->known[(ptrdiff_t) i * TM_FRACTURE_KNOWN + TM_FRACTURE_FLAG] < -0.5 && !kept.near_failed;

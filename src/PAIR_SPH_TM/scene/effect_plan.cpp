@@ -91,7 +91,7 @@ struct Reasons {
   bool every_pair_stored;
   bool mechanics = false, solid = false, flows = false, softens = false, shock = false;
   bool lasting = false;        // a material in which ringing behind a shock leaves something behind
-  std::string shocked = {};    // the first of them that has a shock equation of state
+  std::string shocked = {};    // the first of them that flows, or has a shock equation of state
   std::string why_no_faces = {}, why_no_shifting = {}, why_no_heat = {};
   std::string conducts = {}, expands = {}, compresses = {};    // the first material that does, or heats by compression
 
@@ -121,6 +121,7 @@ void Reasons::materials()
     const int flow = tm_strength_flow(m.strength);
     flows = flows || flow != TM_FLOW_NONE;
     if (flow != TM_FLOW_NONE) on(TM_FX_PLASTICITY, of_type(t) + " yields");
+    if (flow != TM_FLOW_NONE && shocked.empty()) shocked = of_type(t) + " yields";
     if (m.heat && m.taylor_quinney > 0.0 && flow != TM_FLOW_NONE)
       on(TM_FX_HEAT, of_type(t) + (flow == TM_FLOW_THERMAL ? " heats by plastic work and softens with temperature"
                                                            : " heats by plastic work"));
@@ -131,7 +132,7 @@ void Reasons::materials()
     if (m.eos == TM_EOS_SHOCK) {
       on(TM_FX_ENERGY, of_type(t) + " has a shock equation of state");
       shock = true;
-      if (shocked.empty() && m.strength != TM_STRENGTH_ELASTIC) shocked = of_type(t);
+      if (shocked.empty() && m.strength != TM_STRENGTH_ELASTIC) shocked = of_type(t) + " has a shock equation of state";
       if (m.eos_gamma > 0.0 && compresses.empty()) compresses = of_type(t) + " has a shock equation of state";
     } else if (m.expansion.n || m.expansion.value > 0.0) {
       if (expands.empty()) expands = of_type(t) + " has a thermal expansion";
@@ -291,7 +292,7 @@ void EffectPlan::derive(const Model &model, int dimension)
 }
 
 // of shocks: behind the effects, since it needs one pass
-void EffectPlan::bulk_viscosity(const Model &model, const std::string &shock_eos, bool lasting)
+void EffectPlan::bulk_viscosity(const Model &model, const std::string &shocked, bool lasting)
 {
   constexpr double USUAL = 0.5;    // wide enough that little rings behind a front, narrow enough for plates of few rows
   const double given = model.settings_in_use().shock;
@@ -304,15 +305,15 @@ void EffectPlan::bulk_viscosity(const Model &model, const std::string &shock_eos
   else if (effects & TM_FX_ARTSTRESS) why_not = "there is artificial stress";
   else if (effects & TM_FX_FACES) why_not = "faces are of second order";
 
-  shock = !why_not.empty() ? 0.0 : given >= 0.0 ? given : shock_eos.empty() ? 0.0 : USUAL;
+  shock = !why_not.empty() ? 0.0 : given >= 0.0 ? given : shocked.empty() ? 0.0 : USUAL;
   if (given > 0.0 && !why_not.empty()) warnings.push_back("Pair style sph/tm shock has no effect: " + why_not);
   if (!lasting) return;
   std::string line = fmt::format("sph/tm shock {:g}", shock);
   line.resize(32, ' ');
   if (!why_not.empty()) line += why_not;
   else if (given >= 0.0) line += "asked for in pair_style";
-  else if (shock_eos.empty()) line += "no material has a shock equation of state; stress behind shocks needs shock 0.5";
-  else line += shock_eos + " has a shock equation of state";
+  else if (shocked.empty()) line += "no material yields or has a shock equation of state";
+  else line += shocked;
   report.push_back(line);
 }
 

@@ -52,7 +52,7 @@ class EffectPlan {
   unsigned forced_on = 0, forced_off = 0, asked_for = 0;
   std::vector<std::pair<unsigned, std::string>> asked;
   void warn(const std::map<unsigned, std::string> &why, bool softens);
-  void bulk_viscosity(const Model &, const std::string &shock_eos, bool lasting);
+  void bulk_viscosity(const Model &, const std::string &shocked, bool lasting);
   void write_report(const std::map<unsigned, std::string> &why, const std::map<unsigned, std::string> &why_not);
 };
 
