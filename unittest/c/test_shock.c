@@ -29,15 +29,21 @@ static void limits(void)
   UT_TRUE(tm_shock_pressure(0.0, 1e12, h, c, rho, Y, 1e-9) == 0.0);
 }
 
-/* Half where the longitudinal stress rises by a tenth of the flow stress in h/c, a tenth at a third, nearly all at five times. */
+/* (Z^2 - 0.01)/(1 + Z^2), where Z is 1 where the longitudinal stress rises by a tenth of the flow stress in h/c; nothing at a tenth of that. */
 static void closed_form(void)
 {
   const double h = 2e-4, c = 5000.0, share = 4e-3;
   const double half = 0.1 * share * c / h; /* h/c rate = share/10 */
-  UT_NEAR(coefficient(1.0, half, h, c, share, SMALL), 0.5, 1e-14);
-  UT_NEAR(coefficient(0.6, half, h, c, share, SMALL), 0.3, 1e-14);
-  UT_NEAR(coefficient(1.0, half / 3.0, h, c, share, SMALL), 0.1, 1e-14);
-  UT_NEAR(coefficient(1.0, half * 5.0, h, c, share, SMALL), 25.0 / 26.0, 1e-14);
+  UT_NEAR(coefficient(1.0, half, h, c, share, SMALL), 0.495, 1e-14);
+  UT_NEAR(coefficient(0.6, half, h, c, share, SMALL), 0.297, 1e-14);
+  UT_NEAR(coefficient(1.0, half / 3.0, h, c, share, SMALL), (1.0 / 9.0 - 0.01) / (10.0 / 9.0), 1e-13);
+  UT_NEAR(coefficient(1.0, half * 5.0, h, c, share, SMALL), 24.99 / 26.0, 1e-14);
+  UT_TRUE(coefficient(1.0, 0.0999 * half, h, c, share, SMALL) == 0.0 && coefficient(1.0, 0.1001 * half, h, c, share, SMALL) > 0.0);
+  for (double z = 0.01; z < 0.2; z *= 1.1) {
+    const double rho = 8000.0, Y = share * rho * c * c;
+    UT_TRUE(tm_shock_acts(rho * z * half, h, c, rho, Y) == (coefficient(1.0, z * half, h, c, share, SMALL) > 0.0));
+  }
+  UT_TRUE(!tm_shock_acts(-1e12, h, c, 8000.0, 0.0) && tm_shock_acts(1e12, h, c, 8000.0, 0.0));
 }
 
 /* The same shock on particles of any size: the rate goes with c/h. A stronger metal needs a faster one; no strength counts as little. */

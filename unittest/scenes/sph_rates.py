@@ -54,7 +54,7 @@ class Rates:
         squeezed = np.maximum(self.old[0]["rho"] / rho, 0) * self.own_h / c
         Z = 10 * squeezed / np.maximum(self.flow / (rho * c ** 2), 5e-4)
         turn = 1.7 * c * 2 * ahead / self.own_h    # of the shortest waves in a step
-        b = np.minimum(self.shock * Z ** 2 / (1 + Z ** 2), 0.85 * np.maximum(1 - turn, 0) / (1.7 * turn))
+        b = np.minimum(self.shock * np.maximum(Z ** 2 - 0.01, 0) / (1 + Z ** 2), 0.85 * np.maximum(1 - turn, 0) / (1.7 * turn))
         return np.where(flows, self.inside(ahead) * b * rho * c ** 2 * squeezed, 0.0)
 
     def contact(self, out, touch, r, d, vij, dt):

@@ -25,7 +25,8 @@ class Body(Rates):
                  every=1, hourglass=None, tensile=False, expands=False, compression=False, dissipation=None):
         tensile = tensile or form == "f14" or bool(artstress and artstress[0] > 0)
         if shock is None:
-            shock = 0.5 if any(m.eos[0] == "shock" and m.strength[0] != "elastic" for m in materials.values()) else 0.0
+            yields = [m.strength[0] not in ("none", "elastic") or m.eos[0] == "shock" and m.strength[0] != "elastic" for m in materials.values()]
+            shock = 0.5 if any(yields) else 0.0
         self.shock = shock
         viscosity = viscosity or ((1.0, 1.0) if tensile else (0.0, 1.0))
         artstress = artstress or ((0.3, 4) if tensile else (0.0, 4))

@@ -95,6 +95,9 @@ warned("density in g/cm3", coeff("density 2.7 elastic 70e9 0.33 strength plastic
        "pair_coeff 1 1: density 2.7 in units si is 2.7 kg/m3", "100 to 25000",
        "was it given in g/cm3? units si takes kg/m3")
 warned("density in t/mm3", coeff("density 2.7e-9 elastic 70e9 0.33 strength plastic 300e6 1e9"), "t/mm3")
+warned("elastic, young in GPa", coeff("density 7850 elastic 200 0.3"), "young 200", "speed of sound of 0.16 m/s", "units si")
+warned("elastic, density in g/cm3", coeff("density 7.85 elastic 200e9 0.3"), "density 7.85", "speed of sound of 1.6e+05 m/s")
+fine("jelly", coeff("density 1000 elastic 1e3 0.45"))
 warned("density too large", coeff("density 27000 elastic 70e9 0.33 strength plastic 300e6 1e9"), "density 27000")
 warned("all stresses in MPa", coeff("density 2700 elastic 70e3 0.33 strength plastic 300 1000"), "young 70000",
        "70000 Pa", "yield 300", "was it given in MPa? units si takes Pa")

@@ -120,6 +120,11 @@ checks.true("a scene from a data file says how it starts",
             r.output.count("64 particles begin without stress and strain, at 310 K") == 2)
 
 # --- temperatures that are set before a restart file is written, or between runs
+for more, due in ((" expansion 1.2e-5", True), ("", False)):    # elastic: heat, and so expansion, is off until now
+    r = run(HEAD + BODY.replace("strength plastic 100e6 1e9 heat 200 900 0.9", "heat 200 900 0.9" + more) +
+            "run 10\ngroup low id 1:20\nfix_modify body temperature low 500\nrun 10\n")
+    said = any("makes no thermal strain" in x for x in r.warnings())
+    checks.true("an elastic body%s whose temperature is set is %swarned of" % (more, "" if due else "not "), said == due, str(r.warnings()))
 GIVEN = "group low id 1:20\nfix_modify body temperature low 500\n"
 TOLD = "compute T all reduce max c_p[3]\nthermo_style custom step c_T\nrun 10\n"
 for name, lines in ("before the first run", ""), ("between runs", "run 10\n"):

@@ -184,8 +184,35 @@ run 2000
                     relative=1e-3)
 
 
+def taken_away(checks):
+    """A tool that is removed while it presses, and one that takes its place in the same overlap: the sum stays."""
+    folder = new_folder()
+    mesh(folder, "plane.stl", "plane --size 0.6 0.2 --cells 7 3")
+    x = block((8, 6, 6), DX, (-0.02, 0.001, -0.03))
+    text = header(DX) + "pair_coeff 1 1 " + ELASTIC.format(k=50, cp=900) + """
+fix body all sph/tm energy yes
+fix plate all contact/tri file plane.stl rotate axis 1 0 0 angle -90
+fix_modify plate move linear 0 2 0
+thermo_style custom step time f_body[*]
+thermo_modify format float %.17g
+thermo 1
+run 40
+fix plate all contact/tri file plane.stl rotate axis 1 0 0 angle -90 move 0 $(2*time) 0 overlap allow
+run 1
+unfix plate
+run 100
+"""
+    r = run(text, files={"data.scene": particles(x, [(-0.5, 0.5), (-0.1, 0.5), (-0.3, 0.3)])}, folder=folder)
+    placed, removed = ([r.thermo[k + 1]["f_body[%d]" % n][0] - r.thermo[k]["f_body[%d]" % n][-1] for n in (5, 9)] for k in (0, 1))
+    spring = -removed[0]
+    checks.above("removed tool: energy of its springs, of what was turned over", spring / abs(r.thermo[-1]["f_body[8]"][-1]), 0.01)
+    checks.below("    jump of the sum of the energies, of that of the springs", abs(removed[1]) / spring, 1e-9)
+    checks.below("tool in the place of another: the same", abs(placed[1]) / spring, 1e-9)
+
+
 def main():
     checks = Checks()
+    taken_away(checks)
     t = fly(ELASTIC, 1500)
     momentum(checks, t)
     heat(checks, t, t["v_m"] * 900 * (t["c_T"] - 300))

@@ -75,7 +75,7 @@ johnson_cook = scene(STEEL + " " + HEAT)
 expect("elastic", elastic, plain | {"faces"})
 lines = expect("plastic", plastic, plain | {"plasticity", "shifting"})
 checks.true("plastic: the reason names the type", "type 1" in lines["plasticity"][1], lines["plasticity"][1])
-checks.true("plastic: the line of faces says what that means", "material flows" in lines["faces"][1] and "correction second" in lines["faces"][1],
+checks.true("plastic: the line of faces says what that means", "material can flow" in lines["faces"][1] and "correction second" in lines["faces"][1],
             lines["faces"][1])
 checks.true("plastic: the line of heat says what is missing", "type 1" in lines["heat"][1] and "no heat constants" in lines["heat"][1], lines["heat"][1])
 expect("plastic, heat constants", scene(YIELDS + " " + HEAT), plain | {"plasticity", "shifting"} | heated)

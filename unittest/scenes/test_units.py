@@ -7,8 +7,10 @@ The difference allowed is round-off, grown by 300 steps of plastic contact (1e-9
 units of the run), and where a unit is not a power of
 ten that of the constants in LAMMPS's tables, of eight digits, grown too (2e-6). Units lj are taken as made of 1 mg, 0.3
 mm and 0.7 us, the constants given inline, and without radiation."""
+import os
+
 import numpy as np
-from contact_scene import HEADER, block, mesh, particles
+from contact_scene import HEADER, block, mesh, particles, read_vtk
 from sphtm_scene import Checks, new_folder, run
 from unit_styles import UNITS
 
@@ -25,7 +27,7 @@ fix hold base setforce 0 0 0
 fix air all sph/tm/heat convection {h} 900
 {radiation}
 fix tool all contact/tri file plane.stl scale {scale} rotate axis 1 0 0 angle 90 move 0 {top} 0 friction 0.3 &
-    heat conductance {hc} lumped {mass} {cp} 400
+    heat conductance {hc} lumped {mass} {cp} 400 material {tk} {trho} {cp} vtk 300 tool.*.vtk
 fix_modify tool move linear {slide} {press} 0 ramp {ramp}
 compute p all sph/tm/atom temperature pstrain vonmises density pressure
 dump d all custom 300 out.dump id x y z vx vy vz c_p[*]
@@ -39,7 +41,7 @@ DIMENSIONS = {
     "time": "Time Dt", "length": "x y z f_tool[7] f_tool[8] f_tool[9]", "speed": "vx vy vz", "density": "c_p[4]",
     "pressure": "c_p[3] c_p[5]", "force": "f_tool[1] f_tool[2] f_tool[3]", "area": "f_air[3]",
     "energy": "PotEng KinEng f_tool[4] f_tool[5] f_tool[6] f_air[2] f_sun[2]",
-    "power": "f_tool[10] f_tool[11] f_air[1]"}
+    "stress": "normal_stress_average shear_stress_average", "power": "f_tool[10] f_tool[11] f_air[1]"}
 RADIATION = "fix sun all sph/tm/heat radiation 3000"
 
 
@@ -58,7 +60,7 @@ def scales(style, dim):
         energy, force, pressure, density = (mass * length ** 2 / time ** 2, mass * length / time ** 2,
                                             mass / length / time ** 2, mass / length ** 3)
     thick = length if dim == 2 else 1.0       # in 2D: a plate one unit thick
-    return {"mass": mass, "length": length, "time": time, "pressure": pressure, "density": density,
+    return {"mass": mass, "length": length, "time": time, "pressure": pressure, "stress": pressure, "density": density,
             "speed": length / time,
             "energy": energy / thick, "force": force / thick, "power": energy / time / thick,
             "area": length ** 2 / thick,
@@ -79,7 +81,7 @@ def press(style, dim, radiation):
     # SI over the unit; a tool of 0.5 mg, in 2D of 5 g/m
     number = dict(base=(1.9 * DX, "length"), h=(1e5, "conductance"), hc=(1e6, "conductance"), scale=(5 * DX, "length"),
                   top=(6.001 * DX, "length"), slide=(50.0, "speed"), press=(-10.0, "speed"), ramp=(2e-7, "time"),
-                  mass=(5e-7 if dim == 3 else 5e-3, "mass"), cp=(450.0, "capacity"))
+                  tk=(80.0, "conductivity"), trho=(15000.0, "density"), mass=(5e-7 if dim == 3 else 5e-3, "mass"), cp=(450.0, "capacity"))
     words = {k: repr(float(v / u[unit])) for k, (v, unit) in number.items()}
     if dim == 2:
         words["mass"] = repr(5e-3 / u["mass"] * u["thick"])
@@ -93,7 +95,9 @@ def press(style, dim, radiation):
         style="balsara yes") + SCRIPT.format(material=material, radiation=RADIATION if radiation else "",
                                           sun="f_sun[2]" if radiation else "", **words)
     result = run(script, files={"data.scene": particles(x, box)}, folder=folder)
-    table, frame = result.thermo[-1], result.dump("out.dump")[-1]
+    table, frame = result.thermo[-1], dict(result.dump("out.dump")[-1])
+    written = read_vtk(os.path.join(folder, "tool.300.vtk"))
+    frame.update((k, np.array(written[k])) for k in ("normal_stress_average", "shear_stress_average"))
     return {k: v * u[dimension(k)] for k, v in list(table.items()) + list(frame.items())
             if k not in ("step", "box", "id", "Step")}
 

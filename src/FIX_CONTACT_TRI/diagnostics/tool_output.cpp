@@ -4,6 +4,7 @@
 #include "domain.h"
 #include "dump_shapes.h"
 #include "error.h"
+#include "force.h"
 #include "memory.h"
 #include "update.h"
 #include "utils.h"
@@ -122,7 +123,7 @@ void ToolOutput::write_vtk(const std::vector<double> &x, const tm_pose &p, doubl
   std::vector<double> stress(3 * nt), vel(3 * nt), area = areas(x);
   for (size_t t = 0; t < nt; t++) {
     const double per_area = area[t] > 0.0 ? 1.0 / area[t] : 0.0;
-    const tm_vec3 f = tm_vec_scale(per_area, tm_load3(force + 3 * t));
+    const tm_vec3 f = tm_vec_scale(lmp->force->nktv2p * per_area, tm_load3(force + 3 * t));    // pressure units
     const tm_vec3 n = tm_mat_mul_vec(p.turn, tm_load3(m.normal + 3 * t));
     const double fn = tm_vec_dot(f, n);
     normal[t] = -fn;    // pressure is positive

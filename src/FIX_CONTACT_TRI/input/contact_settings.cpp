@@ -6,6 +6,7 @@
 
 #include "atom.h"
 #include "error.h"
+#include "force.h"
 #include "lammps.h"
 #include "utils.h"
 
@@ -133,7 +134,7 @@ bool ContactSettings::read_heat(Keywords &k)
   else if (k.is("material")) {
     k.need(3);
     const double conductivity = k.not_negative("conductivity"), density = k.positive("density");
-    effusivity = tm_effusivity(conductivity, density, k.positive("heat capacity"));
+    effusivity = tm_effusivity(conductivity, density / lmp->force->mv2d, k.positive("heat capacity"));
   } else if (k.is("particles")) {
     body_type = k.integer(1, lmp->atom->ntypes, "(an atom type)");
     heat_given = true;

@@ -60,6 +60,11 @@ void ContactResults::add_to(EnergyBalance &energy, double dt, bool tool_particle
   energy.add(EnergyBalance::TOOL_WORK, dt * sums.tool_power);
 }
 
+void ContactResults::take_springs(EnergyBalance &energy, double sign) const
+{
+  energy.add(EnergyBalance::TOOL_WORK, sign * sums.spring);
+}
+
 void ContactResults::add_late(EnergyBalance &energy, double dt)
 {
   loops->wait();

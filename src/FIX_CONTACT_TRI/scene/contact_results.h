@@ -24,6 +24,8 @@ class ContactResults {
   void live_in(Backend &);
   tm_contact_result *begin();                   // where the loop of a new step leaves its sums
   tm_contact_result *late() { return more; }    // the same for tm_contact_late()
+  // a tool that comes in overlap brings the energy of its springs along (sign 1), one that goes takes it away (-1)
+  void take_springs(EnergyBalance &, double sign) const;
   void add_late(EnergyBalance &, double dt);    // waits for it
   bool finish();                                // waits for it; whether there was one that had not been waited for
   // mass-length-time units: of this rank; over ranks (collective)

@@ -41,7 +41,12 @@ FixContactTri::FixContactTri(LAMMPS *lmp, int narg, char **arg) :
   scene->enter(this);
 }
 
-FixContactTri::~FixContactTri() { scene->leave(this); }
+// its springs go with it: what they hold leaves the balance
+FixContactTri::~FixContactTri()
+{
+  if (state && scene->is_current(state)) results.take_springs(state->energy(), -1.0);
+  scene->leave(this);
+}
 
 int FixContactTri::setmask()
 {
@@ -212,9 +217,11 @@ void FixContactTri::setup(int vflag)
   evaluate_variables(0.0);
   checks.jump(motion.pose_now(), motion.by_variable(), state->time_step().now(), model->smallest_spacing());
   check_overlap();
+  const bool comes = !overlap_checked && !restored;
   overlap_checked = true;
   post_force(vflag);
   finish_contact();
+  if (comes) results.take_springs(state->energy(), 1.0);
   write_output();
 }
 

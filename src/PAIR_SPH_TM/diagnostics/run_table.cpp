@@ -111,7 +111,10 @@ void RunTable::print(const EnergyWatch &energy, const std::string &fracture)
   double part[RunClock::PARTS];
   for (int k = 0; k < RunClock::PARTS; k++) part[k] = mean(state.clock().of((RunClock::Part) k));
   const double whole = mean(total);
-  const auto share = probe_effects(whole, steps);
+  auto share = probe_effects(whole, steps);
+  double shares = 0.0;
+  for (const auto &s : share) shares += std::max(s.second, 0.0);
+  if (shares > 1.0) share.clear();    // other load on the machine
   auto bytes = bytes_by_effect();
 
   std::string text;
@@ -130,7 +133,7 @@ void RunTable::print(const EnergyWatch &energy, const std::string &fracture)
   double effects_sum = 0.0;
   for (const auto &s : share) effects_sum += std::max(s.second, 0.0) * loops;    // below 0: lost in the noise
   line("mechanics", loops + part[RunClock::DRIFT] - effects_sum, bytes[0],
-       share.empty() ? "and all effects in its loops: too short a run to tell them apart" : "");
+       share.empty() ? "and all effects in its loops: too short a run to tell them apart, or too busy a machine" : "");
   for (const unsigned bit : effects_by_name()) {
     if (!state.has(bit)) continue;
     double seconds = 0.0;

@@ -177,9 +177,11 @@ std::string StopReport::likely_cause(int i, int status)
       }
       may(scene_has("^sph/tm/heat"), "a heat sink (fix sph/tm/heat) stronger than the particle can feed in one step");
       may(tool || bodies, fmt::format("heat that {} took", contact));
+      may(state.has(TM_FX_COMPRESSION_HEAT),
+          "cooling by expansion: check the constant expansion, or those of eos shock, and the strain");
   }
   may(fixed, fmt::format("the constant dt {:.6g}: use 'dt auto'", state.time_step().fixed_value()));
-  return around + ". Likely cause: " + utils::join_words(causes, ", or ");
+  return causes.empty() ? around : around + ". Likely cause: " + utils::join_words(causes, ", or ");
 }
 
 // a state that cannot go on: say where and why, leave the last restart file as it is

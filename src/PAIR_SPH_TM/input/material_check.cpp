@@ -10,6 +10,7 @@
 #include "utils.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 using namespace LAMMPS_NS;
@@ -73,10 +74,26 @@ std::string command(LAMMPS *lmp, const char *style)
 }
 }    // namespace
 
+// elastic: jelly to diamond by the speed of sound alone
+static void warn_of_sound(LAMMPS *lmp, const char *style, const tm_material &m, const StyleUnits &units)
+{
+  constexpr double SLOWEST = 0.5, FASTEST = 3e4;    // m/s
+  const double sound =
+      sqrt(m.young * si_value(Material::STRESS, units) / (m.rho0 * si_value(Material::DENSITY, units)));
+  if (sound >= SLOWEST && sound <= FASTEST) return;
+  lmp->error->warning(
+      FLERR,
+      "{}: young {:.6g} and density {:.6g} make a speed of sound of {:.3g} m/s; are they in the units {} "
+      "of the run?",
+      command(lmp, style), m.young, m.rho0, sound, units.style);
+}
+
 void warn_of_units(LAMMPS *lmp, const char *style, const tm_material &m)
 {
   const StyleUnits *units = find_style_units(lmp->update->unit_style);
-  if (!units || lmp->comm->me || m.body != TM_BODY_SOLID || tm_strength_flow(m.strength) == TM_FLOW_NONE) return;
+  if (!units || lmp->comm->me || m.body != TM_BODY_SOLID) return;
+  if (m.strength == TM_STRENGTH_ELASTIC) warn_of_sound(lmp, style, m, *units);
+  if (tm_strength_flow(m.strength) == TM_FLOW_NONE) return;
   const MetalCheck check(lmp, command(lmp, style), *units);
 
   // mass scaling: the heat of a volume stays

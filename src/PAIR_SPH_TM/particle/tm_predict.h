@@ -86,11 +86,11 @@ TM_FN void tm_predict_hourglass(int i, const tm_predict_args *a, tm_sym3 dev, tm
 TM_FN_APART tm_real tm_predict_shock(int i, const tm_predict_args *a, tm_real rho_rate, tm_real rho, tm_real c,
                                      unsigned effects)
 {
-  if (!(effects & TM_FX_ONE_PASS)) return 0.0;
+  const tm_real h = tm_particle_h(&a->state, i, a->h, effects);
+  if (!tm_shock_reaches(i, &a->state, a->shock, rho_rate, rho, c, h, effects)) return 0.0;
   const tm_sym3 K =
       tm_turned_correction(tm_field_row(&a->state, TM_F_CORRECTION, i), a->dt_ahead, (effects & TM_FX_3D) != 0);
-  return tm_shocked(i, &a->state, a->shock, rho_rate, rho, c, tm_particle_h(&a->state, i, a->h, effects),
-                    2.0 * a->dt_ahead, K, effects);
+  return tm_shocked(i, &a->state, a->shock, rho_rate, rho, c, h, 2.0 * a->dt_ahead, K, effects);
 }
 
 /* The record of particle i, all but the artificial stress. */

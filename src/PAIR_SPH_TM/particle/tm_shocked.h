@@ -13,16 +13,30 @@
 #define TM_FN_APART TM_FN
 #endif
 
-/* rho_rate: drho/dt of the last step; rho, c: density and speed of sound of the record, h: smoothing length of the particle, K: its
-   correction. With one pass, and not in plane stress, where a front is far thicker than the sheet; read before the update writes the
-   flow stress. */
+TM_FN tm_real tm_shock_yield(int i, const tm_state *s, unsigned effects)
+{
+  return (effects & TM_FX_PLASTICITY) ? tm_field_row(s, TM_F_PSTRAIN, i)[tm_column(2)] : 0.0;
+}
+
+/* Whether particle i has one. rho_rate: drho/dt of the last step; rho, c: density and speed of sound of the record, h: its smoothing
+   length. With one pass, and not in plane stress, where a front is far thicker than the sheet; read before the update writes the
+   flow stress. Most particles have none, and end here. */
+TM_FN_APART int tm_shock_reaches(int i, const tm_state *s, tm_real shock, tm_real rho_rate, tm_real rho, tm_real c,
+                                 tm_real h, unsigned effects)
+{
+  if (!(shock > 0.0 && c > 0.0 && tm_shock_acts(rho_rate, h, c, rho, 0.0))) return 0;
+  if (!(effects & TM_FX_ONE_PASS) || (effects & TM_FX_PLANE_STRESS)) return 0;
+  return s->material[s->type[i]].strength != TM_STRENGTH_ELASTIC &&
+         tm_shock_acts(rho_rate, h, c, rho, tm_shock_yield(i, s, effects));
+}
+
+/* The pressure of such a particle; K: its correction. */
 TM_FN_APART tm_real tm_shocked(int i, const tm_state *s, tm_real shock, tm_real rho_rate, tm_real rho, tm_real c,
                                tm_real h, tm_real dt, tm_sym3 K, unsigned effects)
 {
-  if (!(shock > 0.0 && rho_rate > 0.0 && dt > 0.0 && c > 0.0) || !(effects & TM_FX_ONE_PASS)) return 0.0;
-  if (s->material[s->type[i]].strength == TM_STRENGTH_ELASTIC || (effects & TM_FX_PLANE_STRESS)) return 0.0;
-  const tm_real yield = (effects & TM_FX_PLASTICITY) ? tm_field_row(s, TM_F_PSTRAIN, i)[tm_column(2)] : 0.0;
-  return tm_shock_inside(K, (effects & TM_FX_3D) != 0) * tm_shock_pressure(shock, rho_rate / rho, h, c, rho, yield, dt);
+  if (!(dt > 0.0)) return 0.0;
+  return tm_shock_inside(K, (effects & TM_FX_3D) != 0) *
+         tm_shock_pressure(shock, rho_rate / rho, h, c, rho, tm_shock_yield(i, s, effects), dt);
 }
 
 #endif

@@ -182,7 +182,7 @@ TM_FN tm_real tm_update_artificial(int i, const tm_update_args *a, const tm_upda
 {
   if (!a->artificial) return 0.0;
   tm_real power = in->artificial;
-  if (a->shock > 0.0) {
+  if (tm_shock_reaches(i, &a->state, a->shock, in->rate[TM_H_RHO], rho, in->sound, h, effects)) {
     const tm_real q =
         tm_shocked(i, &a->state, a->shock, in->rate[TM_H_RHO], rho, in->sound, h, a->dt, in->predicted, effects);
     const tm_real taken = in->rec_mass / rho * tm_mat_trace(L) * q;

@@ -198,7 +198,7 @@ void Reasons::faces()
   if (set.faces == FACES_ALWAYS) on(TM_FX_FACES, "pair_style correction second");
   if (set.faces == FACES_OF_ELASTIC && !flowing) on(TM_FX_FACES, "no material flows");
   if (set.faces == FACES_OF_ELASTIC && flowing)
-    why_no_faces = "material flows; thin parts bend too softly, pair_style correction second mends that";
+    why_no_faces = "material can flow; thin parts bend too softly, pair_style correction second mends that";
   if (set.faces == FACES_NEVER) why_no_faces = "pair_style correction linear";
 }
 
@@ -287,7 +287,8 @@ void EffectPlan::derive(const Model &model, int dimension)
   }
   write_report(r.why, {{TM_FX_HEAT, r.why_no_heat},
                        {TM_FX_FACES, why_no_faces},
-                       {unsigned(TM_FX_SHIFTING), r.why_no_shifting}});
+                       {unsigned(TM_FX_SHIFTING), r.why_no_shifting},
+                       {TM_FX_EXPANSION, r.expands.empty() ? "" : "heat is off: nothing changes temperatures"}});
   bulk_viscosity(model, r.shocked, r.lasting);
 }
 

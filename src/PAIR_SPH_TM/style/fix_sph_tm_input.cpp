@@ -3,6 +3,7 @@
 
 #include "accuracy_meter.h"
 #include "argument.h"
+#include "model.h"
 
 #include "comm.h"
 #include "error.h"
@@ -104,6 +105,15 @@ void FixSPHTM::read_keywords(Keywords &&k)
     error->all(FLERR, "Fix sph/tm: effect {} is forced both on and off", effect_name(both));
 }
 
+static bool expands(const Model &model)
+{
+  for (int t = 1; t <= model.types(); t++) {
+    const tm_table &a = model.materials()[t].expansion;
+    if (a.n || a.value > 0.0) return true;
+  }
+  return false;
+}
+
 int FixSPHTM::modify_param(int narg, char **arg)
 {
   if (strcmp(arg[0], "temperature") == 0) {
@@ -113,7 +123,7 @@ int FixSPHTM::modify_param(int narg, char **arg)
     const double T = positive(lmp, "Fix_modify temperature of fix sph/tm", arg[2]);
     state.start_temperatures().set_group(group->bitmask[igroup2], T);
     stops.temperatures_were_set();
-    if (update->first_update && state.has(TM_FX_EXPANSION) && comm->me == 0)
+    if (update->first_update && comm->me == 0 && expands(state.model()))
       error->warning(
           FLERR,
           "Fix_modify temperature of fix sph/tm {} behind a run: the new temperature makes no thermal strain "
