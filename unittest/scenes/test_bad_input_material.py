@@ -15,6 +15,8 @@ fine("material from a card", coeff("cards.sphtm one"), files={"cards.sphtm": CAR
 
 wrong("pair_coeff before pair_style", {"pair_style": "", "more": ""}, "pair_coeff", "without a pair style")
 wrong("pair_coeff without material", coeff(""), "sph/tm", "material")
+wrong("conduction alone without conductivity", dict(coeff("density 7800 body heat heat 0 500 0"), fix="fix body all sph/tm temperature 300"),
+      "Fix sph/tm", "nothing limits the time step", "dt/max")
 wrong("unknown material keyword", coeff(GOOD + " colour red"), C, "colour", "known are", "strength")
 wrong("density missing", coeff("elastic 70e9 0.33"), C, "density")
 wrong("elastic missing", coeff("density 2700"), C, "elastic")
@@ -70,6 +72,7 @@ for zeros in ("0 0 0 0 0", "-0.1 0.05 -1 0 0"):
 wrong("damage set to 0", coeff(JC + " damage johnson/cook 0.1 0 0 0 0 set d1 0"), C, "strain at fracture")
 warned("damage at once where it is pulled from all sides", coeff(JC + " damage johnson/cook -0.09 0.25 -1.5 0 0"),
        "damage johnson/cook -0.09", "s = 1.5", "at once")
+warned("damage with d3 of another sign", coeff(JC + " damage johnson/cook 0.05 3.44 2.12 0.002 0.61"), "grows with tension", "d3 is below 0")
 warned("damage at once where it is hot", coeff(JC + " damage johnson/cook 0.5 1 -3 0 -1.2"), "d5 = -1.2", "melting")
 fine("damage", coeff(JC + HEAT + " damage johnson/cook 0.05 3.44 -2.12 0.002 0.61"))
 wrong("heat with two values", coeff(JC + " heat 200 900"), C, "heat", "missing")

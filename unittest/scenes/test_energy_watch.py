@@ -41,7 +41,7 @@ for ranks in 1, 2:
                 relative=1e-5)
     checks.below("quiet: drift, %", abs(float(took.group(2))), 0.5)
 checks.true("energy no: the table says that nothing was summed", "not summed up" in energy_line(scene("run 100\n", fix="")))
-checks.true("nothing moves", energy_line(scene("velocity all set 0 0 0\nrun 100\n")) == "nothing went in")
+checks.true("nothing moves", energy_line(scene("velocity all set 0 0 0\nrun 100\n")) == "no work went in")
 
 r = scene("run 1500\nrun 1500\n", style=BARE + "1 1")
 said = [w for w in r.warnings() if "artificial terms" in w]

@@ -78,6 +78,7 @@ checks.true("whole: with the default", r.thermo[0]["f_body[15]"][-1] == 0 and "n
 r = bar(material=SOFT + " damage strain 0.03")
 t = r.thermo[0]
 checks.above("fails: by damage", t["c_failed"][-1], 10)
+checks.true("fails: the end of the log has their number", "failed by damage: %d of " % t["c_failed"][-1] in r.output)
 checks.true("fails: that is no numerical fracture", t["f_body[15]"][-1] == 0, "%g of %g" % (t["f_body[15]"][-1], t["c_failed"][-1]))
 
 r = bar(style="", pull=10)

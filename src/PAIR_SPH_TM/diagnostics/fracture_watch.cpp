@@ -157,6 +157,16 @@ double FractureWatch::torn()
   return all;
 }
 
+std::string FractureWatch::failed_in_words()
+{
+  if (!state.has(TM_FX_DAMAGE)) return "";
+  const double *damage = state.field(TM_F_DAMAGE);
+  bigint mine = 0, all;
+  for (int i = 0; i < atom->nlocal; i++) mine += damage[2 * (size_t) i + 1] > 0.5;
+  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  return all ? fmt::format("{} of {} particles", all, atom->natoms) : "no particle";
+}
+
 std::string FractureWatch::in_words()
 {
   if (!state.has(TM_FX_FRACTURE)) return "";

@@ -30,6 +30,7 @@ class FractureWatch : protected LAMMPS_NS::Pointers {
   void look(LAMMPS_NS::Pair *);
   double torn();    // how many particles; collective
   std::string in_words();
+  std::string failed_in_words();    // how many particles damage has failed; collective
 
  private:
   ParticleState &state;

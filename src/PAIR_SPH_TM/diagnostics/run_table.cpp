@@ -94,7 +94,7 @@ std::map<unsigned, double> RunTable::probe_effects(double seconds, bigint steps)
   return share;
 }
 
-void RunTable::print(const EnergyWatch &energy, const std::string &fracture)
+void RunTable::print(const EnergyWatch &energy, const std::string &fracture, const std::string &failed)
 {
   const bigint steps = this->steps();
   if (!wanted || !timing || steps < TABLE_STEPS || atom->natoms == 0) return;
@@ -169,8 +169,9 @@ void RunTable::print(const EnergyWatch &energy, const std::string &fracture)
   utils::logmesg(lmp, "  energy: {}\n",
                  !state.has(TM_FX_LEDGER) ? "not summed up, and not checked; 'energy yes' of fix sph/tm does"
                  : energy.says()          ? energy.in_words()
-                                          : "nothing went in");
+                                          : "no work went in");
   if (!fracture.empty()) utils::logmesg(lmp, "  numerical fracture: {}\n", fracture);
+  if (!failed.empty()) utils::logmesg(lmp, "  failed by damage: {}\n", failed);
   if (state.clock().samples())
     utils::logmesg(lmp,
                    "  The parts were timed on the device, in some of the steps; what the host does meanwhile is not "

@@ -28,7 +28,7 @@ class RunTable : protected LAMMPS_NS::Pointers {
   bool start_clock();                      // false: it runs already
   bool is_timing() const { return timing; }
   LAMMPS_NS::bigint steps() const;    // since the clock was started
-  void print(const EnergyWatch &, const std::string &fracture);
+  void print(const EnergyWatch &, const std::string &fracture, const std::string &failed);
   // rows: all, rates, prediction and update, neighbor rows; columns: seconds, ns per particle and step
   double value(int row, int column);
 

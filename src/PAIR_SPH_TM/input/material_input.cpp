@@ -219,6 +219,11 @@ void MaterialReader::check_damage()
                      "{} d1 + d2 exp(d3 s) is {:.6g} at s = {:.6g} (mean stress over von Mises stress): there "
                      "it fails at once",
                      what, fracture(s), s);
+  if (m.d2 * m.d3 > 0.0)
+    error->warning(FLERR,
+                   "{} grows with tension, since d2 d3 is above 0: of metals d3 is below 0 here, where tension is "
+                   "positive",
+                   what);
   if (m.d5 <= -1.0)
     error->warning(FLERR,
                    "{} goes with 1 + d5 T*, d5 = {:.6g}, and is not above 0 at the melting temperature: hot "

@@ -138,6 +138,11 @@ void TimeStep::end_setup(bool first)
   MPI_Allreduce(&my_conduction, &of_conduction, 1, MPI_DOUBLE, MPI_MIN, world);
   if (first || dt_next <= 0.0) {
     reduce();
+    if (fixed <= 0.0 && dt_next > 1e200 && atom->natoms > 0)
+      error->all(
+          FLERR,
+          "Fix sph/tm: nothing limits the time step: no solid moves, and no material conducts heat; give 'dt' or "
+          "'dt/max'");
     if (first && comm->me == 0) {
       utils::logmesg(lmp,
                      "sph/tm: {} particles begin without stress and strain, at {:.6g} K where no "

@@ -215,7 +215,7 @@ void FixSPHTM::post_run()
 {
   start.remember_particles();
   if (looked) energies.look(table.steps() >= nevery ? EnergyReport::LAST : EnergyReport::GLANCE);
-  table.print(energies.watch(), fracture.in_words());
+  table.print(energies.watch(), fracture.in_words(), fracture.failed_in_words());
   scene->neighbor_check().end_run();
 }
 
