@@ -306,13 +306,14 @@ void EffectPlan::bulk_viscosity(const Model &model, const std::string &shocked, 
   else if (effects & TM_FX_ARTSTRESS) why_not = "there is artificial stress";
   else if (effects & TM_FX_FACES) why_not = "faces are of second order";
 
-  shock = !why_not.empty() ? 0.0 : given >= 0.0 ? given : shocked.empty() ? 0.0 : USUAL;
+  shock = !why_not.empty() ? 0.0 : given >= 0.0 ? given : shocked.empty() || !no_shock.empty() ? 0.0 : USUAL;
   if (given > 0.0 && !why_not.empty()) warnings.push_back("Pair style sph/tm shock has no effect: " + why_not);
   if (!lasting) return;
   std::string line = fmt::format("sph/tm shock {:g}", shock);
   line.resize(32, ' ');
   if (!why_not.empty()) line += why_not;
   else if (given >= 0.0) line += "asked for in pair_style";
+  else if (!no_shock.empty()) line += no_shock;
   else if (shocked.empty()) line += "no material yields or has a shock equation of state";
   else line += shocked;
   report.push_back(line);

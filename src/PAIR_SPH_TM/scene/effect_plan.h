@@ -38,6 +38,14 @@ class EffectPlan {
     return changed;
   }
 
+  // a fix bears no bulk viscosity of shocks unless it is asked for; false: that was known
+  bool go_without_shock(const std::string &reason)
+  {
+    if (!no_shock.empty()) return false;
+    no_shock = reason;
+    return true;
+  }
+
   void derive(const Model &, int dimension);
 
   unsigned effects = 0;
@@ -51,6 +59,7 @@ class EffectPlan {
   bool separate_passes = false, every_pair_stored = false;
   unsigned forced_on = 0, forced_off = 0, asked_for = 0;
   std::vector<std::pair<unsigned, std::string>> asked;
+  std::string no_shock;    // why the bulk viscosity of shocks is not on by itself
   void warn(const std::map<unsigned, std::string> &why, bool softens);
   void bulk_viscosity(const Model &, const std::string &shocked, bool lasting);
   void write_report(const std::map<unsigned, std::string> &why, const std::map<unsigned, std::string> &why_not);

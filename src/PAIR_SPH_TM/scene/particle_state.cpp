@@ -92,6 +92,12 @@ void ParticleState::need_separate_passes(bool all_stored)
   if (scene->has_pair() && used_model == &scene->model()) derive_effects();
 }
 
+void ParticleState::need_no_shock(const std::string &reason)
+{
+  if (!plan.go_without_shock(reason) || !used_model) return;
+  if (scene->has_pair() && used_model == &scene->model()) derive_effects();
+}
+
 void ParticleState::init(Model &model)
 {
   used_model = &model;

@@ -94,6 +94,7 @@ class ParticleState : protected LAMMPS_NS::Pointers {
   bool wants(unsigned effect) const { return plan.wants(effect); }    // asked for by now, by the user or another fix
   void need_separate_passes(bool all_stored);                         // see EffectPlan
   void need(unsigned effect, const std::string &reason);              // another fix asks (from its init(), or earlier)
+  void need_no_shock(const std::string &reason);                      // the same
   EffectPlan &effect_plan() { return plan; }
 
   // ---- particles; pointers are valid until the next reneighboring
