@@ -38,7 +38,7 @@ void AdaptLists::init()
   if (of_lammps->nex_type || of_lammps->nex_group || of_lammps->nex_mol)
     lmp->error->all(FLERR, "Fix adapt/neigh threshold: its rows know nothing of 'neigh_modify exclude'; leave that "
                            "out, and say with 'pair_coeff i j none' which types do not meet");
-  if (has_tl()) parts.state().need_separate_passes(std::isinf(threshold));
+  if (has_tl() && parts.state().effect_plan().separate(std::isinf(threshold))) parts.state().plan_changed();
   lists.init(has_tl());
   Backend &loops = parts.state().loops();
   lists.move_to(loops);

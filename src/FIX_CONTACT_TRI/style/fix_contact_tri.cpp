@@ -100,8 +100,9 @@ void FixContactTri::init()
   for (int t = 1; t <= atom->ntypes; t++)
     if (layer_strains(set, *model, t))
       state->need(TM_FX_LAYER, fmt::format("fix contact/tri {}, type {} ({})", id, t, model->material_name(t)));
-  if (set.approach)
-    state->need_no_shock(fmt::format("fix contact/tri {} has 'approach yes', which makes energy with it", id));
+  if (set.approach && state->effect_plan().go_without_shock(
+                          fmt::format("fix contact/tri {} has 'approach yes', which makes energy with it", id)))
+    state->plan_changed();
   earlier.live_in(state->loops());
   places.live_in(state->loops());
   checks.empty_group();

@@ -82,20 +82,12 @@ int ParticleState::group_bit() const { return lmp->group->bitmask[igroup]; }
 
 void ParticleState::need(unsigned effect, const std::string &reason)
 {
-  if (!plan.ask(effect, reason) || !used_model) return;
-  if (scene->has_pair() && used_model == &scene->model()) derive_effects();    // else at the next init
+  if (plan.ask(effect, reason)) plan_changed();
 }
 
-void ParticleState::need_separate_passes(bool all_stored)
+void ParticleState::plan_changed()
 {
-  if (!plan.separate(all_stored) || !used_model) return;
-  if (scene->has_pair() && used_model == &scene->model()) derive_effects();
-}
-
-void ParticleState::need_no_shock(const std::string &reason)
-{
-  if (!plan.go_without_shock(reason) || !used_model) return;
-  if (scene->has_pair() && used_model == &scene->model()) derive_effects();
+  if (used_model && scene->has_pair() && used_model == &scene->model()) derive_effects();    // else at the next init
 }
 
 void ParticleState::init(Model &model)

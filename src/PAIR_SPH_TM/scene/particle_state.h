@@ -92,9 +92,8 @@ class ParticleState : protected LAMMPS_NS::Pointers {
   unsigned effects() const { return plan.effects; }
   bool has(unsigned effect) const { return (plan.effects & effect) != 0; }
   bool wants(unsigned effect) const { return plan.wants(effect); }    // asked for by now, by the user or another fix
-  void need_separate_passes(bool all_stored);                         // see EffectPlan
+  void plan_changed();                                                // by another fix, by effect_plan()
   void need(unsigned effect, const std::string &reason);              // another fix asks (from its init(), or earlier)
-  void need_no_shock(const std::string &reason);                      // the same
   EffectPlan &effect_plan() { return plan; }
 
   // ---- particles; pointers are valid until the next reneighboring
