@@ -4,6 +4,8 @@ A block of metal that hardens between smooth plates (closed form: homogeneous fl
 (closed form), of few rows. With *effects contact-layer off* the half spacings are rigid: the force is too high by about 1/(rows - 1), which
 shows that the check can fail. The books of energy close, both ways. With friction in a corner of two tools, one that turns: 2 ranks end with the bits of
 1, and a run that is restarted with those of one that is not; a tool that is taken away between runs and comes again."""
+import re
+
 import numpy as np
 from contact_scene import mesh
 from sphtm_scene import Checks, new_folder, run
@@ -99,6 +101,8 @@ def books(checks):
         checks.near("metal, plane strain, 10 rows, %s: force over the closed form" % name, over(reduction, force, 0.08, 0.12), due,
                     absolute=bound)
         checks.below("    drift of the sum of the energies", drift, 5e-3 if "approach" in name else 2e-4)
+        off = re.search(r"^sph/tm shock 0 .*approach yes", result.output, re.M)
+        checks.true("    bulk viscosity of shocks, which makes energy with 'approach yes', is off there alone", bool(off) == ("approach" in name))
         atoms = result.thermo[-1]["Atoms"]
         if "split" in name: checks.above("    particles at the end, over those at the start", atoms[-1] / atoms[0], 3.0)
 
