@@ -133,20 +133,42 @@ class ThreadBackend : public Backend {
 
 }    // namespace
 
-/* ---------------------------------------------------------------------- a second queue */
+/* ---------------------------------------------------------------------- queues beside LAMMPS's */
 
 #if defined(KOKKOS_ENABLE_CUDA)
 namespace {
 
 // until Kokkos ends
-struct Beside {
+class Queue {
+ public:
+  explicit Queue(bool first) : urgent(first) {}
+  const LMPDeviceType &behind_lammps()
+  {
+    if (!queue) make();
+    cudaEventRecord(forked, LMPDeviceType().cuda_stream());
+    cudaStreamWaitEvent(stream, forked, 0);
+    used = true;
+    return *queue;
+  }
+  void before_lammps()
+  {
+    if (!used) return;
+    used = false;
+    cudaEventRecord(done, stream);
+    cudaStreamWaitEvent(LMPDeviceType().cuda_stream(), done, 0);
+  }
+
+ private:
+  const bool urgent;
   cudaStream_t stream;
   cudaEvent_t forked, done;
   std::unique_ptr<LMPDeviceType> queue;
   bool used = false;
   void make()
   {
-    cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking);
+    int last = 0, first = 0;
+    cudaDeviceGetStreamPriorityRange(&last, &first);
+    cudaStreamCreateWithPriority(&stream, cudaStreamNonBlocking, urgent ? first : last);
     for (cudaEvent_t *e : {&forked, &done}) cudaEventCreateWithFlags(e, cudaEventDisableTiming);
     queue = std::make_unique<LMPDeviceType>(stream);
     Kokkos::push_finalize_hook([this] {
@@ -156,28 +178,18 @@ struct Beside {
       cudaStreamDestroy(stream);
     });
   }
-} beside;
+};
+Queue beside(false), urgent(true);
 
 }    // namespace
 
-LMPDeviceType kokkos_fork()
-{
-  if (!beside.queue) beside.make();
-  cudaEventRecord(beside.forked, LMPDeviceType().cuda_stream());
-  cudaStreamWaitEvent(beside.stream, beside.forked, 0);
-  beside.used = true;
-  return *beside.queue;
-}
-void kokkos_join()
-{
-  if (!beside.used) return;
-  beside.used = false;
-  cudaEventRecord(beside.done, beside.stream);
-  cudaStreamWaitEvent(LMPDeviceType().cuda_stream(), beside.done, 0);
-}
+LMPDeviceType kokkos_fork() { return beside.behind_lammps(); }
+void kokkos_join() { beside.before_lammps(); }
+LMPDeviceType kokkos_urgent() { return urgent.behind_lammps(); }
 #else
 LMPDeviceType kokkos_fork() { return LMPDeviceType(); }
 void kokkos_join() {}
+LMPDeviceType kokkos_urgent() { return LMPDeviceType(); }
 #endif
 
 Backend &kokkos_backend()

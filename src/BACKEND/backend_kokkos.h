@@ -20,8 +20,11 @@ constexpr int KOKKOS_WARP = 32;
 // do not keep a GPU busy with one loop. Elsewhere they take their turn.
 // fork(): the queue; what is launched there begins when all that was launched before is done, here and there
 // join(): what is launched later waits for what is in that queue
+// A third one goes before the others, whatever they have waiting, and begins when all that was launched before in LAMMPS's is
+// done: for messages while rates run. The host waits for it (fence()).
 LMPDeviceType kokkos_fork();
 void kokkos_join();
+LMPDeviceType kokkos_urgent();
 
 // Particles 0..n-1. The arguments of a loop go with its launch, up to 4 kB. Kokkos would keep those over 512 bytes in one
 // place, and the host would wait there for the loop before.

@@ -94,7 +94,11 @@ static peer *find_peer(MPI_Comm comm, int rank)
   peers[n_peers]->comm = comm;
   peers[n_peers]->rank = rank;
   peers[n_peers]->ack = peers[n_peers]->payload = MPI_REQUEST_NULL;
-  if (!stream) check(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking), "stream");
+  if (!stream) { /* it goes before loops that run meanwhile */
+    int last, first;
+    check(cudaDeviceGetStreamPriorityRange(&last, &first), "stream");
+    check(cudaStreamCreateWithPriority(&stream, cudaStreamNonBlocking, first), "stream");
+  }
   return peers[n_peers++];
 }
 

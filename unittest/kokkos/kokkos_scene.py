@@ -16,7 +16,8 @@ from sphtm_scene import PLANE, SKIPPED, SOURCE, Checks, lattice_block, new_folde
 
 WAYS = {"plain": {}, "plain default": {"SPHTM_ISA": "default"}, "serial": {}, "threads": {},
         "device": {"SPHTM_KOKKOS_LOOPS": "device"},
-        "rows in list": {"SPHTM_KOKKOS_LOOPS": "device", "SPHTM_ROWS_IN_LIST": "yes"}}
+        "rows in list": {"SPHTM_KOKKOS_LOOPS": "device", "SPHTM_ROWS_IN_LIST": "yes"},
+        "interior first": {"SPHTM_KOKKOS_LOOPS": "device", "SPHTM_OVERLAP": "1"}}
 
 
 def run_way(way, script, ranks=1, options="", **more):

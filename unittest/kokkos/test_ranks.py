@@ -61,6 +61,8 @@ def fly(name, scene, all_ranks, open_box=False):
         went_back = [w for w in result.warnings() if any(word in w for word in HOST_CODE)]
         checks.true(what + ": without LAMMPS's host code", not went_back, " ".join(result.warnings()))
         same_bits(checks, what + ", device loops", run_way("device", scene, ranks=ranks, options=ON_DEVICE), default)
+        same_bits(checks, what + ", device loops, rates of the interior while records travel",
+                  run_way("interior first", scene, ranks=ranks, options=ON_DEVICE), default)
 
 
 RARE = "balsara yes xsph 0.05 correction yes hourglass 0.02"

@@ -1,5 +1,6 @@
 """The same scene on 1, 2 and 4 ranks gives the same bits: rows are sorted by tag and sums do not depend on
-where a particle sits. Also with another skin and without sorting in memory. Two bars hit each other."""
+where a particle sits. Also with another skin, without sorting in memory, and with the rates of those without ghosts for neighbors
+before the exchange. Two bars hit each other."""
 import numpy as np
 from contact_scene import block, particles
 from sphtm_scene import Checks, run
@@ -54,13 +55,13 @@ def bars(dim):
     return particles(x[order], box, v[order], types[order])
 
 
-def run_case(case, ranks=1, grid="* * 1", skin="3e-4", sort="1000 0.0", isa=None):
+def run_case(case, ranks=1, grid="* * 1", skin="3e-4", sort="1000 0.0", **environment):
     c = CASES[case]
     script = SCRIPT.format(grid=grid, skin=skin, sort=sort, bz="f" if c["dim"] == 3 else "p",
                            values="density pressure vonmises stress/xx stress/xy pstrain" +
                                   (" temperature" if "heat" in c["material"] else ""), **c)
     return run(script, ranks=ranks, files={"data.bars": bars(c["dim"])},
-               environment={"SPHTM_ISA": isa} if isa else None)
+               environment=environment)
 
 
 def state(result):
@@ -79,12 +80,13 @@ for case in CASES:
     variants = [("2 ranks", 2, dict(grid="2 1 1")), ("2 ranks in y", 2, dict(grid="1 2 1")),
                 ("4 ranks", 4, dict(grid="2 2 1")),
                 ("another skin", 1, dict(skin="8e-4")), ("no sorting in memory", 1, dict(sort="0 0.0")),
-                ("4 ranks, another skin", 4, dict(grid="4 1 1", skin="5e-4"))]
+                ("4 ranks, another skin", 4, dict(grid="4 1 1", skin="5e-4")),
+                ("2 ranks, the interior first", 2, dict(grid="2 1 1", SPHTM_OVERLAP="1"))]
     for name, ranks, change in variants:
         other = state(run_case(case, ranks, **change))
         different = sum(a != b for a, b in zip(one, other)) + abs(len(one) - len(other))
         checks.true(case + ", " + name, different == 0, "%d of %d particles differ" % (different, len(one)))
 for isa in "default", "avx2":    # what the processor lacks falls back to less
-    one, other = (state(run_case("3D plastic", ranks, grid, isa=isa)) for ranks, grid in ((1, "1 1 1"), (4, "2 2 1")))
+    one, other = (state(run_case("3D plastic", ranks, grid, SPHTM_ISA=isa)) for ranks, grid in ((1, "1 1 1"), (4, "2 2 1")))
     checks.true("instruction set %s, 4 ranks" % isa, one == other, "%d particles" % len(one))
 checks.end()

@@ -27,6 +27,15 @@ void drift(Backend &backend, int n, const tm_drift_args &a, unsigned effects, in
       [](int *first, const int *i) { *first = std::min(*first, *i); });
 }
 
+void begin_rates(Backend &backend, int n, const tm_rates_args &a, unsigned effects)
+{
+  PairLoops::of(backend).rates_of_precision(effects)(backend, n, a, effects);
+}
+void end_rates(Backend &backend, int n, const tm_rates_args &a, unsigned effects)
+{
+  begin_rates(backend, n, a, effects);
+}
+
 void begin_thermal(Backend &, int, const tm_rates_args &, unsigned) {}
 
 void thermal(Backend &backend, int n, const tm_rates_args &a, unsigned effects)

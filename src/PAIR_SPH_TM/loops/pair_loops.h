@@ -7,6 +7,7 @@
 
 #include "loop_table.h"
 #include "tm_active.h"
+#include "tm_boundary.h"
 #include "tm_conduct.h"
 #include "tm_drift.h"
 #include "tm_fracture.h"
@@ -64,6 +65,9 @@ TM_FN tm_tally_result tm_tally_nothing(void)
   LOOP(RANGE, correction, tm_rates_args)                                                               \
   LOOP(RANGE, rates_in_double, tm_rates_args)                                                          \
   LOOP(RANGE, rates_in_single, tm_rates_args)                                                          \
+  /* rates of some, beside what follows, then of the others */                                         \
+  LOOP(OWN, begin_rates, void, int n, const tm_rates_args &, unsigned effects)                         \
+  LOOP(OWN, end_rates, void, int n, const tm_rates_args &, unsigned effects)                           \
   LOOP(RANGE, hourglass, tm_rates_args)                                                                \
   /* thermal, behind the rates, may have been begun before them, to run beside */                      \
   LOOP(OWN, begin_thermal, void, int n, const tm_rates_args &, unsigned effects)                       \
@@ -75,6 +79,9 @@ TM_FN tm_tally_result tm_tally_nothing(void)
   LOOP(SUM, conduct_row, tm_conduct_args, tm_real, tm_conduct_rate, tm_conduct_row(i, &a, effects))    \
   LOOP(EACH, conduct_stage, tm_conduct_args, tm_conduct_stage(i, &a))                                  \
   LOOP(SUM, conduct_end, tm_conduct_args, tm_conduct_result, tm_conduct_result, tm_conduct_end(i, &a)) \
+  /* who has ghosts among its neighbors */                                                             \
+  LOOP(EACH, boundary_mark, tm_boundary_args, tm_boundary_mark(i, &a))                                 \
+  LOOP(LIST, boundary_list, tm_boundary_args, tm_boundary_wanted(i, &a))                               \
   /* set-up and output */                                                                              \
   LOOP(EACH, initial_of_new, tm_initial_args, tm_initial_of_new(i, &a))                                \
   LOOP(SUM, initial_limits, InitialLimitsLoop, tm_update_result, tm_step,                              \
@@ -106,14 +113,23 @@ TM_FN tm_tally_result tm_tally_nothing(void)
 struct PairLoops {
   SPHTM_LOOP_POINTERS(PAIR_LOOPS)
 
-  void rates(Backend &b, int n, const tm_rates_args &args, unsigned effects) const
+  void rates(Backend &b, int n, const tm_rates_args &a, unsigned effects) const
+  {
+    run_rates(rates_of_precision(effects), b, n, a, effects);
+  }
+  typedef void (*RatesLoop)(Backend &, int n, const tm_rates_args &, unsigned effects);
+  RatesLoop rates_of_precision(unsigned effects) const
+  {
+    return effects & TM_FX_MIXED ? rates_in_single : rates_in_double;
+  }
+  static void run_rates(RatesLoop loop, Backend &b, int n, const tm_rates_args &args, unsigned effects)
   {
     tm_rates_args a = args;
     if (a.surface_of_pass && effects & TM_FX_ONE_PASS) {    // no sum of pairs
       effects &= ~unsigned(TM_FX_SURFACE);
       a.effects &= ~unsigned(TM_FX_SURFACE);
     }
-    (effects & TM_FX_MIXED ? rates_in_single : rates_in_double)(b, n, a, effects);
+    loop(b, n, a, effects);
   }
   static bool has_single(const Backend &b, int kernel) { return b.shared() || kernel == TM_KERNEL_HYPERBOLIC; }
 

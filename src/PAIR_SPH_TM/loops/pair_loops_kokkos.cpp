@@ -61,12 +61,27 @@ void hourglass(Backend &, int n, const tm_rates_args &a, unsigned effects)
 void rates_in_double(Backend &backend, int n, const tm_rates_args &a, unsigned effects)
 {
   const KokkosParticles p(backend, n);
-  kokkos_rates(p.number, of_list(p, a), effects);
+  kokkos_rates({p.number, p.number, LMPDeviceType()}, of_list(p, a), effects);
 }
 void rates_in_single(Backend &backend, int n, const tm_rates_args &a, unsigned effects)
 {
   const KokkosParticles p(backend, n);
-  kokkos_rates_in_single(p.number, of_list(p, a), effects);
+  kokkos_rates_in_single({p.number, p.number, LMPDeviceType()}, of_list(p, a), effects);
+}
+void rates_of_some(Backend &backend, int n, const tm_rates_args &a, unsigned effects, const LMPDeviceType &queue)
+{
+  const KokkosParticles p(backend, n);
+  if (p.number)
+    (effects & TM_FX_MIXED ? kokkos_rates_in_single : kokkos_rates)({p.number, n, queue}, of_list(p, a), effects);
+}
+void begin_rates(Backend &backend, int n, const tm_rates_args &a, unsigned effects)
+{
+  rates_of_some(backend, n, a, effects, kokkos_fork());
+}
+void end_rates(Backend &backend, int n, const tm_rates_args &a, unsigned effects)
+{
+  rates_of_some(backend, n, a, effects, LMPDeviceType());
+  kokkos_join();
 }
 
 struct Thermal {

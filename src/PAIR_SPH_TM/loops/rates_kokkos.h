@@ -9,10 +9,16 @@
 #include "effect_sets.h"
 #include "tm_rates.h"
 
+#include "kokkos_type.h"
+
 namespace SPHTM_NS {
 
-void kokkos_rates(int n, const tm_rates_args &, unsigned effects);
-void kokkos_rates_in_single(int n, const tm_rates_args &, unsigned effects);    // hyperbolic kernel
+struct KokkosRates {
+  int n, all;    // so many rows; of so many particles, by which threads share a row
+  LMPDeviceType queue;
+};
+void kokkos_rates(const KokkosRates &, const tm_rates_args &, unsigned effects);
+void kokkos_rates_in_single(const KokkosRates &, const tm_rates_args &, unsigned effects);    // hyperbolic kernel
 
 }    // namespace SPHTM_NS
 

@@ -28,10 +28,11 @@ constexpr int rate_blocks(unsigned effects, int whose)
   return !RATES_IN_DOUBLE ? 5 : is_3d(effects) ? 6 : 8;
 }
 
-template <unsigned EFFECTS, int GROUP, int WHOSE = TM_RATES_ALL> void run_in_groups(int n, const tm_rates_args &a)
+template <unsigned EFFECTS, int GROUP, int WHOSE = TM_RATES_ALL>
+void run_in_groups(const KokkosRates &r, const tm_rates_args &a)
 {
   using Bounds = Kokkos::LaunchBounds<RATE_THREADS, rate_blocks(EFFECTS, WHOSE)>;
-  kokkos_each_shared<GROUP, Bounds>("sph/tm rates", n, Rates<EFFECTS, WHOSE>{a});
+  kokkos_each_shared<GROUP, Bounds>("sph/tm rates", r.n, Rates<EFFECTS, WHOSE>{a}, r.queue);
 }
 
 #if defined(LMP_KOKKOS_GPU)
@@ -59,36 +60,36 @@ template <unsigned EFFECTS> struct RatesAtFace {
     if (k < *number) tm_rates_of(list[k], tm_group_alone(), &a, EFFECTS, TM_RATES_AT_FACE);
   }
 };
-template <unsigned EFFECTS> void run_faces_apart(int n, const tm_rates_args &a)
+template <unsigned EFFECTS> void run_faces_apart(const KokkosRates &r, const tm_rates_args &a)
 {
-  static KokkosRows<int> room;
-  int *list = room.of(n + 1, "particles at faces"), *number = list + n;
+  static KokkosRows<int> room[2];    // of LAMMPS's queue and of the one beside
+  int *list = room[r.queue == LMPDeviceType() ? 0 : 1].of(r.n + 1, "particles at faces"), *number = list + r.n;
   using Number = Kokkos::View<int, LMPDeviceType::memory_space, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
   Number total(number);
-  Kokkos::parallel_scan("sph/tm rates: particles at faces", Kokkos::RangePolicy<LMPDeviceType>(0, n),
+  Kokkos::parallel_scan("sph/tm rates: particles at faces", Kokkos::RangePolicy<LMPDeviceType>(r.queue, 0, r.n),
                         ListAtFace{a.rec.stab, a.which, list}, total);
-  run_in_groups<EFFECTS, 1, TM_RATES_INSIDE>(n, a);
+  run_in_groups<EFFECTS, 1, TM_RATES_INSIDE>(r, a);
   using Bounds = Kokkos::LaunchBounds<RATE_THREADS, rate_blocks(EFFECTS, TM_RATES_AT_FACE)>;
-  kokkos_each<Bounds>("sph/tm rates at faces", n, RatesAtFace<EFFECTS>{a, list, number});
+  kokkos_each<Bounds>("sph/tm rates at faces", r.n, RatesAtFace<EFFECTS>{a, list, number}, r.queue);
 }
 #endif
 
-template <unsigned EFFECTS> void run(int n, const tm_rates_args &a)
+template <unsigned EFFECTS> void run(const KokkosRates &r, const tm_rates_args &a)
 {
 #if defined(LMP_KOKKOS_GPU)    // few particles, with the usual effects: threads share rows
   constexpr bool usual = (EFFECTS & TM_FX_ONE_PASS) && (EFFECTS & TM_FX_VISCOSITY) && !(EFFECTS & TM_FX_SMOOTHING);
   if constexpr (usual) {
-    const int group = kokkos_threads_of_one(n, 8);
-    if (group == 2) return run_in_groups<EFFECTS, 2>(n, a);
-    if (group == 4) return run_in_groups<EFFECTS, 4>(n, a);
-    if (group == 8) return run_in_groups<EFFECTS, 8>(n, a);
-    if constexpr ((EFFECTS & TM_FX_FACES) != 0) return run_faces_apart<EFFECTS>(n, a);
+    const int group = kokkos_threads_of_one(r.all, 8);
+    if (group == 2) return run_in_groups<EFFECTS, 2>(r, a);
+    if (group == 4) return run_in_groups<EFFECTS, 4>(r, a);
+    if (group == 8) return run_in_groups<EFFECTS, 8>(r, a);
+    if constexpr ((EFFECTS & TM_FX_FACES) != 0) return run_faces_apart<EFFECTS>(r, a);
   }
 #endif
-  run_in_groups<EFFECTS, 1>(n, a);
+  run_in_groups<EFFECTS, 1>(r, a);
 }
 
-typedef void (*device_rate_loop_t)(int, const tm_rates_args &);
+typedef void (*device_rate_loop_t)(const KokkosRates &, const tm_rates_args &);
 
 // the loop of set number `index` of few_rate_set()
 template <int... INDEX> device_rate_loop_t find(int index, std::integer_sequence<int, INDEX...>)

@@ -19,6 +19,7 @@
 #include "utils.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 
 using namespace LAMMPS_NS;
@@ -27,7 +28,7 @@ using namespace SPHTM_NS;
 PairSPHTM::PairSPHTM(LAMMPS *lmp, Backend &where) :
     Pair(lmp), backend(where), loops(PairLoops::of(where)), scene(Scene::of(lmp)), model(lmp, where),
     rows(new NeighborRows(lmp, this, where, model)), results(lmp, where, model), conduction(lmp, this, where, results),
-    restart(new ModelRestart(lmp))
+    interior(where), restart(new ModelRestart(lmp))
 {
   restartinfo = 1;
   single_enable = 0;
@@ -145,15 +146,40 @@ void PairSPHTM::take_ghost_positions()
 
 void PairSPHTM::predict(const tm_state &s, bool renewed)
 {
-  {
-    const auto timed = state->clock().timed(RunClock::PREDICT);
-    Backend &those = renewed ? backend : state->active().stepping();    // what sleeps has the same record until then
-    loops.predict(those, atom->nlocal, results.predict_args(*state, s), state->effects());
-    if (renewed) state->active().insulate(results.records());
-  }
+  const auto timed = state->clock().timed(RunClock::PREDICT);
+  Backend &those = renewed ? backend : state->active().stepping();    // what sleeps has the same record until then
+  loops.predict(those, atom->nlocal, results.predict_args(*state, s), state->effects());
+  if (renewed) state->active().insulate(results.records());
+}
+
+void PairSPHTM::exchange_records()
+{
   const auto timed = state->clock().timed(RunClock::COMMUNICATION);
   results.communicate_records(this);
   take_ghost_positions();
+  results.take_up_ghosts();
+}
+
+// Whether rates of the interior can run beside the exchange. SPHTM_OVERLAP=1 has it wherever it is possible, 0 nowhere, for
+// tests
+bool PairSPHTM::overlaps() const
+{
+  constexpr int FEW = 20000;    // particles, whose rates take less time than to launch them in two parts
+  const char *want = getenv("SPHTM_OVERLAP");
+  if (want ? want[0] == '0' : !records_travel() || atom->nlocal < FEW) return false;
+  const bool one_pass = state->has(TM_FX_ONE_PASS) && state->time_step().ahead() > 0.0;
+  return one_pass && atom->nghost > 0 && !rows->source() && !state->active().on() && !state->owner().audit_now() &&
+         (!state->has(TM_FX_MIXED) || results.rounds_in_prediction(*state));
+}
+
+void PairSPHTM::begin_rates(const tm_rates_args &args, bool renewed)
+{
+  if (renewed) interior.forget();
+  rates_begun = overlaps();
+  if (!rates_begun) return;
+  const auto timed = state->clock().timed(RunClock::RATES);
+  if (!interior.known(atom->nlocal)) interior.sort(args.rows, atom->nlocal);
+  PairLoops::run_rates(loops.begin_rates, interior.inside(), atom->nlocal, args, state->effects());
 }
 
 // needs the positions of all neighbors; what it makes of the stress, the ghosts need
@@ -199,20 +225,24 @@ void PairSPHTM::compute(int eflag, int vflag)
   results.resize(*state);
   const tm_state s = state->arrays();
   predict(s, renewed);
-  results.take_up_ghosts();
   tm_rates_args &args = results.fill_args(*state, s);
+  if (!source) args.rows = rows->loop_rows();
+  double *internal = clear_forces(s, args);
+  begin_rates(args, renewed);
+  exchange_records();
+  args.rec = results.records();
   if (source) {
     const auto timed = state->clock().timed(RunClock::ROWS);
     source->renew(renewed);
     args.rows = source->mechanical();
-  } else args.rows = rows->loop_rows();
+  }
   const bool counts = !state->time_step().conducts_in_stages() || state->has(TM_FX_SURFACE);
   const bool thermal = counts && state->has(TM_FX_CONDUCTION) && model.pair_laws().has_thermal();
   tm_rates_args others = args;
   if (source) others.rows = source->others();
   for (ContactProbe *tool : scene->contact_probes()) tool->before_forces();
   if (thermal) loops.begin_thermal(state->active().stepping(), atom->nlocal, others, state->effects());
-  rates(s, args);
+  rates(s, args, internal);
   others = args;
   if (source) others.rows = source->others();
   conduction.set_rows(args.rows, others.rows);
@@ -224,8 +254,33 @@ void PairSPHTM::compute(int eflag, int vflag)
   if (eflag || vflag) tally_virial_energy();
 }
 
+// The forces of the pairs go apart from others for the energy balance or an audit, into the array that is returned, or
+// to the others. LAMMPS has not cleared these where it leaves that to the pair style.
+double *PairSPHTM::clear_forces(const tm_state &s, tm_rates_args &args)
+{
+  const int nlocal = atom->nlocal;
+  backend.zero(args.artificial, args.artificial ? nlocal * sizeof(double) : 0);
+  const bool source = rows->source();
+  StepAudit *audited = state->owner().audit_now();
+  if (audited) audited->pair_force().make_room(!state->has(TM_FX_LEDGER), 3 * (size_t) nlocal + 3);
+  double *internal = pair_force(audited).loop_write();
+  const bool clear = fuse_force_clear_flag && force->pair == this && !modify->n_pre_force;
+  const bool some = source || state->active().on();    // of the forces are written by the rates
+  if (clear && (internal || force->newton || some))    // with newton LAMMPS adds those of ghosts to their owners'
+    backend.zero(s.force, 3 * ((size_t) nlocal + atom->nghost) * sizeof(double));
+  if (internal && some) backend.zero(internal, 3 * nlocal * sizeof(double));
+  if (internal) args.force = internal;
+  args.force_begins = (clear || internal) && !source;    // parts of rows add theirs
+  return internal;
+}
+
+LoopArray<double> &PairSPHTM::pair_force(StepAudit *audited)
+{
+  return audited && !state->has(TM_FX_LEDGER) ? audited->pair_force() : results.pair_force();
+}
+
 // of mechanical pairs: gradients, forces, conduction
-void PairSPHTM::rates(const tm_state &s, tm_rates_args &args)
+void PairSPHTM::rates(const tm_state &s, tm_rates_args &args, double *internal)
 {
   const int nlocal = atom->nlocal;
   const unsigned effects = state->effects();
@@ -245,30 +300,16 @@ void PairSPHTM::rates(const tm_state &s, tm_rates_args &args)
       round(neighbor->ago == 0 ? backend : state->active().stepping(), 0, nlocal);
     round(backend, nlocal, atom->nghost);
   }
-  backend.zero(args.artificial, args.artificial ? nlocal * sizeof(double) : 0);
-
-  // the forces of the pairs apart from others, for the energy balance or an audit
-  StepAudit *audited = state->owner().audit_now();
-  const bool balance = state->has(TM_FX_LEDGER);
-  LoopArray<double> &apart = audited && !balance ? audited->pair_force() : results.pair_force();
-  if (audited) audited->pair_force().make_room(!balance, 3 * (size_t) nlocal + 3);
-  double *internal = apart.loop_write();
-  // LAMMPS has not cleared the forces where it leaves that to the pair style
-  const bool clear = fuse_force_clear_flag && force->pair == this && !modify->n_pre_force;
-  const bool some = source || state->active().on();    // of the forces are written by the rates
-  if (clear && (internal || force->newton || some))    // with newton LAMMPS adds those of ghosts to their owners'
-    backend.zero(s.force, 3 * ((size_t) nlocal + atom->nghost) * sizeof(double));
-  if (internal) args.force = internal;
-  ul.force = args.force;
-  if (internal && some) backend.zero(internal, 3 * nlocal * sizeof(double));
-  ul.force_begins = args.force_begins = (clear || internal) && !source;    // parts of rows add theirs
   {
     const auto timed = state->clock().timed(RunClock::RATES);
-    loops.rates(state->active().stepping(), n_ul, ul, effects);
+    if (rates_begun) PairLoops::run_rates(loops.end_rates, interior.boundary(), nlocal, ul, effects);
+    else loops.rates(state->active().stepping(), n_ul, ul, effects);
+    rates_begun = false;
     if (source) source->tl_rates(args, effects);
   }
   if ((effects & TM_FX_HOURGLASS) && !(effects & TM_FX_ONE_PASS)) control_hourglass(args);
-  if (audited) audit(*audited, apart);
+  StepAudit *audited = state->owner().audit_now();
+  if (audited) audit(*audited, pair_force(audited));
   args.force = s.force;
   if (internal) loops.add(backend, 3 * nlocal, {s.force, internal}, effects);
 }

@@ -6,6 +6,7 @@
 #ifndef LMP_PAIR_SPH_TM_H
 #define LMP_PAIR_SPH_TM_H
 
+#include "interior.h"
 #include "pair.h"
 #include "scene.h"
 
@@ -44,8 +45,11 @@ class PairSPHTM : public Pair {
   std::unique_ptr<SPHTM_NS::NeighborRows> rows;
   SPHTM_NS::StepResults results;
   SPHTM_NS::Conduction conduction;
-  SPHTM_NS::ParticleState *state = nullptr;    // of fix sph/tm, from init_style on
-  virtual void take_ghost_positions();         // into their records
+  SPHTM_NS::Interior interior;
+  SPHTM_NS::ParticleState *state = nullptr;                // of fix sph/tm, from init_style on
+  bool rates_begun = false;                                // those of the interior run, while records travel
+  virtual bool records_travel() const { return false; }    // while loops run
+  virtual void take_ghost_positions();                     // into their records
 
  private:
   std::unique_ptr<SPHTM_NS::ModelRestart> restart;
@@ -53,10 +57,15 @@ class PairSPHTM : public Pair {
 
   void allocate();
   void predict(const tm_state &, bool renewed);
+  bool overlaps() const;
+  double *clear_forces(const tm_state &, tm_rates_args &);
+  SPHTM_NS::LoopArray<double> &pair_force(SPHTM_NS::StepAudit *);
+  void begin_rates(const tm_rates_args &, bool renewed);
+  void exchange_records();
   void correct_gradients(int, tm_rates_args &);
   void correct_first(tm_rates_args &);
   void control_hourglass(const tm_rates_args &);
-  void rates(const tm_state &, tm_rates_args &);
+  void rates(const tm_state &, tm_rates_args &, double *internal);
   void body_contact(const tm_rates_args &);
   void audit(SPHTM_NS::StepAudit &, SPHTM_NS::LoopArray<double> &);
   void tally_virial_energy();

@@ -7,6 +7,7 @@
 
 #include "atom_kokkos.h"
 #include "atom_masks.h"
+#include "comm.h"
 #include "error.h"
 #include "kokkos.h"
 #include "lammps.h"
@@ -87,17 +88,36 @@ struct TakePositions {
 
 }    // namespace
 
+// other GPUs take what is packed here: then the host waits for these loops and for messages alone
+bool PairSPHTMKokkos::records_travel() const
+{
+#if defined(LMP_KOKKOS_GPU)
+  return comm->nprocs > 1 && !lmp->kokkos->forward_pair_comm_classic;
+#else
+  return false;
+#endif
+}
+
+// LAMMPS waits for its own queue, so while rates run in another what it asks for is done at its return
+template <class ONE> void PairSPHTMKokkos::each_of_message(const char *label, int n, const ONE &one)
+{
+  if (!rates_begun) return kokkos_each(label, n, one);
+  const LMPDeviceType queue = kokkos_urgent();
+  kokkos_each(label, n, one, queue);
+  queue.fence(label);
+}
+
 int PairSPHTMKokkos::pack_forward_comm_kokkos(int n, DAT::tdual_int_1d k_sendlist, ForwardBuffer &buf, int, int *)
 {
   const tm_ghost_args ghosts = results.ghosts();
-  kokkos_each("sph/tm send to ghosts", n,
-              PackGhosts{ghosts, k_sendlist.view<LMPDeviceType>().data(), buf.view<LMPDeviceType>().data()});
+  each_of_message("sph/tm send to ghosts", n,
+                  PackGhosts{ghosts, k_sendlist.view<LMPDeviceType>().data(), buf.view<LMPDeviceType>().data()});
   return n * tm_ghost_width(&ghosts);
 }
 
 void PairSPHTMKokkos::unpack_forward_comm_kokkos(int n, int first, ForwardBuffer &buf)
 {
-  kokkos_each("sph/tm receive ghosts", n, UnpackGhosts{results.ghosts(), first, buf.view<LMPDeviceType>().data()});
+  each_of_message("sph/tm receive ghosts", n, UnpackGhosts{results.ghosts(), first, buf.view<LMPDeviceType>().data()});
 }
 
 void PairSPHTMKokkos::take_ghost_positions()

@@ -20,7 +20,11 @@ class PairSPHTMKokkos : public PairSPHTM, public KokkosBase {
   void unpack_forward_comm_kokkos(int, int, SPHTM_NS::ForwardBuffer &) override;
 
  protected:
+  bool records_travel() const override;
   void take_ghost_positions() override;
+
+ private:
+  template <class ONE> void each_of_message(const char *label, int n, const ONE &);
 };
 
 }    // namespace LAMMPS_NS
