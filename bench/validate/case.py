@@ -9,7 +9,7 @@
     measure(result, variables)    quantity -> (value, error of its mean); more than those compared are kept too
 
 and may have SCALING (settings from slow to the base), only(setting) -> rows, cost(variables), prepare(folder, variables) ->
-variables of the script, make(run, variables) -> list of results, where a value needs several runs: run(variables, below="a")."""
+variables of the script; for ./sphtm identify CARD, CONSTANTS, FITTED, NUMERICAL (doc/Howto_studies); make(run, variables) -> list of results, where a value needs several runs: run(variables, below="a")."""
 import importlib.util
 import os
 import sys

@@ -15,6 +15,8 @@ import concurrent.futures
 import contextlib
 import json
 import os
+import re
+import shutil
 import sys
 
 sys.dont_write_bytecode = True
@@ -51,7 +53,8 @@ class Cuts:
         folder = os.path.join(OUT, self.name, validate.mark_of(self.case, variables))
         answer = validate.make_in(folder, self.case, variables, self.lmp)
         if answer["error"]:
-            raise RuntimeError("%s with %s: %s" % (row, dict(zip(self.names, factors)), answer["error"]))
+            shutil.rmtree(folder)    # what was wrong can be mended
+            sys.exit("identify: %s with %s: %s" % (row, " ".join("%s %.4g" % p for p in zip(self.names, factors)), answer["error"]))
         self.runs += 1
         return {q: answer["quantities"][q] for q in self.case.FITTED}
 
@@ -103,9 +106,30 @@ def intervals(jacobian, residual):
 def solve(fit, count, bounds, evaluations):
     """The least squares of count factors that begin at 1: SciPy's answer, half widths of 95 %, correlation."""
     from scipy.optimize import least_squares
-    done = least_squares(fit.at, np.ones(count), jac=fit.slopes, bounds=(bounds[0] + fit.step, bounds[1] - fit.step), max_nfev=evaluations,
+    low, high = bounds[0] + fit.step, bounds[1] - fit.step
+    print("factors from %.3g to %.3g: within the bounds by the step of the slopes" % (low, high), flush=True)
+    done = least_squares(fit.at, np.ones(count), jac=fit.slopes, bounds=(low, high), max_nfev=evaluations,
                          xtol=0.01, ftol=0.02, x_scale=1.0)
     return (done,) + intervals(done.jac, done.fun)
+
+
+def doubts(fit, done, names, bounds):
+    """Why what was found may not be it, in words."""
+    said, forces = [], len(done.fun)
+    if not done.success or done.status == 0:
+        said.append("the fit has not settled in %d evaluations: more with --evaluations" % len(fit.history))
+    low, high = bounds[0] + fit.step, bounds[1] - fit.step
+    for name, factor, active in zip(names, done.x, done.active_mask):
+        if active or min(factor - low, high - factor) < 0.02 * (high - low):
+            said.append("%s is at the end of its range, %.3g: wider --bounds" % (name, low if factor < 0.5 * (low + high) else high))
+    freedom, square = forces - len(names), float(done.fun @ done.fun)
+    if square > forces and freedom > 0:
+        from scipy.stats import chi2
+        chance = chi2.sf(square, freedom)
+        if chance < 0.01:
+            said.append("chi square is %.1f with %d degrees of freedom (by chance with a probability of %.1g): these constants do not "
+                        "make the measured forces" % (square, freedom, chance))
+    return said
 
 
 def compare(cuts, rows, start, best):
@@ -128,9 +152,24 @@ def show(title, table):
             100 * (a["fitted"] / a["measured"] - 1)))
 
 
+def is_of_forces(name):
+    """Whether a case says what identify wants: CARD, CONSTANTS, FITTED, NUMERICAL."""
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "case_%s.py" % name)) as f:
+        text = f.read()
+    return all(re.search(r"^%s\b" % word, text, re.M) for word in ("CARD", "CONSTANTS", "FITTED", "NUMERICAL"))
+
+
+def variables_known(case):
+    text = case.SCRIPT
+    if "\n" not in text:
+        with open(text) as f:
+            text = f.read()
+    return set(re.findall(r"^\s*variable\s+(\w+)\s+(?:index|string|getenv)", text, re.M))
+
+
 def main():
     options = argparse.ArgumentParser(prog="./sphtm identify", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    options.add_argument("case", choices=validate.NAMES)
+    options.add_argument("case", metavar="CASE", help="of %s, or one of your own: doc/Howto_studies" % ", ".join(n for n in validate.NAMES if is_of_forces(n)))
     options.add_argument("--fit", nargs="+", required=True, metavar="CONSTANT", help="constants of the card, or friction")
     options.add_argument("--rows", nargs="+", required=True, metavar="ROW", help="rows that are fitted")
     options.add_argument("--predict", nargs="*", default=[], metavar="ROW", help="rows that are held out")
@@ -142,11 +181,22 @@ def main():
     options.add_argument("--jobs", type=int, default=1, help="cuts at once")
     options.add_argument("--lmp", default="", help='more arguments of lmp, for example "-k on g 1 -sf kk"')
     given = options.parse_args()
+    if given.case not in validate.NAMES or not is_of_forces(given.case):
+        options.error("no case '%s' with constants to find; there are: %s" % (
+            given.case, ", ".join(n for n in validate.NAMES if is_of_forces(n))))
+    for name, value in (("--jobs", given.jobs), ("--evaluations", given.evaluations)):
+        if value < 1:
+            options.error("%s must be at least 1, not %d" % (name, value))
     case = validate.load(given.case)
     for wrong in [r for r in given.rows + given.predict if r not in case.ROWS]:
         options.error("case '%s' has no row '%s'; there are: %s" % (given.case, wrong, ", ".join(case.ROWS)))
     for wrong in [n for n in given.fit if n not in case.CONSTANTS and n != "friction"]:
         options.error("no constant '%s'; there are: %s, friction" % (wrong, ", ".join(case.CONSTANTS)))
+    if "friction" in given.fit and not all("mu" in dict(case.BASE, **case.ROWS[r]["variables"]) for r in given.rows + given.predict):
+        options.error("case '%s' has no coefficient of friction 'mu' to find" % given.case)
+    known = variables_known(case)
+    for wrong in [name for name, _ in given.var if name not in known]:
+        options.error("the script of case '%s' has no 'variable %s index'; it has: %s" % (given.case, wrong, " ".join(sorted(known))))
     setting = given.setting or case.QUICK
     if setting not in case.NUMERICAL:
         options.error("no setting '%s'; there are: %s" % (setting, ", ".join(case.NUMERICAL)))
@@ -164,17 +214,21 @@ def main():
     tables = {"fitted": compare(cuts, given.rows, start, done.x), "held_out": compare(cuts, given.predict, start, done.x)}
     constants = {n: {"factor": float(f), "half_width": float(h), "value": case.CONSTANTS.get(n, 1.0) * float(f)}
                  for n, f, h in zip(given.fit, done.x, half)}
-    print("found, with intervals of 95 %:")
+    doubted = doubts(fit, done, given.fit, given.bounds)
+    for why in doubted:
+        print("NOT FOUND: " + why)
+    print("best, with intervals of 95 %:" if doubted else "found, with intervals of 95 %:")
     for name, c in constants.items():
         print("  %-10s %.4g, factor %.3f +- %.3f" % (name, c["value"], c["factor"], c["half_width"]))
     show("rows of the fit:", tables["fitted"])
     show("held out:", tables["held_out"])
     summary = dict(provenance("./sphtm identify " + " ".join(sys.argv[1:])), constants=constants, correlation=correlation.tolist(),
-                   chi_square=float(done.fun @ done.fun), stopped=done.message, history=fit.history, cuts=cuts.runs, **tables)
+                   chi_square=float(done.fun @ done.fun), doubts=doubted, stopped=done.message, history=fit.history, cuts=cuts.runs, **tables)
     with open(os.path.join(OUT, "summary.json"), "w") as f:
         json.dump(summary, f, indent=1)
         f.write("\n")
     print("written to", os.path.join(OUT, "summary.json"))
+    sys.exit(1 if doubted else 0)
 
 
 if __name__ == "__main__":

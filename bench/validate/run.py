@@ -51,6 +51,17 @@ def variables_of(case, row, setting):
     return dict(case.BASE, **dict(case.ROWS[row]["variables"], **case.SETTINGS[setting]))
 
 
+def card_of(file, name):
+    """Text of a material card, of a file where LAMMPS would find it, or ''."""
+    for folder in os.environ.get("SPHTM_MATERIALS", "").split(os.pathsep) + [os.path.join(ROOT, "materials")]:
+        try:
+            with open(os.path.join(folder, file)) as f:
+                return {card.split()[0]: card for card in re.split(r"^material ", f.read(), flags=re.M)[1:]}.get(name, "")
+        except OSError:
+            continue
+    return ""
+
+
 def mark_of(case, variables):
     """What a run was made with: the script, the material cards that it or the variables name, the variables."""
     script = case.SCRIPT
@@ -61,10 +72,8 @@ def mark_of(case, variables):
     script = re.sub(r"^variable\s+eta\s.*\n", "", script, flags=re.M)
     script = re.sub(r"^(thermo_style\b.*?) (?:v_eta|cpuremain)$", r"\1", script, flags=re.M | re.S)
     text = json.dumps({k: str(v) for k, v in sorted(variables.items())}) + script
-    with open(os.path.join(ROOT, "materials", "materials.sphtm")) as f:
-        cards = {card.split()[0]: card for card in re.split(r"^material ", f.read(), flags=re.M)[1:]}
-    for card in sorted(set(re.findall(r"materials\.sphtm (\S+)", text))):
-        text += cards.get(card.strip('",'), "")
+    for file, card in sorted(set(re.findall(r"([\w./+-]+\.sphtm) (\S+)", text))):
+        text += card_of(file, card.strip('",'))
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 

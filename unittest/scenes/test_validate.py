@@ -30,7 +30,10 @@ for program, arguments, word in (("run", ["ti6al4w"], "'ti6al4w'"), ("run", ["ti
                                  ("run", ["ti6al4v", "--settings", "dx_3"], "'dx_3'"),
                                  ("identify", ["ti6al4v", "--fit", "jc_q", "--rows", "40_um_30"], "'jc_q'"),
                                  ("identify", ["ti6al4v", "--fit", "jc_a", "jc_b", "--rows", "40_um_30"], "cannot give"),
-                                 ("identify", ["ti6al4v", "--fit", "jc_a", "--rows", "40_um_30", "--bounds", "1.1", "2"], "bounds")):
+                                 ("identify", ["ti6al4v", "--fit", "jc_a", "--rows", "40_um_30", "--bounds", "1.1", "2"], "bounds"),
+                                 ("identify", ["ti6al4v", "--fit", "jc_a", "--rows", "40_um_30", "--jobs", "0"], "--jobs"),
+                                 ("identify", ["ti6al4v", "--fit", "jc_a", "--rows", "40_um_30", "--var", "nosuch", "3"], "nosuch"),
+                                 ("identify", ["taylor_bar", "--fit", "jc_a", "--rows", "40_um_30"], "there are: ti6al4v")):
     done = command(program, *arguments)
     checks.true("refused: %s %s" % (program, " ".join(arguments)), done.returncode != 0 and word in done.stdout,
                 done.stdout.strip().splitlines()[-1])
@@ -115,6 +118,11 @@ done, half, correlation = identify.solve(fit, 2, (0.4, 2.5), 20)
 for k, name in enumerate(cuts.names):
     checks.below("found again: %s, off by" % name, abs(done.x[k] - TRUE[k]), half[k])
     checks.below("its half width", half[k], 0.1)
+checks.true("no doubts where it is found", not identify.doubts(fit, done, cuts.names, (0.4, 2.5)), "")
+for bounds, most, wanted in (((0.85, 1.15), 20, "is at the end of its range"), ((0.85, 1.15), 20, "do not make the measured"), ((0.4, 2.5), 1, "not settled")):
+    fit = identify.Fit(cuts, list(cuts.places), 0.1)
+    said = "; ".join(identify.doubts(fit, identify.solve(fit, 2, bounds, most)[0], cuts.names, bounds))
+    checks.true("factors from %g to %g, %d evaluations: %s" % (bounds + (most, wanted)), wanted in said, said)
 jacobian = np.array([[10 * (2 + x * TRUE[1] ** 2), 20 * TRUE[0] * x * TRUE[1]] for x in cuts.places.values()]) / np.hypot(0.1, cuts.noise)
 least = np.sqrt(np.diag(np.linalg.inv(jacobian.T @ jacobian)))
 checks.below("half widths are not below two standard deviations of the closed form", (2 * least / half).max(), 1.02)
