@@ -276,26 +276,32 @@ static void test_stiffness(void)
   UT_NEAR(tm_hourglass_stiffness(-1.0, pull, -Y / 3.0, k, 0.275), TM_HOURGLASS_ZETA * 8.0 / 3.0 * Y / k,
           1e-14); /* half drawn */
   UT_NEAR(tm_hourglass_stiffness(-1.0, pull, -Y, k, 0.9), TM_HOURGLASS_ZETA * 6.0 * Y / k, 1e-14);
-  UT_NEAR(tm_hourglass_memory(Y, -Y / 3.0), TM_HOURGLASS_STRAIN, 1e-14);
-  UT_NEAR(tm_hourglass_memory(Y, 0.0), 2.0 / 3.0 * TM_HOURGLASS_STRAIN, 1e-14);
-  UT_NEAR(tm_hourglass_memory(Y, Y), TM_HOURGLASS_MEMORY * TM_HOURGLASS_STRAIN, 1e-14);
-  UT_TRUE(tm_hourglass_memory(0.0, 1.0) == TM_HOURGLASS_STRAIN);
+  UT_NEAR(tm_hourglass_memory(Y, -Y / 3.0, 0.0), TM_HOURGLASS_STRAIN, 1e-14);
+  UT_NEAR(tm_hourglass_memory(Y, 0.0, 0.0), 2.0 / 3.0 * TM_HOURGLASS_STRAIN, 1e-14);
+  UT_NEAR(tm_hourglass_memory(Y, Y, 0.0), TM_HOURGLASS_MEMORY * TM_HOURGLASS_STRAIN, 1e-14);
+  UT_TRUE(tm_hourglass_memory(0.0, 1.0, 0.0) == TM_HOURGLASS_STRAIN);
+  UT_NEAR(tm_hourglass_memory(Y, -Y / 3.0, 1.0), TM_HOURGLASS_LONGEST, 1e-14);
+  UT_NEAR(tm_hourglass_memory(Y, -Y / 3.0, 0.5), 0.5 * (TM_HOURGLASS_STRAIN + TM_HOURGLASS_LONGEST), 1e-14);
+  UT_TRUE(tm_hourglass_uneven(tm_vec(0, 0, 0), 0.1, 1.0) == 0.0);
+  UT_TRUE(tm_hourglass_uneven(tm_vec(9, 0, 0), 0.1, 0.0) == 0.0);
+  UT_NEAR(tm_hourglass_uneven(tm_vec(0, 1.5, 0), 0.1, 0.8), 0.8 * 0.15 / TM_HOURGLASS_UNEVEN, 1e-14);
+  UT_TRUE(tm_hourglass_uneven(tm_vec(0, 0, -9), 0.1, 0.8) == 0.8);
 }
 
 /* What resists plastic flow stays below its share of the flow stress. */
 static void test_limit(void)
 {
   const double Y = 3.0, h = 0.5, stiffness = 20.0, most = TM_HOURGLASS_YIELD * Y * h / stiffness;
-  tm_vec3 u = tm_hourglass_limit(tm_vec(0.6 * most, 0, 0.6 * most), stiffness, Y, 0.0, 1.0, h);
+  tm_vec3 u = tm_hourglass_limit(tm_vec(0.6 * most, 0, 0.6 * most), stiffness, Y, 0.0, h);
   UT_TRUE(u.x == 0.6 * most && u.z == 0.6 * most);
-  u.y = -5.0 * most;
-  UT_NEAR(tm_vec_norm(tm_hourglass_limit(u, stiffness, Y, -Y / 3.0, 0.6, h)), 3.0 * most, 1e-14); /* drawn */
-  UT_NEAR(tm_vec_norm(tm_hourglass_limit(u, stiffness, Y, -Y / 6.0, 0.6, h)), 2.0 * most, 1e-14);
-  u = tm_hourglass_limit(u, stiffness, Y, -Y, 0.15, h);
+  u.y = -50.0 * most;
+  UT_NEAR(tm_vec_norm(tm_hourglass_limit(u, stiffness, Y, 1.0, h)), 10.0 * most, 1e-14);
+  UT_NEAR(tm_vec_norm(tm_hourglass_limit(u, stiffness, Y, 0.5, h)), 5.5 * most, 1e-14);
+  u = tm_hourglass_limit(u, stiffness, Y, 0.0, h);
   UT_NEAR(tm_vec_norm(u), most, 1e-14);
-  UT_NEAR(u.y / u.x, -5.0 / 0.6, 1e-14);
+  UT_NEAR(u.y / u.x, -50.0 / 0.6, 1e-14);
   u.x = 7.0;
-  u = tm_hourglass_limit(u, stiffness, 0.0, -1.0, 0.6, h); /* it does not flow */
+  u = tm_hourglass_limit(u, stiffness, 0.0, 1.0, h); /* it does not flow */
   UT_TRUE(u.x == 7.0);
 }
 

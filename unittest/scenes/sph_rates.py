@@ -85,7 +85,7 @@ class Rates:
         w = np.where(near, np.exp(-x / width) - edge * (1 + (reach - x) / width), 0.0) / norm
         fall = np.where(near, 2 * (np.exp(-x / width) - edge) / (width * s * s), 0.0) / norm
         psi = w.sum(axis=1)
-        hit = out["touched"] = psi > 1
+        hit, out["touched"] = psi > 1, psi > 0    # touched: in range, where nothing is shifted
         q = 1 - bend * np.log(np.where(hit, psi, 1.0))
         deep, at = q <= 0.16, np.exp(0.84 / bend)    # linear in psi from there
         root, of = np.sqrt(np.maximum(q, 0.16)), np.where(deep, at, np.where(hit, psi, 1.0))

@@ -12,7 +12,7 @@ import numpy as np
 from sph_kernels import CONSTANT, REACH, kernel, lattice_psi
 from sph_material import deviator_rate, warmed
 from sph_rates import Rates
-from sph_shift import shift
+from sph_shift import along_stretch, shift
 
 
 class Body(Rates):
@@ -62,19 +62,22 @@ class Body(Rates):
         self.old = None    # rates of the last two steps
 
     # what the pair sums see: state at the force point
-    def hourglass_step(self, i, L, dt, d_eps, y, p, rho, failed):
+    def hourglass_step(self, i, L, dt, d_eps, y, p, rho, failed, g):
+        """g: gradient of the concentration, 0 where a tool touches; None: not known."""
         m = self.mat[i]
         if failed or m.strength[0] == "none":
             self.w[i] = self.w_rate[i] = 0.0
             return
         rate = self.out["residual"][i]
         spin = 0.5 * np.array([L[2, 1] - L[1, 2], L[0, 2] - L[2, 0], L[1, 0] - L[0, 1]])
-        memory = 0.02 * min(max(2 / 3 - p / y if y > 0 else 1.0, 0.05), 1.0)
+        tension = min(max(-3 * p / y, 0), 1) if y > 0 and self.one_pass else 0.0
+        uneven = tension * min(self.own_h[i] * np.linalg.norm(along_stretch(L, self.dim) @ g) / 0.3, 1) if g is not None else 0.0
+        memory = (0.02 + 0.38 * uneven) * min(max(2 / 3 - p / y if y > 0 else 1.0, 0.05), 1.0)
         xi = self.xi[i]
         self.w[i] = (self.w[i] + dt * (np.cross(spin, self.w[i]) + np.sqrt(xi) * rate)) / (1 + d_eps / memory)
         self.w_rate[i] = rate
         resists = np.sqrt(xi) * rho * self.q["c"][i] ** 2 * np.linalg.norm(self.w[i])
-        most = (0.1 + 0.2 * self.drawn(y, p, self.eps[i] if self.one_pass else 0.0)) * y * self.own_h[i]
+        most = (0.1 + 0.9 * tension) * y * self.own_h[i]
         if y > 0 and resists > most:
             self.w[i] *= most / resists
 
@@ -184,7 +187,8 @@ class Body(Rates):
                 self.T[i] = warmed(m, m.compressed(T, self.rho[i], rho), heat / self.m[i])
                 rate["T"][i] = (self.T[i] - T) / dt
             if self.hourglass:
-                self.hourglass_step(i, G, dt, d_eps, y, p, rho_half[i], self.failed_before[i])
+                self.hourglass_step(i, G, dt, d_eps, y, p, rho_half[i], self.failed_before[i],
+                                    o["face"][i] * (not o["touched"][i]) if self.one_pass else None)
             self.rho[i], self.s[i] = rho, s
             if self.one_pass and not self.failed_before[i] and not o["touched"][i]:
                 way = shift(o["face"][i], G, self.dim, self.own_h[i], self.eps[i], d_eps, y, p, q["c"][i] * dt)

@@ -2,6 +2,17 @@
 import numpy as np
 
 
+def along_stretch(L, dim):
+    """P: what passes what lies along the stretch of a velocity gradient, and nothing of what lies across; 0 where spin is faster."""
+    D = 0.5 * (L + L.T) - np.trace(L) / 3 * np.eye(3)
+    W = 0.5 * (L - L.T)
+    strain = np.sum(D * D)
+    if strain <= np.sum(W * W):
+        return np.zeros((3, 3))
+    E = np.sqrt((1.5 if dim == 3 else 2.0) / strain) * D
+    return (np.eye(3) + E) @ (0.5 * np.eye(3) + E) / 3 if dim == 3 else 0.5 * (np.eye(3) + E)
+
+
 def shift(g, L, dim, h, eps, d_eps, flow, p, way):
     """g: gradient of the concentration, L: velocity gradient, eps: plastic strain before the step, flow: flow stress, way: of sound in the step."""
     one = np.eye(3)

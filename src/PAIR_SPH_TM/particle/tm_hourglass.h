@@ -22,8 +22,14 @@
    (tm_hourglass_limit()), so that flow that few particles resolve is hardly hindered. Where metal is drawn its rows come apart, and
    neighbors that are further away resist less, while the instability is driven as before: from a stretch of 1.3 to 1.4 on it is the
    stronger (bench/stability/stretched_lattice.py). So with plastic strain under tension (tm_hourglass_drawn()) xi rises to three
-   times as much and the limit to 0.3: a neck then forms and fails by damage (case_weldox.py). Pairs that are kept do not come
-   apart: not with them, nor else without TM_FX_ONE_PASS.
+   times as much: a neck then forms and fails by damage (case_weldox.py).
+
+   A face that is cut from a lattice obliquely has steps of a spacing, each a notch. Under tension the corner of a step hangs back
+   by some hundredths of h from the first strain on. With the limit of a tenth nothing holds it: rows part there, and
+   a strip parted at a strain of 0.1 (bench/stability/turned_strip.py). So with tension the limit rises to the flow stress itself. What
+   is forgotten lets such steps creep; where neighbors are uneven along the stretch, as told by P g of tm_shift.h, which is 0 at
+   faces along it and inside, e rises to TM_HOURGLASS_LONGEST. Pairs that are kept do not come apart: none of this
+   with them, nor else without TM_FX_ONE_PASS.
    delta damps what alternates in time as well; both vanish with the square of the spacing where fields are smooth.
 
    Own construction; the idea of a penalty on what differs from the linear field is that of Ganzenmueller 2015
@@ -47,9 +53,12 @@
 /* Plastic strain over which displacements are forgotten in uniaxial tension, and the least share of it. */
 #define TM_HOURGLASS_STRAIN 0.02
 #define TM_HOURGLASS_MEMORY 0.05
-/* Largest stress of hourglass control, over the flow stress, of a displacement of h. */
+/* That strain where h |P g| is TM_HOURGLASS_UNEVEN or more. */
+#define TM_HOURGLASS_LONGEST 0.4
+#define TM_HOURGLASS_UNEVEN 0.3
+/* Largest stress of hourglass control, over the flow stress, of a displacement of h; in the tension of a bar. */
 #define TM_HOURGLASS_YIELD 0.1
-#define TM_HOURGLASS_YIELD_DRAWN 0.3
+#define TM_HOURGLASS_YIELD_TENSION 1.0
 /* zeta, the largest xi that follows from it, and delta. */
 #define TM_HOURGLASS_ZETA 12.0
 #define TM_HOURGLASS_MOST 4.0
@@ -67,12 +76,11 @@ TM_FN tm_real tm_hourglass_drawn(tm_real flow, tm_real p, tm_real eps_p)
   return tm_min(strain, 1.0) * tm_tension_share(flow, p);
 }
 
-/* Displacement u of a material that flows: stiffness |u|, which is sqrt(xi) k |u|, stays below TM_HOURGLASS_YIELD Y h, drawn
-   TM_HOURGLASS_YIELD_DRAWN Y h. */
-TM_FN tm_vec3 tm_hourglass_limit(tm_vec3 u, tm_real stiffness, tm_real yield, tm_real p, tm_real eps_p, tm_real h)
+/* Displacement u of a material that flows: stiffness |u|, which is sqrt(xi) k |u|, stays below TM_HOURGLASS_YIELD Y h, with the
+   share of tension that tm_tension_share() gives up to TM_HOURGLASS_YIELD_TENSION Y h. */
+TM_FN tm_vec3 tm_hourglass_limit(tm_vec3 u, tm_real stiffness, tm_real yield, tm_real tension, tm_real h)
 {
-  const tm_real drawn = tm_hourglass_drawn(yield, p, eps_p);
-  const tm_real share = TM_HOURGLASS_YIELD + (TM_HOURGLASS_YIELD_DRAWN - TM_HOURGLASS_YIELD) * drawn;
+  const tm_real share = TM_HOURGLASS_YIELD + (TM_HOURGLASS_YIELD_TENSION - TM_HOURGLASS_YIELD) * tension;
   const tm_real resists = stiffness * tm_vec_norm(u), limit = share * yield * h;
   return !(yield > 0.0) || resists <= limit ? u : tm_vec_scale(limit / resists, u);
 }
@@ -90,12 +98,20 @@ TM_FN tm_real tm_hourglass_stiffness(tm_real xi, tm_sym3 s, tm_real p, tm_real r
   return tm_min(TM_HOURGLASS_MOST, zeta * (mises + tm_max(-p, 0.0)) / rho_c2);
 }
 
+/* How uneven neighbors are along a stretch, 0..1, times the share of tension; axis: P g, 1/length. */
+TM_FN tm_real tm_hourglass_uneven(tm_vec3 axis, tm_real h, tm_real tension)
+{
+  return tension * tm_min(h * tm_vec_norm(axis) / TM_HOURGLASS_UNEVEN, 1.0);
+}
+
 /* Plastic strain over which displacements are forgotten, at flow stress and pressure: TM_HOURGLASS_STRAIN times an upper
-   bound of the largest principal stress over the flow stress, between TM_HOURGLASS_MEMORY and 1. */
-TM_FN tm_real tm_hourglass_memory(tm_real yield, tm_real p)
+   bound of the largest principal stress over the flow stress, between TM_HOURGLASS_MEMORY and 1; with uneven, 0..1, up to
+   TM_HOURGLASS_LONGEST in its place. */
+TM_FN tm_real tm_hourglass_memory(tm_real yield, tm_real p, tm_real uneven)
 {
   const tm_real tension = yield > 0.0 ? (2.0 / 3.0) - p / yield : 1.0;
-  return TM_HOURGLASS_STRAIN * tm_max(tm_min(tension, 1.0), TM_HOURGLASS_MEMORY);
+  const tm_real strain = TM_HOURGLASS_STRAIN + (TM_HOURGLASS_LONGEST - TM_HOURGLASS_STRAIN) * uneven;
+  return strain * tm_max(tm_min(tension, 1.0), TM_HOURGLASS_MEMORY);
 }
 
 /* W at the force point, a length: stiffness xi, delay = delta h/c. */

@@ -239,15 +239,26 @@ TM_FN tm_real tm_update_shift(int i, const tm_update_args *a, const tm_point *q,
   return speed * speed;
 }
 
-/* Displacement of hourglass control for the next force point; xi: its stiffness, q: at the end of the step, rho_c2: at the
-   force point, drawn: plastic strain for tm_hourglass_drawn(). */
-TM_FN void tm_update_hourglass(int i, const tm_update_args *a, const tm_update_read *in, tm_real xi, const tm_point *q,
-                               tm_real rho_c2, tm_real drawn, tm_mat3 L, tm_real h, int forget, int dim3)
+/* How uneven the neighbors of a particle that flows are along a stretch, for tm_hourglass_memory(); tension: share of it. */
+TM_FN tm_real tm_update_uneven(int i, const tm_update_args *a, const tm_point *q, tm_real tension, tm_mat3 L, tm_real h,
+                               int dim3)
 {
-  const tm_vec3 u =
-      tm_hourglass_step(in->u, in->u_rate, xi, L, a->dt, q->d_eps / tm_hourglass_memory(q->yield, q->p), forget);
+  if (!(a->uneven && tension > 0.0 && q->d_eps > 0.0)) return 0.0;
+  const tm_vec3 g = tm_vec_from_row_in(a->uneven + tm_row(i, 3), dim3);
+  return tm_hourglass_uneven(tm_shift_along(L, g, dim3).axis, h, tension);
+}
+
+/* Displacement of hourglass control for the next force point; xi: its stiffness, q: at the end of the step, rho_c2: at the
+   force point. */
+TM_FN void tm_update_hourglass(int i, const tm_update_args *a, const tm_update_read *in, tm_real xi, const tm_point *q,
+                               tm_real rho_c2, tm_mat3 L, tm_real h, int forget, unsigned effects)
+{
+  const int dim3 = (effects & TM_FX_3D) != 0;
+  const tm_real tension = (effects & TM_FX_ONE_PASS) ? tm_tension_share(q->yield, q->p) : 0.0;
+  const tm_real memory = tm_hourglass_memory(q->yield, q->p, tm_update_uneven(i, a, q, tension, L, h, dim3));
+  const tm_vec3 u = tm_hourglass_step(in->u, in->u_rate, xi, L, a->dt, q->d_eps / memory, forget);
   tm_hourglass_store(tm_field_row(&a->state, TM_F_HOURGLASS, i),
-                     tm_hourglass_limit(u, sqrt(xi) * rho_c2, q->yield, q->p, drawn, h),
+                     tm_hourglass_limit(u, sqrt(xi) * rho_c2, q->yield, tension, h),
                      forget ? tm_vec(0, 0, 0) : in->u_rate, dim3);
 }
 
@@ -365,7 +376,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       dmg[tm_column(1)] = tm_damage_failed(m, dmg[0], pl ? pl[0] : 0.0) ? 1.0 : 0.0;
     }
     if (effects & TM_FX_BALSARA) tm_update_balsara(i, s, L, sound, h);
-    if (controls) tm_update_hourglass(i, a, &in, xi, &q, rho_c2, drawn, L, h, forget, dim3);
+    if (controls) tm_update_hourglass(i, a, &in, xi, &q, rho_c2, L, h, forget, effects);
     tm_heat_taken taken = {0.0, 0.0, 0.0};
     if (effects & TM_FX_HEAT)
       taken = tm_update_temperature(i, a, &in, m, q.rho, q.yield * q.d_eps * inv_dt, compression,
