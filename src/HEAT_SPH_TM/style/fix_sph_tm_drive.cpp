@@ -98,12 +98,14 @@ void FixSPHTMDrive::check_group()
                "moves them; give fix sph/tm the group all",
                all[1], group->names[igroup], state->id());
   if (all[2])
-    error->all(FLERR,
-               "Fix sph/tm/drive: {} of {} particles of group {} only conduct heat ('body heat' of pair_coeff): no force acts "
-               "on them; the tool that they are inside of moves them ('particles' of fix contact/tri, fix_modify move)",
-               all[2], all[0], group->names[igroup]);
+    error->all(
+        FLERR,
+        "Fix sph/tm/drive: {} of {} particles of group {} only conduct heat ('body heat' of pair_coeff): no force acts "
+        "on them; the tool that they are inside of moves them ('particles' of fix contact/tri, fix_modify move)",
+        all[2], all[0], group->names[igroup]);
   if (!all[0] && comm->me == 0)
-    error->warning(FLERR, "Fix sph/tm/drive {}: there are no particles in group {}; it drives nothing", id, group->names[igroup]);
+    error->warning(FLERR, "Fix sph/tm/drive {}: there are no particles in group {}; it drives nothing", id,
+                   group->names[igroup]);
 }
 
 void FixSPHTMDrive::warn_of_later_forces()
