@@ -292,16 +292,19 @@ static void test_stiffness(void)
 static void test_limit(void)
 {
   const double Y = 3.0, h = 0.5, stiffness = 20.0, most = TM_HOURGLASS_YIELD * Y * h / stiffness;
-  tm_vec3 u = tm_hourglass_limit(tm_vec(0.6 * most, 0, 0.6 * most), stiffness, Y, 0.0, h);
+  tm_vec3 u = tm_hourglass_limit(tm_vec(0.6 * most, 0, 0.6 * most), stiffness, Y, 0.0, 1.0, h);
   UT_TRUE(u.x == 0.6 * most && u.z == 0.6 * most);
   u.y = -50.0 * most;
-  UT_NEAR(tm_vec_norm(tm_hourglass_limit(u, stiffness, Y, 1.0, h)), 10.0 * most, 1e-14);
-  UT_NEAR(tm_vec_norm(tm_hourglass_limit(u, stiffness, Y, 0.5, h)), 5.5 * most, 1e-14);
-  u = tm_hourglass_limit(u, stiffness, Y, 0.0, h);
+  UT_NEAR(tm_vec_norm(tm_hourglass_limit(u, stiffness, Y, 1.0, 1.0, h)), 10.0 * most, 1e-14);
+  UT_NEAR(tm_vec_norm(tm_hourglass_limit(u, stiffness, Y, 0.5, 1.0, h)), 5.5 * most, 1e-14);
+  UT_NEAR(tm_vec_norm(tm_hourglass_limit(u, stiffness, Y, 1.0, 0.0, h)), 3.0 * most, 1e-14); /* late */
+  UT_TRUE(tm_hourglass_early(0.1) == 1.0 && tm_hourglass_early(0.5) == 0.0);
+  UT_NEAR(tm_hourglass_early(0.25), 0.75, 1e-14);
+  u = tm_hourglass_limit(u, stiffness, Y, 0.0, 1.0, h);
   UT_NEAR(tm_vec_norm(u), most, 1e-14);
   UT_NEAR(u.y / u.x, -50.0 / 0.6, 1e-14);
   u.x = 7.0;
-  u = tm_hourglass_limit(u, stiffness, 0.0, 1.0, h); /* it does not flow */
+  u = tm_hourglass_limit(u, stiffness, 0.0, 1.0, 1.0, h); /* it does not flow */
   UT_TRUE(u.x == 7.0);
 }
 

@@ -28,8 +28,9 @@
    by some hundredths of h from the first strain on. With the limit of a tenth nothing holds it: rows part there, and
    a strip parted at a strain of 0.1 (bench/stability/turned_strip.py). So with tension the limit rises to the flow stress itself. What
    is forgotten lets such steps creep; where neighbors are uneven along the stretch, as told by P g of tm_shift.h, which is 0 at
-   faces along it and inside, e rises to TM_HOURGLASS_LONGEST. Pairs that are kept do not come apart: none of this
-   with them, nor else without TM_FX_ONE_PASS.
+   faces along it and inside, e rises to TM_HOURGLASS_LONGEST. Both fade with the plastic strain (tm_hourglass_early()): later
+   shifting closes rows up, metal that parts before an edge should part, and a limit of 0.3 is enough for necks. Pairs that
+   are kept do not come apart: none of this with them, nor else without TM_FX_ONE_PASS.
    delta damps what alternates in time as well; both vanish with the square of the spacing where fields are smooth.
 
    Own construction; the idea of a penalty on what differs from the linear field is that of Ganzenmueller 2015
@@ -56,9 +57,13 @@
 /* That strain where h |P g| is TM_HOURGLASS_UNEVEN or more. */
 #define TM_HOURGLASS_LONGEST 0.4
 #define TM_HOURGLASS_UNEVEN 0.3
-/* Largest stress of hourglass control, over the flow stress, of a displacement of h; in the tension of a bar. */
+/* Largest stress of hourglass control, over the flow stress, of a displacement of h; in the tension of a bar, early and late. */
 #define TM_HOURGLASS_YIELD 0.1
-#define TM_HOURGLASS_YIELD_TENSION 1.0
+#define TM_HOURGLASS_YIELD_EARLY 1.0
+#define TM_HOURGLASS_YIELD_LATE 0.3
+/* Plastic strains between which the one turns into the other. */
+#define TM_HOURGLASS_EARLY 0.2
+#define TM_HOURGLASS_LATE 0.4
 /* zeta, the largest xi that follows from it, and delta. */
 #define TM_HOURGLASS_ZETA 12.0
 #define TM_HOURGLASS_MOST 4.0
@@ -76,11 +81,18 @@ TM_FN tm_real tm_hourglass_drawn(tm_real flow, tm_real p, tm_real eps_p)
   return tm_min(strain, 1.0) * tm_tension_share(flow, p);
 }
 
-/* Displacement u of a material that flows: stiffness |u|, which is sqrt(xi) k |u|, stays below TM_HOURGLASS_YIELD Y h, with the
-   share of tension that tm_tension_share() gives up to TM_HOURGLASS_YIELD_TENSION Y h. */
-TM_FN tm_vec3 tm_hourglass_limit(tm_vec3 u, tm_real stiffness, tm_real yield, tm_real tension, tm_real h)
+/* 1 at small plastic strains, 0 at large ones. */
+TM_FN tm_real tm_hourglass_early(tm_real eps_p)
 {
-  const tm_real share = TM_HOURGLASS_YIELD + (TM_HOURGLASS_YIELD_TENSION - TM_HOURGLASS_YIELD) * tension;
+  return tm_max(0.0, tm_min(1.0, (TM_HOURGLASS_LATE - eps_p) / (TM_HOURGLASS_LATE - TM_HOURGLASS_EARLY)));
+}
+
+/* Displacement u of a material that flows: stiffness |u|, which is sqrt(xi) k |u|, stays below TM_HOURGLASS_YIELD Y h, with the
+   share of tension that tm_tension_share() gives up to TM_HOURGLASS_YIELD_EARLY Y h, or _LATE; early: 0..1. */
+TM_FN tm_vec3 tm_hourglass_limit(tm_vec3 u, tm_real stiffness, tm_real yield, tm_real tension, tm_real early, tm_real h)
+{
+  const tm_real most = TM_HOURGLASS_YIELD_LATE + (TM_HOURGLASS_YIELD_EARLY - TM_HOURGLASS_YIELD_LATE) * early;
+  const tm_real share = TM_HOURGLASS_YIELD + (most - TM_HOURGLASS_YIELD) * tension;
   const tm_real resists = stiffness * tm_vec_norm(u), limit = share * yield * h;
   return !(yield > 0.0) || resists <= limit ? u : tm_vec_scale(limit / resists, u);
 }

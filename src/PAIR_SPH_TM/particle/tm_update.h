@@ -239,7 +239,8 @@ TM_FN tm_real tm_update_shift(int i, const tm_update_args *a, const tm_point *q,
   return speed * speed;
 }
 
-/* How uneven the neighbors of a particle that flows are along a stretch, for tm_hourglass_memory(); tension: share of it. */
+/* How uneven the neighbors of a particle that flows are along a stretch, for tm_hourglass_memory(); tension: share of it, 0 where
+   that does not matter. */
 TM_FN tm_real tm_update_uneven(int i, const tm_update_args *a, const tm_point *q, tm_real tension, tm_mat3 L, tm_real h,
                                int dim3)
 {
@@ -251,14 +252,15 @@ TM_FN tm_real tm_update_uneven(int i, const tm_update_args *a, const tm_point *q
 /* Displacement of hourglass control for the next force point; xi: its stiffness, q: at the end of the step, rho_c2: at the
    force point. */
 TM_FN void tm_update_hourglass(int i, const tm_update_args *a, const tm_update_read *in, tm_real xi, const tm_point *q,
-                               tm_real rho_c2, tm_mat3 L, tm_real h, int forget, unsigned effects)
+                               tm_real rho_c2, tm_real eps_p, tm_mat3 L, tm_real h, int forget, unsigned effects)
 {
   const int dim3 = (effects & TM_FX_3D) != 0;
   const tm_real tension = (effects & TM_FX_ONE_PASS) ? tm_tension_share(q->yield, q->p) : 0.0;
-  const tm_real memory = tm_hourglass_memory(q->yield, q->p, tm_update_uneven(i, a, q, tension, L, h, dim3));
+  const tm_real early = tm_hourglass_early(eps_p);
+  const tm_real memory = tm_hourglass_memory(q->yield, q->p, tm_update_uneven(i, a, q, early * tension, L, h, dim3));
   const tm_vec3 u = tm_hourglass_step(in->u, in->u_rate, xi, L, a->dt, q->d_eps / memory, forget);
   tm_hourglass_store(tm_field_row(&a->state, TM_F_HOURGLASS, i),
-                     tm_hourglass_limit(u, sqrt(xi) * rho_c2, q->yield, tension, h),
+                     tm_hourglass_limit(u, sqrt(xi) * rho_c2, q->yield, tension, early, h),
                      forget ? tm_vec(0, 0, 0) : in->u_rate, dim3);
 }
 
@@ -376,7 +378,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       dmg[tm_column(1)] = tm_damage_failed(m, dmg[0], pl ? pl[0] : 0.0) ? 1.0 : 0.0;
     }
     if (effects & TM_FX_BALSARA) tm_update_balsara(i, s, L, sound, h);
-    if (controls) tm_update_hourglass(i, a, &in, xi, &q, rho_c2, L, h, forget, effects);
+    if (controls) tm_update_hourglass(i, a, &in, xi, &q, rho_c2, eps_p, L, h, forget, effects);
     tm_heat_taken taken = {0.0, 0.0, 0.0};
     if (effects & TM_FX_HEAT)
       taken = tm_update_temperature(i, a, &in, m, q.rho, q.yield * q.d_eps * inv_dt, compression,
