@@ -124,7 +124,6 @@ for words, expected in (
         ("fix body all sph/tm\nfix d right sph/tm/drive fast 0 0", "must be a number or v_name, got fast"),
         ("fix body all sph/tm\nvariable a atom x\nfix d right sph/tm/drive v_a 0 0", "not of equal style"),
         ("fix body rest sph/tm\nfix d right sph/tm/drive 0 0 0", "are not in the group of fix sph/tm"),
-        ("pair_coeff 1 1 density 14600 body heat heat 80 200 0\nfix body all sph/tm\nfix d right sph/tm/drive 5 0 0", "only conduct heat"),
         ("group none empty\nfix body all sph/tm\nfix d none sph/tm/drive 5 0 0", ""),
         ("pair_style zero 1.0\npair_coeff * *\nmass * 1\nfix d right sph/tm/drive 0 0 0", "needs a fix sph/tm")):
     result = run(bar(words + "\nrun 0\n"), expect_error=True)

@@ -79,30 +79,22 @@ void FixSPHTMDrive::setup(int)
   limit_time_step(target);
 }
 
-// a particle that is not integrated would not move, and one that conducts heat alone has no force
+// a particle that is not integrated would not move
 void FixSPHTMDrive::check_group()
 {
   const int *mask = atom->mask;
-  const tm_material *materials = scene->model().materials();
-  bigint mine[3] = {0, 0, 0}, all[3];
+  bigint mine[2] = {0, 0}, all[2];
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(mask[i] & groupbit)) continue;
     mine[0]++;
     mine[1] += !(mask[i] & state->group_bit());
-    mine[2] += materials[atom->type[i]].body == TM_BODY_HEAT;
   }
-  MPI_Allreduce(mine, all, 3, MPI_LMP_BIGINT, MPI_SUM, world);
+  MPI_Allreduce(mine, all, 2, MPI_LMP_BIGINT, MPI_SUM, world);
   if (all[1])
     error->all(FLERR,
                "Fix sph/tm/drive: {} particles of group {} are not in the group of fix sph/tm {}, which "
                "moves them; give fix sph/tm the group all",
                all[1], group->names[igroup], state->id());
-  if (all[2])
-    error->all(
-        FLERR,
-        "Fix sph/tm/drive: {} of {} particles of group {} only conduct heat ('body heat' of pair_coeff): no force acts "
-        "on them; the tool that they are inside of moves them ('particles' of fix contact/tri, fix_modify move)",
-        all[2], all[0], group->names[igroup]);
   if (!all[0] && comm->me == 0)
     error->warning(FLERR, "Fix sph/tm/drive {}: there are no particles in group {}; it drives nothing", id,
                    group->names[igroup]);
