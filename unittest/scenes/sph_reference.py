@@ -70,7 +70,7 @@ class Body(Rates):
             return
         rate = self.out["residual"][i]
         spin = 0.5 * np.array([L[2, 1] - L[1, 2], L[0, 2] - L[2, 0], L[1, 0] - L[0, 1]])
-        tension = min(max(-3 * p / y, 0), 1) if y > 0 and self.one_pass else 0.0
+        tension = min(max(-3 * p / y, 0), 1) if y > 0 else 0.0
         early = min(max((0.4 - self.eps[i]) / 0.2, 0), 1)    # the plastic strain before the step
         uneven = early * tension * min(self.own_h[i] * np.linalg.norm(along_stretch(L, self.dim) @ g) / 0.3, 1) if g is not None else 0.0
         memory = (0.02 + 0.38 * uneven) * min(max(2 / 3 - p / y if y > 0 else 1.0, 0.05), 1.0)

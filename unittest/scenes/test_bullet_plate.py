@@ -28,8 +28,7 @@ every, _ = residual(search="every")
 checks.near("residual velocity: skin list against every step, m/s", skin, every, relative=0.01)
 margin, _ = residual(adapt="threshold 0 margin 0.15")
 checks.near("rows with a margin against every step", margin, every, relative=1e-12)
-# these lists keep pairs, so nothing is shifted, and hourglass control lacks what it has in tension (tm_hourglass.h)
-kept, adapted = residual(adapt="threshold 1e-5")
+kept, adapted = residual(adapt="threshold 1e-5")    # these lists keep pairs, so nothing is shifted
 stays, _ = residual(shifting=False, search="every")
 checks.near("residual velocity: threshold 1e-5 against every step, not shifted", kept, stays, relative=0.02)
 t = adapted.thermo[-1]

@@ -42,10 +42,10 @@ checks.true("a limit that cannot be met is not", not answer["holds"], answer["va
 
 # a strip in tension, 12 rows, pulled to 2.2 times its length: with shifting of drawn metal from a plastic strain of 0.2 on, as it was until
 # b6b468c, it came apart at 1.39 times its length where places are moved, then at 1.92 and 2.03; since hourglass control resists more
-# in tension it is whole, and without shifting it comes apart at 1.56, before at 1.33 (doc/stability.rst)
+# in tension it is whole, and without shifting it comes apart at 1.38, before at 1.35 (doc/stability.rst)
 from drawn_strip import drawn                                                          # noqa: E402
 
 for noise in 0.0, 0.02:
     checks.above("strip in tension, places moved by %g of the spacing: comes apart at" % noise, drawn("default", 12, noise), 2.0)
-checks.below("    the counter-run, without shifting", drawn("shifting off", 12, 0.02), 1.7)
+checks.below("    the counter-run, without shifting", drawn("shifting off", 12, 0.0), 1.4)
 checks.end()

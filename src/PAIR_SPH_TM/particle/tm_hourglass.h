@@ -29,8 +29,8 @@
    a strip parted at a strain of 0.1 (bench/stability/turned_strip.py). So with tension the limit rises to the flow stress itself. What
    is forgotten lets such steps creep; where neighbors are uneven along the stretch, as told by P g of tm_shift.h, which is 0 at
    faces along it and inside, e rises to TM_HOURGLASS_LONGEST. Both fade with the plastic strain (tm_hourglass_early()): later
-   shifting closes rows up, metal that parts before an edge should part, and a limit of 0.3 is enough for necks. Pairs that
-   are kept do not come apart: none of this with them, nor else without TM_FX_ONE_PASS.
+   shifting closes rows up, metal that parts before an edge should part, and a limit of 0.3 is enough for necks. The limit is the same
+   for pairs that are kept, which do not come apart; xi and e do not rise with them, nor else without TM_FX_ONE_PASS.
    delta damps what alternates in time as well; both vanish with the square of the spacing where fields are smooth.
 
    Own construction; the idea of a penalty on what differs from the linear field is that of Ganzenmueller 2015

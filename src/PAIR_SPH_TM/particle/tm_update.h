@@ -252,10 +252,9 @@ TM_FN tm_real tm_update_uneven(int i, const tm_update_args *a, const tm_point *q
 /* Displacement of hourglass control for the next force point; xi: its stiffness, q: at the end of the step, rho_c2: at the
    force point. */
 TM_FN void tm_update_hourglass(int i, const tm_update_args *a, const tm_update_read *in, tm_real xi, const tm_point *q,
-                               tm_real rho_c2, tm_real eps_p, tm_mat3 L, tm_real h, int forget, unsigned effects)
+                               tm_real rho_c2, tm_real eps_p, tm_mat3 L, tm_real h, int forget, int dim3)
 {
-  const int dim3 = (effects & TM_FX_3D) != 0;
-  const tm_real tension = (effects & TM_FX_ONE_PASS) ? tm_tension_share(q->yield, q->p) : 0.0;
+  const tm_real tension = tm_tension_share(q->yield, q->p);
   const tm_real early = tm_hourglass_early(eps_p);
   const tm_real memory = tm_hourglass_memory(q->yield, q->p, tm_update_uneven(i, a, q, early * tension, L, h, dim3));
   const tm_vec3 u = tm_hourglass_step(in->u, in->u_rate, xi, L, a->dt, q->d_eps / memory, forget);
@@ -378,7 +377,7 @@ TM_FN tm_update_result tm_update(int i, const tm_update_args *a, unsigned effect
       dmg[tm_column(1)] = tm_damage_failed(m, dmg[0], pl ? pl[0] : 0.0) ? 1.0 : 0.0;
     }
     if (effects & TM_FX_BALSARA) tm_update_balsara(i, s, L, sound, h);
-    if (controls) tm_update_hourglass(i, a, &in, xi, &q, rho_c2, eps_p, L, h, forget, effects);
+    if (controls) tm_update_hourglass(i, a, &in, xi, &q, rho_c2, eps_p, L, h, forget, dim3);
     tm_heat_taken taken = {0.0, 0.0, 0.0};
     if (effects & TM_FX_HEAT)
       taken = tm_update_temperature(i, a, &in, m, q.rho, q.yield * q.d_eps * inv_dt, compression,

@@ -399,7 +399,7 @@ void PairSPHTM::read_restart_settings(FILE *fp)
 
 double PairSPHTM::memory_usage()
 {
-  double bytes = Pair::memory_usage() + rows->bytes();
+  double bytes = Pair::memory_usage() + rows->bytes() + interior.bytes();
   if (!scene->is_bound()) return bytes;
   bytes += state->active().bytes();
   for (const auto &b : results.bytes_by_effect(state->effects())) bytes += b.second;
