@@ -323,13 +323,17 @@ STAGE(drive)
   a.state = cloud_state(w);
   a.group = 2;
   a.act = 1;
+  a.turn.turns = i % 2;
+  a.turn.point = tm_vec(0.1, -0.2, 0.3); a.turn.axis = tm_vec(0.6, 0.0, 0.8);
+  a.turn.rate = 2.0;
+  a.turn.period[0] = a.turn.period[1] = a.turn.period[2] = 0.0;
   a.given[0] = a.given[2] = 1; a.given[1] = 0;
   a.velocity[0] = 3.0; a.velocity[1] = 0.0; a.velocity[2] = -2.0;
   a.dt = w->dt;
   a.accel_unit = 1.0;
   const tm_drive_result r = tm_drive(i, &a);
   for (int k = 0; k < 3; k++) out[k] = r.force[k];
-  out[3] = r.work;
+  out[3] = r.work; out[4] = r.torque;
 }
 STAGE(update)
 {

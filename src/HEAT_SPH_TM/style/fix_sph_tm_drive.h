@@ -1,13 +1,13 @@
 /* -*- c++ -*- ----------------------------------------------------------
    SPH-TM: fix sph/tm/drive. Prescribed velocity of a group that fix sph/tm
-   integrates, and the force and work this takes.
+   integrates, a turn about an axis with it, and the force and work this takes.
 ------------------------------------------------------------------------- */
 #ifndef LMP_FIX_SPH_TM_DRIVE_H
 #define LMP_FIX_SPH_TM_DRIVE_H
 
 #include "fix.h"
 
-#include "equal_value.h"
+#include "drive_turn.h"
 #include "scene.h"
 
 namespace LAMMPS_NS {
@@ -31,13 +31,15 @@ class FixSPHTMDrive : public Fix {
   SPHTM_NS::ParticleState *state = nullptr;    // of fix sph/tm
   bool given[3] = {false, false, false};
   SPHTM_NS::EqualValue velocity[3];
-  double sum[4] = {0.0, 0.0, 0.0, 0.0};    // of this rank: force on the drive, work of the drive so far
+  SPHTM_NS::DriveTurn turn;
+  double radius = 0.0;                          // of the group about the axis of the turn
+  double sum[5] = {0.0, 0.0, 0.0, 0.0, 0.0};    // of this rank: force on the drive, work of the drive so far, torque
 
   void check_group();
   void warn_of_later_forces();
-  void velocity_now(double *target);
-  void limit_time_step(const double *target);
-  void drive(const double *velocity, bool act);
+  void now(double *target, double &omega);
+  void limit_time_step(const double *target, double omega);
+  void drive(const double *velocity, const tm_drive_turn &, bool act);
 };
 
 }    // namespace LAMMPS_NS
