@@ -57,10 +57,21 @@ class Rates:
         b = np.minimum(self.shock * np.maximum(Z ** 2 - 0.01, 0) / (1 + Z ** 2), 0.85 * np.maximum(1 - turn, 0) / (1.7 * turn))
         return np.where(flows, self.inside(ahead) * b * rho * c ** 2 * squeezed, 0.0)
 
-    def contact(self, out, touch, r, d, vij, dt):
+    def layers(self, L, n, dt):
+        """The half spacing of each particle along n where a metal that flows strains there: thicker by, d by/d strain, strain, its rate."""
+        half = 0.5 * self.spacing
+        x0 = np.where(self.thin, self.thin_strain, 0.0)
+        rate = np.einsum("ia,iab,ib->i", n, L, n)
+        strain = x0 + 0.5 * dt * rate
+        q = 1 + (strain / np.where(strain < 0, 1.1, 0.4)) ** 4
+        stretch = np.exp(strain / q ** 0.25)
+        return half * (stretch - 1), half * stretch / q ** 1.25, strain, rate
+
+    def contact(self, out, touch, r, d, vij, dt, ahead):
         """Two bodies: F15 (9)-(16) of each particle against the smooth surface psi of the other body, from both sides
         with half of the stiffness; DFAC = 1 is critical damping of the reduced mass; friction takes 1.5 times the sliding
-        that the step would end with at most; its heat is shared by effusivity."""
+        that the step would end with at most; its heat is shared by effusivity. The half spacing up to the surface strains in
+        metal that flows, and the force on it is a stress of the particle at the next force point."""
         mu, penalty, damping = next(law[1:] for law in self.meets.values() if law[0] == "contact")
         width, s, dim = 0.845, self.spacing, self.dim
         reach = min(2.4, REACH.get(self.kernel, 2.0) * self.h / s) ** 2
@@ -85,22 +96,41 @@ class Rates:
         w = np.where(near, np.exp(-x / width) - edge * (1 + (reach - x) / width), 0.0) / norm
         fall = np.where(near, 2 * (np.exp(-x / width) - edge) / (width * s * s), 0.0) / norm
         psi = w.sum(axis=1)
-        hit, out["touched"] = psi > 1, psi > 0    # touched: in range, where nothing is shifted
-        q = 1 - bend * np.log(np.where(hit, psi, 1.0))
+        out["touched"] = psi > 0    # in range, where nothing is shifted
+        known = psi > 0.35
+        q = 1 - bend * np.log(np.where(known, psi, 1.0))
         deep, at = q <= 0.16, np.exp(0.84 / bend)    # linear in psi from there
-        root, of = np.sqrt(np.maximum(q, 0.16)), np.where(deep, at, np.where(hit, psi, 1.0))
-        rate = np.where(hit, s * 0.5 * bend / (of * root), 0.0)
-        delta = np.where(hit, s * (1 - root) + np.where(deep, rate * (psi - at), 0.0), 0.0)
+        root, of = np.sqrt(np.maximum(q, 0.16)), np.where(deep, at, np.where(known, psi, 1.0))
+        rate = np.where(known, s * 0.5 * bend / (of * root), 0.0)
+        delta = np.where(known, s * (1 - root) + np.where(deep, rate * (psi - at), 0.0), -s)
         p = w / np.maximum(psi, 1e-300)[:, None]    # shares of the neighbors
+        normal = np.einsum("ij,ija->ia", fall, d)
+        steep = np.linalg.norm(normal, axis=1)
+        n = normal / np.maximum(steep, 1e-300)[:, None]
+        by, arm, strain, of_strain = self.layers(out["L"], n, dt if ahead else 0.0)
+        flows = np.array([m.strength[0] not in ("none", "elastic") for m in self.mat])
+        thin = flows & ((psi > 1) | (self.thin > 0) & (psi > 0))    # from touch on, until the other body is away
+        by, grows = np.where(thin, by, 0.0), np.where(thin, arm * of_strain, 0.0)
+        mean = p @ by
+        w_rate = -fall * np.einsum("ija,ija->ij", d, vij)
+        delta = delta + by + mean
+        hit = known & (delta > 0)
         E = np.array([m.E for m in self.mat])
         k = np.sum(p * penalty * E[:, None] * E[None] / (E[:, None] + E[None]) * (s if dim == 3 else 1.0), axis=1)
         under = p @ self.m
         mass = self.m * under / (self.m + under)
-        closing = -rate * np.einsum("ij,ija,ija->i", fall, d, vij)
-        f = np.where(hit, 0.5 * np.maximum(k * delta + 2 * damping * np.sqrt(k * mass) * closing, 0), 0.0)
-        normal = np.einsum("ij,ija->ia", fall, d)
-        steep = np.linalg.norm(normal, axis=1)
-        n = normal / np.maximum(steep, 1e-300)[:, None]
+        closing = rate * w_rate.sum(axis=1) + grows + p @ grows + (w_rate @ by - mean * w_rate.sum(axis=1)) / np.maximum(psi, 1e-300)
+        c = 2 * damping * np.sqrt(k * mass)
+        f = np.where(hit, 0.5 * np.maximum(k * delta + c * closing, 0), 0.0)
+        if ahead:
+            then = np.where(f > 0, 0.5 * np.maximum(k * (delta + dt * closing) + c * closing, 0), 0.0)
+            per = arm * self.q["rho"] / self.m
+            now, then = (f + p.T @ f) * per, (then + p.T @ then) * per
+            lacks = now - np.where(self.thin == 3, self.thin_told, 0.0)
+            self.thin_told = np.where(thin, then, self.thin_told)
+            self.thin_stress = np.where(thin[:, None, None], (then + lacks)[:, None, None] * n[:, :, None] * n[:, None], self.thin_stress)
+            self.thin_strain = np.where(thin, strain + 0.5 * dt * of_strain, self.thin_strain)
+            self.thin = np.where(thin, 4, self.thin)
         v = np.einsum("ij,ija->ia", p, vij)
         end = self.v + dt * out["acc"]    # of the step, by the forces so far
         slide = end - p @ end
@@ -108,7 +138,7 @@ class Rates:
         speed = np.linalg.norm(slide, axis=1)
         ft = np.minimum(mu * f * rate * steep, 0.75 * mass * speed / dt)
         friction = np.where(hit & (speed > 0), -ft / np.maximum(speed, 1e-300), 0.0)[:, None] * slide
-        a = (f * rate)[:, None] * fall
+        a = f[:, None] * (rate[:, None] + (by[None] - mean[:, None]) / np.maximum(psi, 1e-300)[:, None]) * fall
         give = p[..., None] * friction[:, None]
         force = (a + a.T)[..., None] * d + give - give.transpose(1, 0, 2)
         out["acc"] = out["acc"] + np.sum(force, axis=1) / self.m[:, None]
@@ -291,7 +321,8 @@ class Rates:
         R = self.tensile(sigma, rho)
 
         # momentum: F15 (4), F14 (6); corrected per particle after Bonet and Lok
-        P = sigma if f14 else sigma / rho[:, None, None] ** 2
+        P = sigma + np.where(self.thin == 3, 1.0, 0.0)[:, None, None] * self.thin_stress
+        P = P if f14 else P / rho[:, None, None] ** 2
         if self.balanced:    # what R takes from the tension of a lattice is given back
             back = tensile_share(self.kernel, dim, self.h / self.spacing, self.artstress[1]) * R
             P = P - (back * rho[:, None, None] ** 2 if f14 else back)
@@ -339,7 +370,7 @@ class Rates:
         out["acc"] = out["acc"] + np.asarray(self.load) / m[:, None]
         out["source"], out["touched"] = np.zeros(n), np.zeros(n, bool)
         if touch.any():
-            self.contact(out, touch, r, d, vij, dt)
+            self.contact(out, touch, r, d, vij, dt, ahead)
         if dim == 2:
             out["acc"][:, 2] = 0
         out["heating"] = -0.5 * m * np.einsum("j,ija,ija->i", m, art, vij)

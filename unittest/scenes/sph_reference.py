@@ -56,6 +56,8 @@ class Body(Rates):
         self.failed, self.flow = np.zeros(n, bool), np.zeros(n)    # flow: stress, of the last step
         self.lz = np.ones(n)
         self.switch, self.u = np.ones(n), np.zeros((n, 3))
+        # layers at other bodies: steps until they are forgotten, strain, stress at the next force point and what of it was foretold
+        self.thin, self.thin_strain, self.thin_stress, self.thin_told = np.zeros(n, int), np.zeros(n), np.zeros((n, 3, 3)), np.zeros(n)
         self.w, self.w_rate = np.zeros((n, 3)), np.zeros((n, 3))    # of hourglass control: displacement and its last rate
         self.known = None    # with one pass: correction and velocity gradient of the last force point, time since then
         self.own_h, self.target = np.full(n, float(h)), None    # follow: None, still, psi, density
@@ -207,6 +209,7 @@ class Body(Rates):
                 self.face = np.clip(1 - strained / 0.1, 0, 1)[:, None] * o["normals"]
         self.x, self.v = x, v
         self.old = (rate, self.old[0])
+        self.thin = np.maximum(self.thin - 1, 0)
         self.steps += 1
         if self.follow and self.steps % self.every == 0:
             self.follow_neighbors()

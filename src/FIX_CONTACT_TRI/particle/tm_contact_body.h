@@ -79,11 +79,7 @@ TM_FN void tm_contact_load_layer(int i, const tm_contact_args *a, const tm_touch
   }
   b->direction = tm_sym_scale(1.0 / sum, b->direction);
   b->rate = tm_sym_ddot(b->direction, tm_mat_symmetric(tm_mat_from_row(a->gradient + tm_row(i, 9))));
-  const int ends = !tm_layer_goes_on(start, a->layer_dt * b->rate);
-  if (ends) b->rate = 0.0;
-  b->strain = start + 0.5 * a->layer_dt * b->rate;
-  b->thickness = r * tm_layer_stretch(b->strain, &b->arm);
-  b->arm = ends ? 0.0 : r * b->arm; /* no work in a layer that stays as it is */
+  b->thickness = tm_layer_advance(start, r, a->layer_dt, &b->rate, &b->strain, &b->arm);
 }
 
 /* Those of n places whose distance is below the thickness of the layer, in front. */
@@ -107,14 +103,8 @@ TM_FN void tm_contact_store_layer(int i, const tm_contact_args *a, const tm_cont
     now += c[m].fn;
     if (c[m].fn > 0.0) next += tm_max(k * (c[m].delta + a->layer_dt * c[m].closing) + damping * c[m].closing, 0.0);
   }
-  /* what the last prediction lacks is given in the step that comes, so that nothing is missing in the sum */
-  tm_real *ahead = b->layer + tm_column(TM_L_AHEAD);
-  const tm_real owed = now * per_force - (b->layer[tm_column(TM_L_NEAR)] == TM_LAYER_NOW - 1.0 ? *ahead : 0.0);
-  *ahead = next * per_force;
-  tm_sym_to_row(b->layer + tm_column(TM_L_STRESS), tm_sym_scale(*ahead + owed, b->direction));
-  b->layer[tm_column(TM_L_STRAIN)] = b->strain + 0.5 * a->layer_dt * b->rate;
-  b->layer[tm_column(TM_L_NEAR)] = TM_LAYER_NOW;
-  b->layer[tm_column(TM_L_TOOL)] = b->side * a->tool;
+  tm_layer_store(b->layer, now * per_force, next * per_force, b->direction, b->strain + 0.5 * a->layer_dt * b->rate,
+                 b->side * a->tool);
 }
 
 #endif

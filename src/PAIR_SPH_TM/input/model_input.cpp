@@ -133,7 +133,7 @@ void check_spacing_kept(LAMMPS *lmp, const Settings &before, const Settings &now
 }
 
 // how two types meet: bond | none | heat [conductance hc] | contact [friction mu] [friction/table T1 mu1 ...]
-// [friction/shear m] [penalty PFAC] [damping DFAC] [conductance hc]
+// [friction/shear m] [penalty PFAC] [layer rigid | strains] [damping DFAC] [conductance hc]
 static void read_meeting(LAMMPS *lmp, int narg, char **arg, Model &model)
 {
   Error *error = lmp->error;
@@ -172,12 +172,17 @@ static void read_meeting(LAMMPS *lmp, int narg, char **arg, Model &model)
     } else if (key == "penalty" && law.meeting == CONTACT)
       law.penalty = strcmp(val, "material") == 0 ? TM_PENALTY_MATERIAL
                                                  : positive(lmp, "Pair sph/tm coeff contact penalty", val);
-    else if (key == "damping" && law.meeting == CONTACT)
+    else if (key == "layer" && law.meeting == CONTACT) {
+      const bool strains = strcmp(val, "strains") == 0;
+      if (!strains && strcmp(val, "rigid") != 0)
+        error->all(FLERR, "Pair sph/tm coeff contact layer must be rigid or strains, got {}", val);
+      law.layer = strains ? LAYER_OF_BODIES_STRAINS : LAYER_OF_BODIES_RIGID;
+    } else if (key == "damping" && law.meeting == CONTACT)
       law.contact.damping = not_negative(lmp, "Pair sph/tm coeff contact damping", val);
     else
       error->all(FLERR, "Unknown pair sph/tm coeff {} keyword {}: known {}", what, key,
-                 law.meeting == CONTACT     ? "are friction, friction/table, friction/shear, penalty, damping and "
-                                              "conductance"
+                 law.meeting == CONTACT ? "are friction, friction/table, friction/shear, penalty, layer, damping and "
+                                          "conductance"
                  : law.meeting == HEAT_ONLY ? "is conductance"
                                             : "is none");
   }

@@ -240,7 +240,7 @@ void ModelRestart::compare(const Model &model)
       const PairLaw &a = then->laws[i * (model.types() + 1) + j], &b = model.pair_laws()(i, j);
       if (a.meeting == b.meeting && a.conductance == b.conductance &&
           same_table(a.contact.friction, b.contact.friction) && a.contact.shear == b.contact.shear &&
-          a.penalty == b.penalty && a.contact.damping == b.contact.damping)
+          a.penalty == b.penalty && a.layer == b.layer && a.contact.damping == b.contact.damping)
         continue;
       error->warning(FLERR, "{}: how types {} and {} meet is set in another way{}", WHO, i, j, tail);
     }

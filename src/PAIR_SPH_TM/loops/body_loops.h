@@ -12,11 +12,12 @@ struct BodyContactLoop {
   tm_body_contact_args contact;
 };
 
-#define BODY_LOOPS(LOOP)                                                       \
-  LOOP(EACH, ahead, tm_ahead_args, tm_body_ahead(i, &a, effects))              \
-  LOOP(SUM, touch, BodyContactLoop, tm_body_contact_result, tm_body_contact,   \
-       tm_body_touch(i, &a.rates, &a.contact, effects))                        \
-  LOOP(SUM, contact, BodyContactLoop, tm_body_contact_result, tm_body_contact, \
+#define BODY_LOOPS(LOOP)                                                            \
+  LOOP(EACH, ahead, tm_ahead_args, tm_body_ahead(i, &a, effects))                   \
+  LOOP(EACH, thin, BodyContactLoop, tm_body_thin(i, &a.rates, &a.contact, effects)) \
+  LOOP(SUM, touch, BodyContactLoop, tm_body_contact_result, tm_body_contact,        \
+       tm_body_touch(i, &a.rates, &a.contact, effects))                             \
+  LOOP(SUM, contact, BodyContactLoop, tm_body_contact_result, tm_body_contact,      \
        (a.rates.rows.contact[i] ? tm_body_contact(i, &a.rates, &a.contact, effects) : tm_body_contact_nothing()))
 
 struct BodyLoops {

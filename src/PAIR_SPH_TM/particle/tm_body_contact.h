@@ -3,7 +3,8 @@
    The law of tm_contact_law.h, F15 (9)-(14), between each particle and the smooth surface of the other body
    (tm_body_surface.h), from both sides, each with half of the stiffness F15 (10) per area.
 
-     penetration F15 (9)    delta_i = s D(psi_i),  psi_i = sum_j w_ij,  w_ij = edge_j^(d-1)/(C s_ij^(d-1)) k(r^2/s_ij^2)
+     penetration F15 (9)    delta_i = s D(psi_i) + u_i + sum_j w_ij u_j/psi_i,  psi_i = sum_j w_ij,
+                            w_ij = edge_j^(d-1)/(C s_ij^(d-1)) k(r^2/s_ij^2), u of the layers (tm_body_layer.h)
      normal force           f_i = (k delta_i + c ddelta_i/dt)/2 acts on each pair as - f_i ddelta_i/dx_ij, along x_ij
      friction F15 (13)      against the sliding v_i - sum_j w_ij v_j/psi_i across the normal grad psi_i that the step
                             would end with, at most min(mu(T) f_i, m Y/sqrt(3) A), divided over the pairs by w_ij/psi_i
@@ -17,29 +18,14 @@
    everywhere, less than 2, where a body at rest would begin to swing. Its heat is shared by effusivity
    sqrt(k rho c_p).
 
-   Three passes, since a particle needs of its neighbors in contact what they have found: tm_body_ahead() writes what
-   friction needs, tm_body_touch() the side of each particle, tm_body_contact() adds up the pairs; ghosts get the first
-   two. A particle has a side for each body that it may touch. */
+   Four passes, since a particle needs of its neighbors in contact what they have found: tm_body_ahead() writes what
+   friction needs, tm_body_thin() the layers, tm_body_touch() the side of each particle, tm_body_contact() adds up the pairs;
+   ghosts get the first three. A particle has a side for each body that it may touch. */
 #ifndef TM_BODY_CONTACT_H
 #define TM_BODY_CONTACT_H
 
-#include "tm_body_surface.h"
-#include "tm_contact_law.h"
-#include "tm_heat.h"
-#include "tm_rates.h"
-#include "tm_start_temperature.h"
-#include "tm_state.h"
+#include "tm_body_layer.h"
 
-typedef struct {
-  tm_table friction; /* mu(T), Coulomb's coefficient, >= 0 */
-  tm_real shear;     /* m: friction <= m Y/sqrt(3) A; 0: no such limit */
-  tm_real modulus;   /* E_i E_j/(E_i + E_j) in F15 (10), with PFAC or of the materials: tm_contact_modulus_of_two() */
-  tm_real damping;   /* DFAC, share of critical, >= 0 */
-} tm_body_law;
-
-/* What friction needs of a particle: the velocity that the step would end with by the forces so far, and the flow stress
-   (0: not known). */
-enum { TM_AHEAD_V = 0, TM_AHEAD_YIELD = 3, TM_AHEAD = 4 };
 typedef struct {
   tm_state state;
   tm_real dt, force_unit; /* mass times acceleration -> force of the unit style */
@@ -60,104 +46,6 @@ TM_FN void tm_body_ahead(int i, const tm_ahead_args *a, unsigned effects)
 
 #define TM_BODY_STOP 1.5
 
-/* Columns of a side: f ddelta/dpsi; friction over psi x y z; heat of friction for the other body over psi. */
-enum { TM_SIDE_NORMAL = 0, TM_SIDE_FRICTION = 1, TM_SIDE_HEAT = 4, TM_BODY_SIDE = 5 };
-
-typedef struct {
-  const tm_body_law *law;    /* per type pair, index i * (ntypes + 1) + j */
-  const int *side;           /* per type pair: which side of i meets j, from 1 on; 0: no contact */
-  int sides;                 /* most that a particle has */
-  const tm_real *effusivity; /* per type, sqrt(k rho c_p) at the reference temperature */
-  tm_body_surface surface;
-  tm_real spacing; /* dp of the pair style */
-  tm_real dt;
-  tm_real after;               /* from the force point to the end of the step */
-  tm_real *sides_of;           /* sides * TM_BODY_SIDE per particle, owned and ghost */
-  const tm_real *ahead;        /* TM_AHEAD per particle, owned and ghost; NULL: no friction */
-  const int *mask;             /* groups of owned and ghost particles */
-  tm_start_temperatures start; /* without the effect heat */
-  tm_real *source;             /* heat power of particle i, added to, or NULL */
-} tm_body_contact_args;
-
-/* Sums over particles. */
-typedef struct {
-  tm_real spring; /* elastic energy */
-  tm_real damping_power, friction_power;
-  tm_real heat_power; /* friction heat into the particle */
-  tm_real work_power; /* of the contact force on the particle */
-  tm_real depth;      /* deepest, in spacings: no sum */
-} tm_body_contact_result;
-
-TM_FN tm_body_contact_result tm_body_contact_nothing(void)
-{
-  tm_body_contact_result r;
-  r.spring = r.damping_power = r.friction_power = r.heat_power = r.work_power = r.depth = 0.0;
-  return r;
-}
-TM_FN void tm_body_contact_sum(tm_body_contact_result *sum, const tm_body_contact_result *r)
-{
-  sum->spring += r->spring;
-  sum->damping_power += r->damping_power;
-  sum->friction_power += r->friction_power;
-  sum->heat_power += r->heat_power;
-  sum->work_power += r->work_power;
-  sum->depth = tm_max(sum->depth, r->depth);
-}
-
-/* Edge of particle i. */
-TM_FN tm_real tm_body_edge(int i, const tm_rates_args *a, const tm_body_contact_args *b)
-{
-  return a->rec.size ? a->rec.size[(ptrdiff_t) i * TM_REC_SIZE + TM_SIZE_DP] : b->spacing;
-}
-
-TM_FN tm_real tm_body_temperature(int i, const tm_rates_args *a, const tm_body_contact_args *b)
-{
-  if (a->rec.heat) return tm_heat_record(&a->rec, i)[TM_REC_T];
-  return tm_start_temperature(&b->start, b->mask ? b->mask[i] : 0);
-}
-
-/* Velocity of particle i at the end of the step, by the forces so far. */
-TM_FN tm_vec3 tm_body_end(int i, const tm_body_contact_args *b, int dim3)
-{
-  const tm_real *v = b->ahead + (ptrdiff_t) i * TM_AHEAD;
-  return tm_vec(v[0], v[1], dim3 ? v[2] : 0.0);
-}
-
-/* A pair within the reach. */
-typedef struct {
-  tm_vec3 d;            /* x_i - x_j */
-  tm_real apart;        /* s_ij */
-  tm_real area;         /* 1/(C s_ij^(d-1)) */
-  tm_real k, fall;      /* k(x), -2 dk/dx / s_ij^2: grad k = -fall d */
-  tm_real ai, aj;       /* edge^(d-1), with the norm of the other's layers over C */
-  int law, side, other; /* index of the type pair, side of i and of j */
-} tm_body_pair;
-
-/* 0: they do not meet by contact, or are too far apart. */
-TM_FN int tm_body_meet(int i, int j, const tm_rates_args *a, const tm_body_contact_args *b, int dim3, tm_body_pair *p)
-{
-  p->law = a->type[i] * (a->ntypes + 1) + a->type[j];
-  p->side = b->side[p->law] - 1;
-  if (p->side < 0) return 0;
-  p->other = b->side[a->type[j] * (a->ntypes + 1) + a->type[i]] - 1;
-  const tm_real *ri = tm_main_record(&a->rec, i), *rj = tm_main_record(&a->rec, j);
-  p->d = tm_vec(ri[0] - rj[0], ri[1] - rj[1], dim3 ? ri[tm_part(2)] - rj[tm_part(2)] : 0.0);
-  const tm_real ei = tm_body_edge(i, a, b), ej = tm_body_edge(j, a, b), s = 0.5 * (ei + ej);
-  const tm_real x = tm_vec_dot(p->d, p->d) / (s * s);
-  if (!(x < b->surface.reach2)) return 0;
-  p->apart = s;
-  p->area = 1.0 / (b->surface.norm * (dim3 ? s * s : s));
-  p->ai = dim3 ? ei * ei : ei;
-  p->aj = dim3 ? ej * ej : ej;
-  if (ei != ej) { /* other layers than C counts */
-    p->ai *= b->surface.norm / tm_body_norm(&b->surface, ei / s);
-    p->aj *= b->surface.norm / tm_body_norm(&b->surface, ej / s);
-  }
-  p->k = tm_body_weight(&b->surface, x);
-  p->fall = 2.0 * tm_body_fall(&b->surface, x) / (s * s);
-  return 1;
-}
-
 /* What a particle finds of another body: sums over its particles, weighted by w_ij. */
 typedef struct {
   tm_real psi, rate;            /* psi_i and its rate */
@@ -165,6 +53,7 @@ typedef struct {
   tm_vec3 v, end;               /* velocity, and that at the end of the step */
   tm_real mass, apart, T;       /* mass, s_ij, temperature */
   tm_real stiffness, bj, yield; /* F15 (10), effusivity, flow stress */
+  tm_real change, change_rate;  /* of the layers, their mean and its rate */
   tm_real heaviest;             /* the largest w_ij, */
   int law;                      /* and the law of that pair */
 } tm_body_other;
@@ -178,6 +67,7 @@ TM_FN tm_body_other tm_body_find(int i, int side, tm_vec3 vi, const tm_rates_arg
   const tm_real edge = tm_body_edge(i, a, b);
   tm_body_other o;
   o.psi = o.rate = o.mass = o.apart = o.T = o.stiffness = o.bj = o.yield = o.heaviest = 0.0;
+  o.change = o.change_rate = 0.0;
   o.normal = o.v = o.end = tm_vec(0, 0, 0);
   o.law = 0;
   for (ptrdiff_t m = begin; m < end; m++) {
@@ -188,7 +78,12 @@ TM_FN tm_body_other tm_body_find(int i, int side, tm_vec3 vi, const tm_rates_arg
     const tm_vec3 vj = tm_vec_from_record(rj, TM_REC_V, dim3);
     const tm_real w = p.aj * p.area * p.k, fall = p.aj * p.area * p.fall;
     o.psi += w;
-    o.rate -= fall * tm_vec_dot(p.d, tm_vec_sub(vi, vj));
+    const tm_real growth = -fall * tm_vec_dot(p.d, tm_vec_sub(vi, vj)), change = tm_body_thinner(j, p.other, b);
+    o.rate += growth;
+    if (b->thin) {
+      o.change += w * change;
+      o.change_rate += growth * change + w * tm_body_thinning(j, p.other, b);
+    }
     o.normal = tm_vec_axpy(o.normal, fall, p.d);
     o.v = tm_vec_axpy(o.v, w, vj);
     o.mass += w * rj[tm_part(TM_REC_M)];
@@ -215,6 +110,8 @@ TM_FN tm_body_other tm_body_find(int i, int side, tm_vec3 vi, const tm_rates_arg
     o.stiffness *= one;
     o.bj *= one;
     o.yield *= one;
+    o.change *= one;
+    o.change_rate = one * (o.change_rate - o.change * o.rate);
   }
   return o;
 }
@@ -237,17 +134,20 @@ TM_FN void tm_body_touch_one(int i, int side, tm_vec3 vi, const tm_rates_args *a
                              int dim3, tm_body_contact_result *out)
 {
   const tm_body_other o = tm_body_find(i, side, vi, a, b, dim3);
-  tm_real per_psi;
-  const tm_real depth = tm_body_depth(&b->surface, o.psi, &per_psi);
   if (o.psi > 0.0) { /* it may be of the surface that one beneath it touches: then springs would move with it */
     if (a->uneven) tm_vec_to_row(a->uneven + tm_row(i, 3), tm_vec(0, 0, 0));
     if (a->xsph_v) tm_store3(a->xsph_v + 3 * (ptrdiff_t) i, tm_vec(0, 0, 0));
   }
-  if (!(o.psi > 1.0)) return;
-  out->depth = tm_max(out->depth, depth);
+  if (!(o.psi > (b->thin ? TM_BODY_FAINT : 1.0))) return;
+  tm_real per_psi;
+  const tm_real own = tm_body_thinner(i, side, b);
+  const tm_real delta = o.apart * tm_body_signed_depth(&b->surface, o.psi, &per_psi) + own + o.change;
+  if (!(delta > 0.0)) return;
+  out->depth = tm_max(out->depth, delta / o.apart);
   const tm_body_law *law = b->law + o.law;
   const tm_real mi = tm_main_record(&a->rec, i)[tm_part(TM_REC_M)], mass = mi * o.mass / (mi + o.mass);
-  const tm_real delta = o.apart * depth, slope = o.apart * per_psi, closing = slope * o.rate;
+  const tm_real slope = o.apart * per_psi;
+  const tm_real closing = slope * o.rate + tm_body_thinning(i, side, b) + o.change_rate;
   const tm_real c = tm_contact_damping(law->damping, o.stiffness, mass);
   const tm_real f = 0.5 * tm_contact_normal(o.stiffness, delta, c, closing, 0); /* F15 (12) */
   const tm_real left = tm_max(delta + b->after * closing, 0.0);
@@ -256,6 +156,10 @@ TM_FN void tm_body_touch_one(int i, int side, tm_vec3 vi, const tm_rates_args *a
 
   tm_real *mine = b->sides_of + ((ptrdiff_t) i * b->sides + side) * TM_BODY_SIDE;
   mine[TM_SIDE_NORMAL] = f * slope;
+  mine[TM_SIDE_LOAD] = f / o.psi;
+  mine[TM_SIDE_MEAN] = o.change;
+  if (f > 0.0)
+    mine[TM_SIDE_NEXT] = 0.5 * tm_contact_normal(o.stiffness, delta + b->layer_dt * closing, c, closing, 0) / o.psi;
   const tm_real steep = tm_vec_norm(o.normal);
   if (!(steep > 0.0) || !b->ahead) return;
   const tm_vec3 end = tm_vec_sub(tm_body_end(i, b, dim3), o.end); /* F15 (14) */
@@ -296,7 +200,9 @@ TM_FN tm_body_contact_result tm_body_contact(int i, const tm_rates_args *a, cons
   const ptrdiff_t end = begin + a->rows.contact[i];
   const int *row = a->rows.index + a->rows.first[i];
   const tm_vec3 vi = tm_vec_from_record(tm_main_record(&a->rec, i), TM_REC_V, dim3);
-  tm_vec3 force = tm_vec(0, 0, 0);
+  tm_vec3 force = tm_vec(0, 0, 0), normal = tm_vec(0, 0, 0);
+  tm_real load = 0.0, next = 0.0; /* on the layer */
+  const int layer = b->thin ? (int) b->thin[(ptrdiff_t) i * TM_THIN + TM_THIN_SIDE] - 1 : -1;
   tm_body_contact_result out = tm_body_contact_nothing();
 
   for (ptrdiff_t m = begin; m < end; m++) {
@@ -306,7 +212,17 @@ TM_FN tm_body_contact_result tm_body_contact(int i, const tm_rates_args *a, cons
     const tm_real *own = b->sides_of + ((ptrdiff_t) i * b->sides + p.side) * TM_BODY_SIDE;
     const tm_real *his = b->sides_of + ((ptrdiff_t) j * b->sides + p.other) * TM_BODY_SIDE;
     const tm_real wi = p.aj * p.area * p.k, wj = p.ai * p.area * p.k; /* w_ij, w_ji */
-    force = tm_vec_axpy(force, p.area * p.fall * (p.aj * own[TM_SIDE_NORMAL] + p.ai * his[TM_SIDE_NORMAL]), p.d);
+    tm_real mine_of_it = own[TM_SIDE_NORMAL], his_of_it = his[TM_SIDE_NORMAL];
+    if (b->thin) {
+      mine_of_it += own[TM_SIDE_LOAD] * (tm_body_thinner(j, p.other, b) - own[TM_SIDE_MEAN]);
+      his_of_it += his[TM_SIDE_LOAD] * (tm_body_thinner(i, p.side, b) - his[TM_SIDE_MEAN]);
+    }
+    force = tm_vec_axpy(force, p.area * p.fall * (p.aj * mine_of_it + p.ai * his_of_it), p.d);
+    if (p.side == layer) {
+      normal = tm_vec_axpy(normal, p.aj * p.area * p.fall, p.d);
+      load += wi * own[TM_SIDE_LOAD] + wj * his[TM_SIDE_LOAD];
+      next += wi * own[TM_SIDE_NEXT] + wj * his[TM_SIDE_NEXT];
+    }
     force = tm_vec_add(force, tm_vec_sub(tm_vec_scale(wi, tm_vec(own[1], own[2], own[3])),
                                          tm_vec_scale(wj, tm_vec(his[1], his[2], his[3]))));
     out.heat_power += wj * his[TM_SIDE_HEAT];
@@ -314,6 +230,7 @@ TM_FN tm_body_contact_result tm_body_contact(int i, const tm_rates_args *a, cons
   a->force[3 * (ptrdiff_t) i] += a->force_unit * force.x;
   a->force[3 * (ptrdiff_t) i + 1] += a->force_unit * force.y;
   a->force[3 * (ptrdiff_t) i + 2] += a->force_unit * force.z;
+  if (layer >= 0 && b->layer_dt > 0.0) tm_body_store_layer(i, layer, normal, load, next, a, b);
   if (b->source) b->source[i] += out.heat_power;
   out.work_power = tm_vec_dot(force, vi);
   return out;

@@ -103,11 +103,9 @@ TM_FN tm_real tm_body_norm(const tm_body_surface *s, tm_real y)
   return (s->norms[k] + (at - k) * (s->norms[k + 1] - s->norms[k])) / y;
 }
 
-/* delta/s and its derivative with respect to psi; 0 without contact. */
-TM_FN tm_real tm_body_depth(const tm_body_surface *s, tm_real psi, tm_real *rate)
+/* delta/s and its derivative with respect to psi, negative where psi < 1; psi > 0. */
+TM_FN tm_real tm_body_signed_depth(const tm_body_surface *s, tm_real psi, tm_real *rate)
 {
-  *rate = 0.0;
-  if (!(psi > 1.0)) return 0.0;
   const tm_real q = 1.0 - s->bend * log(psi), deep = TM_BODY_DEEP;
   if (q > deep) {
     *rate = 0.5 * s->bend / (psi * sqrt(q));
@@ -116,6 +114,13 @@ TM_FN tm_real tm_body_depth(const tm_body_surface *s, tm_real psi, tm_real *rate
   const tm_real at = exp((1.0 - deep) / s->bend);
   *rate = 0.5 * s->bend / (at * sqrt(deep));
   return 1.0 - sqrt(deep) + *rate * (psi - at);
+}
+
+/* The same; 0 without contact. */
+TM_FN tm_real tm_body_depth(const tm_body_surface *s, tm_real psi, tm_real *rate)
+{
+  *rate = 0.0;
+  return psi > 1.0 ? tm_body_signed_depth(s, psi, rate) : 0.0;
 }
 
 #endif

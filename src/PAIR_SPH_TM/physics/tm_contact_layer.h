@@ -45,6 +45,9 @@
    stiffness of the metal up to 0.18. */
 #define TM_LAYER_DAMPED 0.15
 
+/* Bodies of particles own layers too, by side: numbers above those of tools, which begin at 1. */
+#define TM_LAYER_OF_BODIES 1e6
+
 /* Of the column TM_L_NEAR: a tool was near in this step; counted down at its end, 0: forgotten. */
 #define TM_LAYER_NOW 4.0
 
@@ -65,6 +68,18 @@ TM_FN int tm_layer_goes_on(tm_real x, tm_real step)
   return next >= -TM_LAYER_BOUND && next <= TM_LAYER_BOUND;
 }
 
+/* The layer at a force point, half a step after `start`, of r between center and surface. In: *rate, that of the strain
+   along the normal; 0 comes back where the layer is at its bound. */
+TM_FN tm_real tm_layer_advance(tm_real start, tm_real r, tm_real dt, tm_real *rate, tm_real *strain, tm_real *arm)
+{
+  const int ends = !tm_layer_goes_on(start, dt * *rate);
+  if (ends) *rate = 0.0;
+  *strain = start + 0.5 * dt * *rate;
+  const tm_real thickness = r * tm_layer_stretch(*strain, arm);
+  *arm = ends ? 0.0 : r * *arm; /* no work in a layer that stays as it is */
+  return thickness;
+}
+
 /* 1 or -1, by the side of an oblique plane on which the normal n lies; that of -n is the other. The layer keeps it as the
    sign of the number of its tool. */
 TM_FN tm_real tm_layer_side(tm_vec3 n) { return n.x + 0.754877666 * n.y + 0.569840291 * n.z < 0.0 ? -1.0 : 1.0; }
@@ -83,6 +98,20 @@ TM_FN tm_sym3 tm_layer_stress(const tm_real *row)
 {
   return row[tm_column(TM_L_NEAR)] == TM_LAYER_NOW - 1.0 ? tm_sym_from_row(row + tm_column(TM_L_STRESS))
                                                          : tm_sym(0, 0, 0, 0, 0, 0);
+}
+
+/* The layer at the end of the step, and the stress of the next force point: now and next, f_n de/dx/V at this one and, as
+   far as known, at that; in direction n (x) n; owner: number of its tool, with the sign of its side. What the last prediction
+   lacks is given in the step that comes, so that nothing is missing in the sum. */
+TM_FN void tm_layer_store(tm_real *row, tm_real now, tm_real next, tm_sym3 direction, tm_real strain, tm_real owner)
+{
+  tm_real *ahead = row + tm_column(TM_L_AHEAD);
+  const tm_real owed = now - (row[tm_column(TM_L_NEAR)] == TM_LAYER_NOW - 1.0 ? *ahead : 0.0);
+  *ahead = next;
+  tm_sym_to_row(row + tm_column(TM_L_STRESS), tm_sym_scale(*ahead + owed, direction));
+  row[tm_column(TM_L_STRAIN)] = strain;
+  row[tm_column(TM_L_NEAR)] = TM_LAYER_NOW;
+  row[tm_column(TM_L_TOOL)] = owner;
 }
 
 /* The end of a step: a tool that is no longer near is forgotten after some more. */

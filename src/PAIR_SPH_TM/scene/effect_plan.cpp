@@ -188,6 +188,10 @@ void Reasons::settings()
   if (solid) on(TM_FX_FRACTURE, "particles that lose neighbors without damage are counted");
   if (set.xsph > 0.0) on(TM_FX_XSPH, "pair_style xsph is not 0");
   if (model.pair_laws().has_contact()) on(TM_FX_BODIES, "pair_coeff contact");
+  for (int i = 1; i <= model.types(); i++)
+    for (int j = 1; j <= model.types(); j++)
+      if (model.layer_strains(i, model.pair_laws()(i, j)))
+        on(TM_FX_LAYER, "contact of " + of_type(std::min(i, j)) + " and " + of_type(std::max(i, j)));
 }
 // second order at free faces: behind what the script forces, since it depends on what flows
 void Reasons::faces()

@@ -25,6 +25,7 @@ Model::Tables::Tables(Backend &loops)
   for (auto *a : {&conductance, &effusivity, &gradient, &share}) a->live_in(loops);
   law.live_in(loops);
   side.live_in(loops);
+  strains.live_in(loops);
 }
 
 Model::Model(LAMMPS *lmp, Backend &loops) : Pointers(lmp), tables(loops) {}
@@ -148,9 +149,14 @@ void Model::make_tables(double temperature)
                                            : 0.0;
     conducts = conducts || conductance[k] > 0.0;
     contact[k] = law.contact;
-    if (law.meeting == CONTACT)
-      contact[k].modulus =
-          tm_contact_modulus_of_two(contact_modulus(k / n, law.penalty), contact_modulus(k % n, law.penalty));
+    if (law.meeting == CONTACT) contact[k].modulus = contact_modulus_of_two(k / n, k % n);
+  }
+  std::vector<int> strains((size_t) n * most_sides, 0);
+  bool any = false;
+  for (int k = 0; k < n * n; k++) {
+    if (!side[k] || !layer_strains(k / n, laws(k / n, k % n))) continue;
+    strains[k / n * most_sides + side[k] - 1] = 1;
+    any = true;
   }
   for (int t = 1; t < n; t++) {
     const tm_material &m = material[t];
@@ -161,6 +167,7 @@ void Model::make_tables(double temperature)
   tables.conductance.assign(conductance.data(), conducts ? n * n : 0);
   tables.law.assign(contact.data(), n * n);
   tables.side.assign(side.data(), n * n);
+  tables.strains.assign(strains.data(), any ? strains.size() : 0);
   tables.effusivity.assign(effusivity.data(), n);
   std::vector<double> share(settings.art_balanced && settings.art_eps > 0.0 ? TM_GRADIENT_ENTRIES : 0);
   if (!share.empty()) tm_tensile_table(settings.kernel, domain->dimension, settings.art_n, share.data());
@@ -198,6 +205,26 @@ double Model::contact_modulus(int type, double penalty) const
   return tm_contact_modulus(penalty, m.young, tm_contact_half_layer(confined), m.strength == TM_STRENGTH_ELASTIC);
 }
 
+bool Model::layer_strains(int type, const PairLaw &law) const
+{
+  const tm_material &m = material[type];
+  if (law.meeting != CONTACT || m.body != TM_BODY_SOLID || law.layer == LAYER_OF_BODIES_RIGID) return false;
+  return law.layer == LAYER_OF_BODIES_STRAINS || tm_strength_flow(m.strength) != TM_FLOW_NONE;
+}
+
+// with a layer that strains the spring has no compliance of the metal in it, as at tools
+double Model::contact_modulus_of_two(int t, int u) const
+{
+  const PairLaw &l = laws(t, u);
+  const auto of = [&](int type) {
+    const bool elastic = material[type].strength == TM_STRENGTH_ELASTIC;
+    const bool stiff = l.penalty == TM_PENALTY_MATERIAL || (l.penalty < 0.0 && elastic);
+    return stiff && layer_strains(type, l) ? TM_LAYER_PENALTY * contact_modulus(type, TM_PENALTY_MATERIAL)
+                                           : contact_modulus(type, l.penalty);
+  };
+  return tm_contact_modulus_of_two(of(t), of(u));
+}
+
 double Model::largest_conductivity() const
 {
   double k = 0.0;
@@ -214,9 +241,11 @@ double Model::contact_time_step(int t) const
   for (int u = 1; u <= atom_types; u++) {
     const PairLaw &l = laws(t, u);
     if (l.meeting != CONTACT) continue;
-    const double of_two = tm_contact_modulus_of_two(contact_modulus(t, l.penalty), contact_modulus(u, l.penalty));
+    const double of_two = contact_modulus_of_two(t, u);
     const double k = tm_contact_stiffness(of_two, settings.spacing, least_spacing, domain->dimension == 3);
-    const double mass = pow(least_spacing, domain->dimension) * std::min(material[t].rho0, material[u].rho0) * 0.5;
+    const bool strains = layer_strains(t, l) || layer_strains(u, l);    // then the force acts on the next rows too
+    const double mass = pow(least_spacing, domain->dimension) * std::min(material[t].rho0, material[u].rho0) * 0.5 /
+                        (strains ? TM_LAYER_MOBILITY : 1.0);
     least = std::min(least, tm_contact_time_step(k, mass, 0.0));
   }
   return least;

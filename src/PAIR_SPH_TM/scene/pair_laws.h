@@ -13,11 +13,14 @@ namespace SPHTM_NS {
 
 // how particles of two types meet
 enum Meeting { UNSET = 0, BOND, NONE, CONTACT, HEAT_ONLY };
+// whether half a spacing at a contact strains; usual: of materials that flow
+enum Layer { LAYER_OF_BODIES_USUAL = 0, LAYER_OF_BODIES_RIGID, LAYER_OF_BODIES_STRAINS };
 struct PairLaw {
   Meeting meeting = UNSET;
   double conductance = 0.0;             // heat across the interface; 0: perfect
   double penalty = TM_PENALTY_USUAL;    // PFAC, see tm_contact_modulus()
-  tm_body_law contact = {};             // Model::make_tables() sets the modulus
+  Layer layer = LAYER_OF_BODIES_USUAL;
+  tm_body_law contact = {};    // Model::make_tables() sets the modulus
   bool has_friction() const { return contact.friction.n || contact.friction.value > 0.0; }
 };
 

@@ -27,7 +27,7 @@ StepResults::StepResults(LAMMPS *lmp, Backend &where, Model &m) :
   face_next.live_in(where, TM_FACE_COLUMNS);
   for (auto *a : {&uneven, &hourglass_rate, &turn}) a->live_in(where, 3);
   for (auto *a : {&rec_heat, &rec_correction, &rec_size, &rec_hourglass, &heat, &xsph_v, &surface, &artificial,
-                  &near_count, &tally, &sides, &ahead, &force_internal})
+                  &near_count, &tally, &sides, &ahead, &thin, &force_internal})
     a->live_in(where);
   single_main.live_in(where, TM_REC, 4);
   single_more.live_in(where, TM_MORE, 4);
@@ -287,6 +287,12 @@ LoopArray<tm_real> &StepResults::body_ahead(bool wanted)
   return ahead;
 }
 
+LoopArray<tm_real> &StepResults::body_thin(bool wanted)
+{
+  thin.make_room(wanted, TM_THIN * ((size_t) atom->nlocal + atom->nghost + 1));
+  return thin;
+}
+
 tm_real *StepResults::tally_rows(bool per_particle)
 {
   tally.make_room(per_particle, (size_t) TM_TALLY * (atom->nlocal + 1));
@@ -308,7 +314,7 @@ std::map<unsigned, double> StepResults::bytes_by_effect(unsigned effects) const
   bytes[TM_FX_SHIFTING] = uneven.bytes();
   bytes[TM_FX_HOURGLASS] = rec_hourglass.bytes() + hourglass_rate.bytes();
   bytes[TM_FX_SURFACE] = surface.bytes();
-  bytes[TM_FX_BODIES] = sides.bytes() + ahead.bytes();
+  bytes[TM_FX_BODIES] = sides.bytes() + ahead.bytes() + thin.bytes();
   bytes[TM_FX_LEDGER] = force_internal.bytes();
   bytes[effects & TM_FX_LEDGER   ? TM_FX_LEDGER
         : effects & TM_FX_ENERGY ? TM_FX_ENERGY

@@ -53,6 +53,7 @@ class StepResults : protected LAMMPS_NS::Pointers {
   LoopArray<double> &pair_force() { return force_internal; }
   LoopArray<tm_real> &body_sides() { return sides; }    // of contact between bodies, see tm_body_contact.h
   LoopArray<tm_real> &body_ahead(bool wanted);          // what friction between bodies needs of each
+  LoopArray<tm_real> &body_thin(bool wanted);           // layers between bodies, see tm_body_layer.h
   tm_real *tally_rows(bool per_particle);
   const tm_real *host_tally() { return tally.host_read(); }
   struct Rates {
@@ -77,7 +78,7 @@ class StepResults : protected LAMMPS_NS::Pointers {
   LoopArray<float> single_main, single_more, single_correction, single_size, single_stab;    // mixed precision
   LoopArray<tm_real> gradient, heat, correction, xsph_v, uneven, hourglass_rate, moment, turn, face_next, surface,
       artificial;
-  LoopArray<tm_real> near_count, tally, sides, ahead;
+  LoopArray<tm_real> near_count, tally, sides, ahead, thin;
   LoopArray<double> force_internal;
   tm_records rec = {};
   tm_rates_args args = {};

@@ -346,6 +346,17 @@ void PairSPHTM::body_contact(const tm_rates_args &others)
     results.communicate(this, ahead, TM_AHEAD);
   }
   b.ahead = ahead.loop_write();
+  const bool layers = tables.strains.size() && state->has(TM_FX_LAYER);
+  LoopArray<tm_real> &thin = results.body_thin(layers);
+  b.layer = layers ? state->arrays().field[TM_F_LAYER] : nullptr;
+  b.layer_dt = state->time_step().ahead() > 0.0 ? b.dt : 0.0;
+  b.strains = tables.strains.loop_read();
+  b.thin = thin.loop_write();
+  if (layers) {
+    of_bodies.thin(backend, nlocal, {others, b}, state->effects());
+    results.communicate(this, thin, TM_THIN);
+    b.thin = thin.loop_write();
+  }
   b.sides_of = results.body_sides().loop_write();
   // springs and what friction dissipates; then forces, from the sides of both
   state->energy().add_body_contact(of_bodies.touch(backend, nlocal, {others, b}, state->effects()), b.dt);
