@@ -24,11 +24,8 @@
 
    F tells metal that is pressed or drawn from metal that is sheared, with the spin W and the rate of strain D: it is 1 without spin, and
    0 in simple shear, where rows pass each other and meet new neighbors, and where what is shifted far takes the momentum and the
-   strength of one side of a shear zone to the other. There the first term acts, all ways, but not in tension, s =
-   tm_tension_share(): a pattern in the positions grows there, and a lattice that stays as it is holds longest. A lattice along the
-   shear finds itself again after a shear of 1, one that lies obliquely is stretched until it breaks up: with beta_0 = 6 the shear
-   stress fell by a tenth to a half from shears of 1.5 on, while particles bore the flow stress, and cuts along a lattice had four
-   fifths of the force of those across it; with 40 both are right (bench/stability/sheared_lattice.py).
+   strength of one side of a shear zone to the other. There the first term acts, a little and all ways, but not in tension, s =
+   tm_tension_share(): a pattern in the positions grows there, and a lattice that stays as it is holds longest.
 
    The second term is strong, and A lets it act along the stretch, which is where rows lose each other, and little across it. E is the
    deviator of D, over what makes it 1, -1/2, -1/2 in uniaxial tension, in two dimensions 1, -1: A is 1 and 1/4, in compression 3/4
@@ -52,7 +49,7 @@
 #include "tm_tensor.h"
 
 /* beta_0 and beta */
-#define TM_SHIFT_SHEARED 40.0
+#define TM_SHIFT_SHEARED 6.0
 #define TM_SHIFT_RATE 100.0
 /* Plastic strain where shifting begins, and from where on it is whole. */
 #define TM_SHIFT_BEGINS 0.2
