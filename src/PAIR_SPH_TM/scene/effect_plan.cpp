@@ -1,5 +1,7 @@
 #include "effect_plan.h"
 
+#include "body_contact_laws.h"
+
 #include "model.h"
 
 #include "fmt/format.h"
@@ -190,7 +192,7 @@ void Reasons::settings()
   if (model.pair_laws().has_contact()) on(TM_FX_BODIES, "pair_coeff contact");
   for (int i = 1; i <= model.types(); i++)
     for (int j = 1; j <= model.types(); j++)
-      if (model.layer_strains(i, model.pair_laws()(i, j)))
+      if (layer_strains(model, i, model.pair_laws()(i, j)))
         on(TM_FX_LAYER, "contact of " + of_type(std::min(i, j)) + " and " + of_type(std::max(i, j)));
 }
 // second order at free faces: behind what the script forces, since it depends on what flows

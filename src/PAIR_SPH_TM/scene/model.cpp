@@ -1,5 +1,7 @@
 #include "model.h"
 
+#include "body_contact_laws.h"
+
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
@@ -149,12 +151,12 @@ void Model::make_tables(double temperature)
                                            : 0.0;
     conducts = conducts || conductance[k] > 0.0;
     contact[k] = law.contact;
-    if (law.meeting == CONTACT) contact[k].modulus = contact_modulus_of_two(k / n, k % n);
+    if (law.meeting == CONTACT) contact[k].modulus = contact_modulus_of_two(*this, k / n, k % n);
   }
   std::vector<int> strains((size_t) n * most_sides, 0);
   bool any = false;
   for (int k = 0; k < n * n; k++) {
-    if (!side[k] || !layer_strains(k / n, laws(k / n, k % n))) continue;
+    if (!side[k] || !layer_strains(*this, k / n, laws(k / n, k % n))) continue;
     strains[k / n * most_sides + side[k] - 1] = 1;
     any = true;
   }
@@ -205,26 +207,6 @@ double Model::contact_modulus(int type, double penalty) const
   return tm_contact_modulus(penalty, m.young, tm_contact_half_layer(confined), m.strength == TM_STRENGTH_ELASTIC);
 }
 
-bool Model::layer_strains(int type, const PairLaw &law) const
-{
-  const tm_material &m = material[type];
-  if (law.meeting != CONTACT || m.body != TM_BODY_SOLID || law.layer == LAYER_OF_BODIES_RIGID) return false;
-  return law.layer == LAYER_OF_BODIES_STRAINS || tm_strength_flow(m.strength) != TM_FLOW_NONE;
-}
-
-// with a layer that strains the spring has no compliance of the metal in it, as at tools
-double Model::contact_modulus_of_two(int t, int u) const
-{
-  const PairLaw &l = laws(t, u);
-  const auto of = [&](int type) {
-    const bool elastic = material[type].strength == TM_STRENGTH_ELASTIC;
-    const bool stiff = l.penalty == TM_PENALTY_MATERIAL || (l.penalty < 0.0 && elastic);
-    return stiff && layer_strains(type, l) ? TM_LAYER_PENALTY * contact_modulus(type, TM_PENALTY_MATERIAL)
-                                           : contact_modulus(type, l.penalty);
-  };
-  return tm_contact_modulus_of_two(of(t), of(u));
-}
-
 double Model::largest_conductivity() const
 {
   double k = 0.0;
@@ -241,9 +223,10 @@ double Model::contact_time_step(int t) const
   for (int u = 1; u <= atom_types; u++) {
     const PairLaw &l = laws(t, u);
     if (l.meeting != CONTACT) continue;
-    const double of_two = contact_modulus_of_two(t, u);
+    const double of_two = contact_modulus_of_two(*this, t, u);
     const double k = tm_contact_stiffness(of_two, settings.spacing, least_spacing, domain->dimension == 3);
-    const bool strains = layer_strains(t, l) || layer_strains(u, l);    // then the force acts on the next rows too
+    const bool strains = layer_strains(*this, t, l) ||
+                         layer_strains(*this, u, l);    // then the force acts on the next rows too
     const double mass = pow(least_spacing, domain->dimension) * std::min(material[t].rho0, material[u].rho0) * 0.5 /
                         (strains ? TM_LAYER_MOBILITY : 1.0);
     least = std::min(least, tm_contact_time_step(k, mass, 0.0));

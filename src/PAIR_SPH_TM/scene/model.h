@@ -80,8 +80,6 @@ class Model : protected LAMMPS_NS::Pointers {
   double particle_mass(int type) const;    // from density and spacing; in 2D of a plate of unit thickness
   double contact_modulus(int type, double penalty) const;    // tm_contact_modulus()
   double largest_conductivity() const;                       // of all types at all temperatures
-  bool layer_strains(int type, const PairLaw &) const;       // half a spacing of the type where it meets another
-  double contact_modulus_of_two(int t, int u) const;         // of types in contact, see tm_contact_modulus_of_two()
   double contact_time_step(int type) const;                  // the largest stable one of the stiffest pair in contact
 
   // distance of particles that each have the volume (in 2d the area) of one on the lattice in use; 0: there is none
