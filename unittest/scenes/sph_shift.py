@@ -34,6 +34,7 @@ def shift(g, L, dim, h, eps, d_eps, flow, p, way):
     skin = max(0.0, 1 - h * np.linalg.norm(P @ g) / 0.4 - inside)
     r = 100 * pure * h * (inside * A + 0.3 * drawn * skin * P) @ g
     size = np.linalg.norm(r)
-    moves = 6 * (1 - s) * (1 - pure) * inside * h * g + ((1 - s) / (1 + size / 2) + s / (1 + size / 22)) * r
+    beneath = max(0.0, 1 - h * np.linalg.norm(g) / 0.3)
+    moves = 40 * (1 - s) * (1 - pure)**3 * beneath * h * g + ((1 - s) / (1 + size / 2) + s / (1 + size / 22)) * r
     dx = -h * d_eps * min((eps - begins) / (whole - begins), 1.0) * moves
     return dx * min(1.0, 0.05 * way / max(np.linalg.norm(dx), 1e-300))
