@@ -28,7 +28,7 @@ typedef struct {
   tm_material material[TYPES + 1];
   tm_contact_law law[TYPES + 1];
   tm_body_law touch_law[(TYPES + 1) * (TYPES + 1)];
-  int touch_side[(TYPES + 1) * (TYPES + 1)];
+  int touch_side[(TYPES + 1) * (TYPES + 1)], touch_strains[TYPES + 1];
   tm_body_surface body_surface;
   double conductance[(TYPES + 1) * (TYPES + 1)], effusivity[TYPES + 1], mass[TYPES + 1];
   unsigned char meets[(TYPES + 1) * (TYPES + 1)];
@@ -52,7 +52,8 @@ typedef struct {
   double reference[TM_R_COLUMNS * CLOUD], unstrained[CLOUD], turned[TM_K_COLUMNS * CLOUD], moment[TM_MOMENT_COLUMNS * CLOUD];
   double face[TM_FACE_COLUMNS * CLOUD], turn[3 * CLOUD], face_next[TM_FACE_COLUMNS * CLOUD];
   double gradient[9 * CLOUD], heat[CLOUD], correction[6 * CLOUD], xsph_v[3 * CLOUD], surface[3 * CLOUD], uneven[3 * CLOUD];
-  double artificial[CLOUD], near[CLOUD], body_sides[TM_BODY_SIDE * CLOUD], body_ahead[TM_AHEAD * CLOUD], tally[TM_TALLY * CLOUD], tool_heat[CLOUD];
+  double artificial[CLOUD], near[CLOUD], body_sides[TM_BODY_SIDE * CLOUD], body_ahead[TM_AHEAD * CLOUD];
+  double body_layer[TM_L_COLUMNS * CLOUD], body_thin[TM_THIN * CLOUD], tally[TM_TALLY * CLOUD], tool_heat[CLOUD];
   double result[POINTS_MOST * CLOUD];                 /* what the function returned */
 } cloud;
 
@@ -67,6 +68,7 @@ typedef struct {
   ARRAY(face, TM_FACE_COLUMNS) ARRAY(turn, 3) ARRAY(face_next, TM_FACE_COLUMNS)                                       \
   ARRAY(gradient, 9) ARRAY(heat, 1) ARRAY(correction, 6) ARRAY(xsph_v, 3) ARRAY(uneven, 3) ARRAY(surface, 3) ARRAY(artificial, 1)     \
   ARRAY(near, 1) ARRAY(tally, TM_TALLY) ARRAY(tool_heat, 1) ARRAY(body_sides, TM_BODY_SIDE) ARRAY(body_ahead, TM_AHEAD) \
+  ARRAY(body_layer, TM_L_COLUMNS) ARRAY(body_thin, TM_THIN)                                                          \
   ARRAY(result, POINTS_MOST)
 
 TM_FN tm_state cloud_state(cloud *w)
@@ -235,6 +237,8 @@ TM_FN tm_body_contact_args cloud_bodies(cloud *w)
   b.sides_of = w->body_sides;
   b.ahead = w->body_ahead; b.mask = 0;
   b.start.of_all = 300.0; b.start.n = 0;
+  b.layer = w->body_layer; b.thin = w->body_thin; b.strains = w->touch_strains;
+  b.layer_dt = w->dt;
   b.source = w->source;
   return b;
 }
@@ -249,6 +253,13 @@ STAGE(body_ahead)
   a.dt = w->dt; a.force_unit = 1.0;
   a.ahead = w->body_ahead;
   tm_body_ahead(i, &a, w->effects);
+  (void) out;
+}
+STAGE(body_thin)
+{
+  const tm_rates_args a = cloud_rates(w);
+  const tm_body_contact_args b = cloud_bodies(w);
+  tm_body_thin(i, &a, &b, w->effects);
   (void) out;
 }
 STAGE(body_touch)
@@ -399,7 +410,7 @@ STAGE(initial)
 #define CLOUD_STAGES(CASE)                                                                              \
   CASE(drift, POINTS_ARITHMETIC) CASE(predict, POINTS_TRANSCENDENTAL) CASE(moment, POINTS_ARITHMETIC)     \
   CASE(rates, POINTS_ARITHMETIC) CASE(hourglass, POINTS_ARITHMETIC) CASE(thermal, POINTS_ARITHMETIC)      \
-  CASE(body_ahead, POINTS_ARITHMETIC)                                                                     \
+  CASE(body_ahead, POINTS_ARITHMETIC) CASE(body_thin, POINTS_TRANSCENDENTAL)                              \
   CASE(body_touch, POINTS_TRANSCENDENTAL) CASE(body_contact, POINTS_TRANSCENDENTAL)                       \
   CASE(contact_tri, POINTS_TRANSCENDENTAL) CASE(exchange, POINTS_ARITHMETIC) CASE(drive, POINTS_ARITHMETIC) \
   CASE(update, POINTS_TRANSCENDENTAL) CASE(hold, POINTS_ARITHMETIC) CASE(tally, POINTS_ARITHMETIC)        \

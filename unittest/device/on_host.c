@@ -85,6 +85,14 @@ static void make_particle(cloud *w, int i, const int *at, int side)
   if (i % 13 == 0) K[0] = 0.0;    /* not known yet */
   if (i % 3 == 0) random_fill(w->face + TM_FACE_COLUMNS * i + TM_FACE_NORMAL, w->dim, -0.5, 0.5);
   if (i % 3 == 0) random_fill(w->face + TM_FACE_COLUMNS * i + TM_FACE_TURN, 3, -0.05, 0.05);
+  if (i % 2 == 0) { /* the others begin to strain where they touch */
+    double *layer = w->body_layer + TM_L_COLUMNS * i;
+    random_fill(layer + TM_L_STRESS, 6, -1e8, 1e8);
+    layer[TM_L_AHEAD] = ut_random(-1e8, 1e8);
+    layer[TM_L_STRAIN] = ut_random(-0.2, 0.1);
+    layer[TM_L_NEAR] = TM_LAYER_NOW - 1.0;
+    layer[TM_L_TOOL] = i % 4 ? TM_LAYER_OF_BODIES : -TM_LAYER_OF_BODIES;
+  }
 }
 
 static void make_list(cloud *w)
@@ -109,6 +117,7 @@ void cloud_make(cloud *w, int dim, int kernel, double ratio, unsigned effects, t
   w->h = ratio * w->spacing;
   w->dt = 1e-7;
   for (int t = 1; t <= TYPES; t++) {
+    w->touch_strains[t] = 1;
     points_material(t == 1 ? POINTS_PLASTIC : POINTS_JOHNSON_COOK, w->material + t);
     w->mass[t] = w->material[t].rho0 * pow(w->spacing, dim);
     w->effusivity[t] = 1e4 * t;
