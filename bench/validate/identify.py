@@ -96,7 +96,9 @@ def intervals(jacobian, residual):
     freedom = len(residual) - jacobian.shape[1]
     try:
         inverse = np.linalg.inv(jacobian.T @ jacobian)
-    except np.linalg.LinAlgError:    # the forces cannot tell them apart
+    except np.linalg.LinAlgError:
+        inverse = np.zeros((jacobian.shape[1],) * 2)
+    if not (np.diag(inverse) > 0).all():    # the forces cannot tell them apart, to the last digits of their squares
         return np.full(jacobian.shape[1], np.inf), np.eye(jacobian.shape[1])
     widen = max(1.0, residual @ residual / freedom) if freedom > 0 else 1.0
     sigma = np.sqrt(np.diag(inverse))
