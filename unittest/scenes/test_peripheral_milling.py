@@ -2,10 +2,10 @@
 the edge meets the work piece, forces that fall with the chip thickness, a torque that belongs to the tangential force, a mean near the
 mechanistic model with the constants of the example's README, and the energy balance. plot.py of the example measures.
 
-That forces fall with the thickness is missed: the force of the thick chip (20 to 50 degrees) over that of the thin one (0 to 10) is 2.9 in the model, here
-1.11 and 1.10 with 26.7 and 20 um (9f1d473), since the chip has come to lie on the surface before the edge and is pushed. With 40 um it depends on where the edge
-meets the lattice: 1.12, and 1.57 where the spacing differs in its last digit; before 1.69, 2.12 and others. So the least of three spacings is held to
-falling at all, and their mean to what finer ones have."""
+How far forces fall depends on where the edge meets the lattice: the force of the thick chip (20 to 50 degrees) over that of the thin one (0 to 10) is
+1.29, 1.07, 1.12, 1.52, 1.14 with spacings of 39, 39.5, 40, 40.5, 41 um, and with 40 um also 1.57 where the spacing differs in its last digit (9f1d473); 1.11 and 1.10 with
+26.7 and 20 um, where the model has 2.9: that is missed, a thin chip is pushed rather than cut. The limit of 1.2 on a mean was that of three spacings, and holds for
+five; that of 1.5 was met with 40 um, now with another of the five."""
 import os
 import re
 import shutil
@@ -48,7 +48,7 @@ if __name__ == "__main__":
         thick, thin = (tangential[(phi > a) & (phi < b)].mean() for a, b in ((20, 50), (0, 10)))
         return thick / thin
 
-    ratios = [falls(*cut(dx)[1:3]) for dx in (39e-6, 41e-6)]
+    ratios = [falls(*cut(dx)[1:3]) for dx in (39e-6, 39.5e-6, 40.5e-6, 41e-6)]
     result, phi, tangential, radial = cut(40e-6)
     ratios.append(falls(phi, tangential))
     t = result.columns("force.dat")
@@ -59,10 +59,11 @@ if __name__ == "__main__":
     model = 1e6 * slope * milling.FEED * np.sin(np.radians(np.clip(phi, 0, 90))) + 1e3 * edge
     cutting = (phi > 0) & (phi < milling.ENTRY)
     checks.near("mean tangential force (N/m) over 60 degrees against the model", tangential[cutting].mean(), model[cutting].mean(),
-                relative=0.5)
-    checks.note("    thick chip over thin chip, 39, 41, 40 um", " ".join("%.2f" % r for r in ratios))
-    checks.above("        their mean", np.mean(ratios), 1.1)
+                relative=0.2)
+    checks.note("    thick chip over thin chip, 39, 39.5, 40.5, 41, 40 um", " ".join("%.2f" % r for r in ratios))
+    checks.above("        their mean", np.mean(ratios), 1.2)
     checks.above("        the least", min(ratios), 1.0)
+    checks.above("        the largest", max(ratios), 1.5)
     checks.above("    the cutter is pushed away from the surface", radial[cutting].mean(), 0.0)
     energy = result.thermo[-1]
     checks.note("sum of the energies at the end", "%.3g J/m" % energy["f_body[9]"][-1])

@@ -120,10 +120,11 @@ TM_FN tm_vec3 tm_shift(tm_vec3 g, tm_shift_flow flow, tm_real h, tm_real eps_p, 
   const tm_real whole = (1.0 - drawn) * TM_SHIFT_WHOLE + drawn * TM_SHIFT_DRAWN_WHOLE;
   if (!(eps_p > begins)) return tm_vec(0, 0, 0);
   const tm_real strained = tm_min((eps_p - begins) / (whole - begins), 1.0);
-  const tm_real inside = tm_max(0.0, 1.0 - h * tm_vec_norm(g) / TM_SHIFT_FACE);
+  const tm_real uneven = h * tm_vec_norm(g);
+  const tm_real inside = tm_max(0.0, 1.0 - uneven / TM_SHIFT_FACE);
   const tm_real skin = tm_max(0.0, 1.0 - h * tm_vec_norm(flow.axis) / TM_SHIFT_FACE - inside);
   const tm_vec3 along = tm_vec_axpy(tm_vec_scale(inside, flow.along), TM_SHIFT_SKIN * drawn * skin, flow.axis);
-  const tm_real spun = 1.0 - flow.pure, beneath = tm_max(0.0, 1.0 - h * tm_vec_norm(g) / TM_SHIFT_SHEARED_FACE);
+  const tm_real spun = 1.0 - flow.pure, beneath = tm_max(0.0, 1.0 - uneven / TM_SHIFT_SHEARED_FACE);
   const tm_real sheared = TM_SHIFT_SHEARED * h * beneath * (1.0 - tension) * spun * spun * spun;
   const tm_real rate = TM_SHIFT_RATE * h * flow.pure, r = rate * tm_vec_norm(along);
   const tm_real stretched = rate * ((1.0 - tension) / (1.0 + r / TM_SHIFT_MOST) + tension / (1.0 + r / TM_SHIFT_DRAWN));
