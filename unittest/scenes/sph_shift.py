@@ -35,6 +35,6 @@ def shift(g, L, dim, h, eps, d_eps, flow, p, way):
     r = 100 * pure * h * (inside * A + 0.3 * drawn * skin * P) @ g
     size = np.linalg.norm(r)
     beneath = max(0.0, 1 - h * np.linalg.norm(g) / 0.3)
-    moves = 40 * (1 - s) * (1 - pure)**3 * beneath * h * g + ((1 - s) / (1 + size / 2) + s / (1 + size / 22)) * r
+    moves = 40 * ((1 - s) * (1 - pure))**3 * beneath * h * g + ((1 - s) / (1 + size / 2) + s / (1 + size / 22)) * r
     dx = -h * d_eps * min((eps - begins) / (whole - begins), 1.0) * moves
     return dx * min(1.0, 0.05 * way / max(np.linalg.norm(dx), 1e-300))

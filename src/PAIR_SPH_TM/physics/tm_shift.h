@@ -5,7 +5,7 @@
    of their concentration C = sum V_j W (Lind et al. 2012, doi 10.1016/j.jcp.2011.10.027). Here the plastic strain of the
    step stands for the time, so that what does not flow is never moved:
 
-     dx_i = -h d eps_p t(eps_p) [(1 - s)(1 - F)^3 beta_0 c_0 h g + ((1 - s)/(1 + |r|/b_0) + s/(1 + |r|/b_1)) r],
+     dx_i = -h d eps_p t(eps_p) [((1 - s)(1 - F))^3 beta_0 c_0 h g + ((1 - s)/(1 + |r|/b_0) + s/(1 + |r|/b_1)) r],
      r = beta F h (c A g + TM_SHIFT_SKIN w c' P g),   g = grad C = sum V_j gradW_ij,   F = max(0, 1 - W:W/D:D)^3,   w = s F^9,
      A = (1 + E)/2,   P = (1 + E)(1/2 + E)/3, in two dimensions A,
      c = max(0, 1 - h |g|/TM_SHIFT_FACE),   c_0 = max(0, 1 - h |g|/TM_SHIFT_SHEARED_FACE),
@@ -30,7 +30,8 @@
    shear finds itself again after a shear of 1, one that lies obliquely is stretched until it breaks up: with beta_0 = 6 the shear
    stress fell by a tenth to a half from shears of 1.5 on, while particles bore the flow stress, and a cut along a lattice had four
    fifths of the force of one across it (bench/stability/sheared_lattice.py). 25 is just enough, 60 and 100 are no better than 40.
-   The third power of 1 - F leaves metal that is pressed or drawn while it turns a little with what it had. c_0 in place of c: with c the
+   The third power of 1 - F leaves metal that is pressed or drawn while it turns a little with what it had. That of 1 - s leaves a neck:
+   with the first, rows beneath its surface, where s is below 1, went outward, and the bar of Weldox 460E was torn in its core. c_0 in place of c: with c the
    foot of a Taylor bar had a radius larger by 1.7 % (6 rings) to 4 % (225 m/s), as particles of a surface that has been stretched,
    where h |g| is 0.3 to 0.4, went outward.
 
@@ -124,8 +125,8 @@ TM_FN tm_vec3 tm_shift(tm_vec3 g, tm_shift_flow flow, tm_real h, tm_real eps_p, 
   const tm_real inside = tm_max(0.0, 1.0 - uneven / TM_SHIFT_FACE);
   const tm_real skin = tm_max(0.0, 1.0 - h * tm_vec_norm(flow.axis) / TM_SHIFT_FACE - inside);
   const tm_vec3 along = tm_vec_axpy(tm_vec_scale(inside, flow.along), TM_SHIFT_SKIN * drawn * skin, flow.axis);
-  const tm_real spun = 1.0 - flow.pure, beneath = tm_max(0.0, 1.0 - uneven / TM_SHIFT_SHEARED_FACE);
-  const tm_real sheared = TM_SHIFT_SHEARED * h * beneath * (1.0 - tension) * spun * spun * spun;
+  const tm_real spun = (1.0 - tension) * (1.0 - flow.pure), beneath = tm_max(0.0, 1.0 - uneven / TM_SHIFT_SHEARED_FACE);
+  const tm_real sheared = TM_SHIFT_SHEARED * h * beneath * spun * spun * spun;
   const tm_real rate = TM_SHIFT_RATE * h * flow.pure, r = rate * tm_vec_norm(along);
   const tm_real stretched = rate * ((1.0 - tension) / (1.0 + r / TM_SHIFT_MOST) + tension / (1.0 + r / TM_SHIFT_DRAWN));
   const tm_vec3 way = tm_vec_axpy(tm_vec_scale(sheared, g), stretched, along);
