@@ -38,6 +38,7 @@ wrong("mesh cut, VTK", tool("file @cut_cells.vtk"), T, "cut_cells.vtk")
 warned("mesh with a hole", tool("file @open.stl scale 1e-3 move 10e-3 0 0"), T, "open")
 wrong("mesh inside out", tool("file @inside_out.stl scale 1e-3 move 10e-3 0 0"), T, "inside_out.stl", "flip yes",
       "flip no")
+wrong("a good mesh, flipped", tool("file @ascii.stl scale 1e-3 move 10e-3 0 0 flip yes"), T, "leave out 'flip yes'")
 fine("mesh inside out, flipped", tool("file @inside_out.stl scale 1e-3 move 10e-3 0 0 flip yes"))
 
 # the words of fix surface/global

@@ -102,6 +102,12 @@ warned("elastic, young in GPa", coeff("density 7850 elastic 200 0.3"), "young 20
 warned("elastic, density in g/cm3", coeff("density 7.85 elastic 200e9 0.3"), "density 7.85", "speed of sound of 1.6e+05 m/s")
 fine("jelly", coeff("density 1000 elastic 1e3 0.45"))
 warned("density too large", coeff("density 27000 elastic 70e9 0.33 strength plastic 300e6 1e9"), "density 27000")
+JC_OF = " strength johnson/cook %s 3e8 %s %s 1.3 293 855 1"
+fine("johnson/cook of a metal", coeff(GOOD + JC_OF % ("4e8", "0.3", "0.01") + HEAT))
+fine("johnson/cook without a first yield stress", coeff(GOOD + JC_OF % ("0", "0.3", "0.01") + HEAT))
+warned("jc_a in MPa, the rest in Pa", coeff(GOOD + JC_OF % ("400", "0.3", "0.01") + HEAT), "jc_a 400", "was it given in MPa?")
+warned("jc_n a hundred times too large", coeff(GOOD + JC_OF % ("4e8", "30", "0.01") + HEAT), "jc_n is 30", "at most 3")
+warned("jc_c a hundred times too large", coeff(GOOD + JC_OF % ("4e8", "0.3", "1") + HEAT), "jc_c is 1", "at most 0.5")
 warned("all stresses in MPa", coeff("density 2700 elastic 70e3 0.33 strength plastic 300 1000"), "young 70000",
        "70000 Pa", "yield 300", "was it given in MPa? units si takes Pa")
 warned("yield in MPa", coeff(GOOD + " strength johnson/cook 428 327 1.008 0.01 1.31 293 855 1"), "jc_a + jc_b 755",

@@ -109,4 +109,7 @@ warned("bodies 0.2 spacings inside of each other", bodies(8.3), S, "bodies in co
 warned("bodies half a spacing inside of each other", bodies(8.0), S, "bodies in contact", "inside of each other", "throw")
 for row in 7.8, 7.6, 5.5, 5.25:
     wrong("bodies inside of each other, first row at %g" % row, bodies(row), "Pair style sph/tm", "bodies in contact", "one spacing apart")
+wrong("bodies in contact, twice the spacing", dict(bodies(8.5), **style("hyperbolic 1.2 spacing 2e-3")), "Pair style sph/tm", "write 'spacing")
+warned("neighbors left out", dict(bodies(8.5), more="neigh_modify exclude type 1 2"), "neigh_modify exclude", "contact")
+warned("bodies whose friction table is in degrees Celsius", bodies(8.5, "contact friction/table 20 0.1 500 0.3"), "friction/table", "20 K", "kelvin")
 run_all()

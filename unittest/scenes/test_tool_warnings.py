@@ -76,6 +76,12 @@ warns("a ramp begins at rest", scene("fix_modify tool move linear 10 0 0\nrun 5\
       "ramp", "jumps to 0")
 warns("a ramp of a tool at rest", scene("fix_modify tool move linear 10 0 0 ramp 1e-6\nrun 5\nfix_modify tool move none\nrun 5\n"
                                         "fix_modify tool move linear -10 0 0 ramp 1e-6\nrun 5"))
+RAMP = "fix_modify tool move linear %d 0 0 ramp 1e-6\n"
+folder = new_folder()
+first = scene(RAMP % -10 + "run 5\nwrite_restart tool.restart", folder=folder)
+for name, speed, words in ("goes on after a restart", -10, ()), ("is another after a restart", -20, ("ramp", "jumps to 0")):
+    r = scene(RAMP % speed + "run 5", head="read_restart tool.restart\n", folder=folder)
+    warns("a ramp that " + name, r, *words)
 BOTH = "variable d equal 1000*time\nvariable w equal %s\nfix_modify tool move variable v_d NULL NULL v_w NULL NULL\nrun 100"
 for wrong in "500", "-1000":
     warns("a velocity of %s beside a way of 1000 a second" % wrong, scene(BOTH % wrong), "rate of its displacement")

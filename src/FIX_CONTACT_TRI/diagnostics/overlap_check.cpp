@@ -81,7 +81,7 @@ std::string OverlapCheck::remedy() const
                      "xyz"[way / 2]);
 }
 
-void OverlapCheck::stop(const std::string &who, const tm_mesh *closed) const
+void OverlapCheck::stop(const std::string &who, const tm_mesh *closed, bool flipped) const
 {
   int where;
   const bool touching = overlaps(tm_vec(0, 0, 0), &where);
@@ -91,7 +91,9 @@ void OverlapCheck::stop(const std::string &who, const tm_mesh *closed) const
   if (!all_any) return;
   std::string words = touching ? remedy() : "";
   if (words.empty())
-    words = "deeper than the contact sees: move it away, or use 'flip yes' where the particles belong inside it";
+    words = fmt::format("deeper than the contact sees: move it away, or {}",
+                        flipped ? "leave out 'flip yes', which turns its inside out"
+                                : "use 'flip yes' where the particles belong inside it");
   const Atom &atom = *lmp->atom;
   if (where >= 0)
     lmp->error->one(FLERR,

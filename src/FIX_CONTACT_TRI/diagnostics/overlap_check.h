@@ -14,8 +14,8 @@ class OverlapCheck {
   // of the particles of all ranks; penetrations up to `allowed` spacings pass
   OverlapCheck(LAMMPS_NS::LAMMPS *, const ToolQuery &, double spacing, double allowed);
   // an error in the name of who, where there is an overlap; collective. closed: a mesh that may have particles deeper
-  // inside than contact sees, or nullptr
-  void stop(const std::string &who, const tm_mesh *closed) const;
+  // inside than contact sees, or nullptr; flipped: by 'flip yes'
+  void stop(const std::string &who, const tm_mesh *closed, bool flipped) const;
   // does an open mesh turn its back to all particles? Some of them are asked; collective
   bool faces_away() const;
 

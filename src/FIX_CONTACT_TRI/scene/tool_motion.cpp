@@ -22,13 +22,17 @@ ToolMotion::ToolMotion(LAMMPS *lmp) : lmp(lmp)
   std::fill(variable, variable + 6, -1);
 }
 
+bool ToolMotion::goes_on(const tm_motion &given) const
+{
+  auto same = [](tm_vec3 a, tm_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
+  return restarted && given.kind == motion.kind && same(given.v, motion.v) && same(given.point, motion.point) &&
+         same(given.axis, motion.axis) && given.period == motion.period && given.ramp == motion.ramp;
+}
+
 // a motion that a restart file holds goes on when the same one is given again
 void ToolMotion::keep_if_restarted(const tm_motion &given)
 {
-  auto same = [](tm_vec3 a, tm_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
-  const bool again = restarted && given.kind == motion.kind && same(given.v, motion.v) &&
-                     same(given.point, motion.point) && same(given.axis, motion.axis) &&
-                     given.period == motion.period && given.ramp == motion.ramp;
+  const bool again = goes_on(given);
   restarted = false;
   if (again) return;
   base = pose_now();

@@ -35,6 +35,7 @@ class ToolMotion {
   // largest speed of the points of a box (in the tool's frame)
   double top_speed(const double *lo, const double *hi) const;
   bool under_way(const double *lo, const double *hi) const;    // it has moved, and would go on
+  bool goes_on(const tm_motion &given) const;                  // of a restart file, and given again
   // variables of displacement and of velocity that do not agree, on a way of this length: said once
   bool contradicts(double length);
 

@@ -60,7 +60,8 @@ int FixContactTri::modify_param(int narg, char **arg)
 {
   if (strcmp(arg[0], "move") == 0) {
     const MotionCommand command = read_motion(lmp, set.surface, narg - 1, arg + 1);
-    if (command.motion.ramp > 0.0 && motion.under_way(tool.mesh().lo, tool.mesh().hi) && comm->me == 0)
+    if (command.motion.ramp > 0.0 && !motion.goes_on(command.motion) &&
+        motion.under_way(tool.mesh().lo, tool.mesh().hi) && comm->me == 0)
       error->warning(
           FLERR,
           "Fix_modify move of fix contact/tri {}: the tool moves, and a motion with 'ramp' begins at rest: its "
@@ -206,12 +207,12 @@ void FixContactTri::check_overlap()
   const bool closed = tool.mesh().closed && !set.two_sided;
   const ToolQuery asked = query();
   const OverlapCheck check(lmp, asked, spacing, allowed);
-  check.stop(fmt::format("Fix contact/tri {}", id), closed ? &tool.mesh() : nullptr);
+  check.stop(fmt::format("Fix contact/tri {}", id), closed ? &tool.mesh() : nullptr, set.shape.flip == 1);
   if (!overlap_checked && !tool.mesh().closed && !set.two_sided && check.faces_away() && comm->me == 0)
     error->warning(FLERR,
                    "Fix contact/tri {}: all particles lie behind its triangles, whose normals are away from them, and "
-                   "never touch them; use 'flip yes', or 'sides two'",
-                   id);
+                   "never touch them; {}, or use 'sides two'",
+                   id, set.shape.flip == 1 ? "leave out 'flip yes'" : "use 'flip yes'");
 }
 
 void FixContactTri::setup(int vflag)

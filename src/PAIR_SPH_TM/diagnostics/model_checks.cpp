@@ -53,6 +53,11 @@ void check_styles(LAMMPS *lmp, const Model &model, const std::string &restart_fi
     error->all(FLERR,
                "Pair style sph/tm does not work in hybrid/scaled: its forces belong to the stress that it keeps, which "
                "no factor scales; use hybrid or hybrid/overlay");
+  const Neighbor *neighbor = lmp->neighbor;
+  if ((neighbor->nex_type || neighbor->nex_group || neighbor->nex_mol) && lmp->comm->me == 0)
+    error->warning(FLERR,
+                   "Pair style sph/tm: 'neigh_modify exclude' takes neighbors out of its sums, of stress, heat and "
+                   "contact; how two types meet is said by pair_coeff I J bond, none, contact or heat");
 }
 
 // particles without a mass of their own: it follows from the material, where that is known already

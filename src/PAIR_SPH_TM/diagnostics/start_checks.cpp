@@ -355,7 +355,6 @@ void StartChecks::check_still()
 void StartChecks::check_start()
 {
   check_temperature();
-  check_bodies(0.0, true);
   check_still();
   const tm_nearest c = scene.results().nearest();
   check_overlap(c, CLOSE);
@@ -381,6 +380,7 @@ void StartChecks::check_start()
     if (comm->me == 0) error->warning(FLERR, text);
   }
   check_filling(false);
+  check_bodies(0.0, true);    // after it: a spacing that is not that of the particles looks like bodies in each other
 }
 
 // a run that goes on: what came or was moved since the last one

@@ -21,6 +21,7 @@ tm_table read_friction_table(LAMMPS *lmp, Keywords &k)
     t.y[t.n] = k.not_negative("coefficient");
   }
   if (t.n == 0) lmp->error->all(FLERR, "{} must read: T1 mu1 T2 mu2 ...", k.what());
+  if (t.n > 1 && t.t[0] > 0.0) warn_of_celsius(lmp, k.what() + ": the first temperature", t.t[0]);
   return t;
 }
 

@@ -48,6 +48,12 @@ class MetalCheck {
                         units.style, in_si, si_name(unit), range, guess(unit, x, lo, hi));
   }
 
+  void expect_at_most(const std::string &name, double x, double hi) const
+  {
+    if (x > hi)
+      lmp->error->warning(FLERR, "{}: {} is {:.6g}, of a metal at most {:.6g} is expected", where, name, x, hi);
+  }
+
  private:
   LAMMPS *lmp;
   std::string where;
@@ -107,11 +113,15 @@ void warn_of_units(LAMMPS *lmp, const char *style, const tm_material &m)
   double flow = 0.0;
   for (const std::string &id : strength_of(m).constants) {
     const Constant &c = *find_constant(id);
+    if (id == "jc_n") check.expect_at_most(id, m.*c.number, 3.0);
+    if (id == "jc_c") check.expect_at_most(id, m.*c.number, 0.5);
     if (c.unit != STRESS || id == "hardening") continue;    // a slope
     names.push_back(id);
     flow += m.*c.number;
   }
   check.expect(utils::join_words(names, " + "), STRESS, flow, 1e4, most);
+  const bool yields_first = !names.empty() && names[0] == "jc_a" && m.jc_a > 0.0;
+  if (yields_first && check.si(STRESS, flow) >= 1e4) check.expect("jc_a", STRESS, m.jc_a, 1e4, 1e300);
   if (tm_strength_flow(m.strength) == TM_FLOW_THERMAL) {
     check.expect("t_melt", TEMPERATURE, m.t_melt, 200.0, 1e300);
     if (m.t_ref > 0.0 && m.t_ref < 200.0 && m.t_melt < 4000.0)
