@@ -1,17 +1,28 @@
 """A drive that turns (fix sph/tm/drive ... rotate): torsion of a round bar against its plastic limit, of a square one against
-Saint-Venant; torque against angular momentum; a ring about an axis that moves, in 2D; restart, ranks, messages."""
+Saint-Venant; torque against angular momentum; a ring about an axis that moves, in 2D; restart, ranks, messages.
+
+    test_torsion.py round 8 10 12 16     torque of round bars with so many particles over the diameter, over the limit; no checks
+    test_torsion.py rings 4 5 6 8        the same of bars that are made of so many rings (examples/taylor_bar/make_bar.py)"""
+import os
+import sys
+
 import numpy as np
-from sphtm_scene import Checks, run
+from sphtm_scene import SOURCE, Checks, new_folder, run
+
+sys.path.insert(0, os.path.join(SOURCE, "examples", "taylor_bar"))
+from make_bar import make_bar                                                          # noqa: E402
 
 TAU = 300e6 / np.sqrt(3.0)
 SHEAR = 200e9 / 2.6
-BAR = """
+HEAD = """
 units           si
 dimension       3
 boundary        f f f
 atom_style      atomic
 newton          off
 atom_modify     map array
+"""
+LATTICE = HEAD + """
 variable        dx equal 8e-3/${n}
 variable        grip equal 4*v_dx
 lattice         sc ${dx} origin 0.5 0.5 0.5
@@ -19,14 +30,23 @@ region          box block -9e-3 9e-3 -9e-3 9e-3 -5e-3 17e-3 units box
 create_box      1 box
 region          bar ${section} $(-v_grip) $(12e-3+v_grip) units box
 create_atoms    1 region bar
+variable        length equal 12e-3
+"""
+RINGS = HEAD + """
+read_data       bar.data
+change_box      all z final -10e-3 25e-3
+displace_atoms  all move 0 0 ${down}
+"""
+PARTS = """
 region          low block INF INF INF INF INF 0 units box
-region          high block INF INF INF INF 12e-3 INF units box
+region          high block INF INF INF INF ${length} INF units box
 group           low region low
 group           high region high
 group           rest subtract all low high
 pair_style      sph/tm hyperbolic 1.2 spacing ${dx}
 pair_coeff      1 1 density 7850 elastic 200e9 0.3 ${strength}
 """
+BAR = LATTICE + PARTS
 TWIST = """
 fix             body all sph/tm energy yes
 variable        w equal ${rate}*((time<3e-5)*time/3e-5+(time>=3e-5))
@@ -43,6 +63,7 @@ run             1000000
 write_dump      all custom end.dump id x y z vx vy vz modify sort id format float %.16g
 """
 ROUND, SQUARE = "cylinder z 0 0 4e-3", "block -4e-3 4e-3 -4e-3 4e-3"
+LIMIT = 2.0 / 3.0 * np.pi * 4e-3**3 * TAU
 checks = Checks()
 
 
@@ -51,14 +72,50 @@ def angle_between(before, after):
     return np.mod(turn + np.pi, 2 * np.pi) - np.pi
 
 
-# metal that flows: torque of the whole section at its shear flow stress
-for axial, n in ("0", 8), ("NULL", 8):
-    r = run(BAR + TWIST, {"n": n, "section": ROUND, "strength": "strength plastic 300e6 0", "rate": 8000, "axial": axial, "every": 20, "most": 0.5})
-    t, name = r.thermo[-1], "round bar, axis %s: " % ("held" if axial == "0" else "free")
-    late = t["f_twist[6]"] > 0.3
+FLOWS = {"strength": "strength plastic 300e6 0", "rate": 8000, "every": 20, "most": 0.5}
+
+
+def flowing(n, axial):
+    """A round bar that flows: run, torque in each line of its thermo output, their mean from 0.3 on."""
+    return torque_of(run(BAR + TWIST, dict(FLOWS, n=n, section=ROUND, axial=axial)))
+
+
+def of_rings(n):
+    """The same of n rings: where layers begin and end follows from the radius, so grips have 4 of them."""
+    folder = new_folder()
+    spacing = make_bar(n, 4e-3, 12e-3 + 8 * 4e-3 / n, 7850, os.path.join(folder, "bar.data"))
+    with open(os.path.join(folder, "bar.data")) as f:
+        lines = f.read().split("Atoms", 1)[1].split("\n")[2:]
+    z = np.unique(np.round([float(w.split()[-1]) for w in lines if len(w.split()) >= 5], 9))
+    low, high = 0.5 * (z[3] + z[4]), 0.5 * (z[-4] + z[-5])
+    return torque_of(run(RINGS + PARTS + TWIST, dict(FLOWS, dx=spacing, down=-low, length=high - low, axial="0"), folder=folder))
+
+
+def torque_of(r):
+    t = r.thermo[-1]
     torque = -0.5 * (t["f_twist[5]"] - t["f_hold[5]"])
-    print(name + "torque %.2f N m, limit %.2f" % (torque[late].mean(), 2.0 / 3.0 * np.pi * 4e-3**3 * TAU))
-    checks.near(name + "plastic torque", torque[late].mean(), 2.0 / 3.0 * np.pi * 4e-3**3 * TAU, relative=0.02)
+    return r, torque, torque[t["f_twist[6]"] > 0.3].mean()
+
+
+if sys.argv[1:2] == ["round"]:
+    for n in map(int, sys.argv[2:]):
+        print("%d over the diameter: torque over 2/3 pi R^3 tau %.3f" % (n, flowing(n, "0")[2] / LIMIT))
+    sys.exit(0)
+if sys.argv[1:2] == ["rings"]:
+    for n in map(int, sys.argv[2:]):
+        print("%d rings: torque over 2/3 pi R^3 tau %.3f" % (n, of_rings(n)[2] / LIMIT))
+    sys.exit(0)
+
+# metal that flows: torque of the whole section at its shear flow stress; bars of rings come up to it from below
+coarse, fine = (of_rings(n)[2] / LIMIT for n in (4, 6))
+print("round bars of 4 and 6 rings: torque over the limit %.3f, %.3f" % (coarse, fine))
+checks.near("round bar of 6 rings: plastic torque", fine, 1.0, relative=0.03)
+checks.true("  nearer than with 4 rings", 0.94 < coarse < fine < 1.0, "%.3f %.3f" % (coarse, fine))
+for axial, n in ("0", 8), ("NULL", 8):
+    r, torque, mean = flowing(n, axial)
+    t, name = r.thermo[-1], "round bar, axis %s: " % ("held" if axial == "0" else "free")
+    print(name + "torque %.2f N m, limit %.2f" % (mean, LIMIT))
+    checks.near(name + "plastic torque", mean, LIMIT, relative=0.02)
     checks.below(name + "drift of the energy sum over the work", abs(t["f_body[9]"]).max() / t["f_twist[4]"][-1], 1e-6)
     work = np.sum(np.diff(t["f_twist[6]"]) * -0.5 * (t["f_twist[5]"][1:] + t["f_twist[5]"][:-1]))
     checks.near(name + "work in the balance", -t["f_body[8]"][-1], t["f_twist[4]"][-1], relative=1e-9)

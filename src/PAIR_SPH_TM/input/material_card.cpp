@@ -62,7 +62,7 @@ static std::string read_file(LAMMPS *lmp, const char *style, const char *name)
   if (size < 0)
     lmp->error->all(FLERR,
                     "{}: '{}' is neither a keyword ({}) nor a material file here, in the "
-                    "folders of LAMMPS_POTENTIALS or in those of SPHTM_MATERIALS",
+                    "folders of LAMMPS_POTENTIALS or SPHTM_MATERIALS, or beside the plugin",
                     style, name, known_keywords());
   text.resize(size);
   MPI_Bcast(&text[0], size, MPI_CHAR, 0, lmp->world);
