@@ -71,8 +71,10 @@ std::string EnergyWatch::warning()
     said_at = into;
     return fmt::format("artificial terms (viscosity, artificial stress, hourglass resistance) have "
                        "{} {:.3g} % of the {:.6g} "
-                       "that went in",
-                       artificial() > 0.0 ? "taken" : "added", 100.0 * std::fabs(artificial()), into);
+                       "that went in{}",
+                       artificial() > 0.0 ? "taken" : "added", 100.0 * std::fabs(artificial()), into,
+                       artificial() > 0.0 ? "; by itself no error of forces, see energy on the page of fix sph/tm"
+                                          : "");
   }
   if (!said_astray && astray) {
     said_astray = true;
