@@ -28,7 +28,7 @@ BEGIN, END = "<!-- results: ./sphtm results -->", "<!-- end of results -->"
 ROWS = [
     ("high speed machining: force with heat over without, to 1.75 mm; 1 to 4 mm", "high_speed_machining",
      "{force_ratio_to_1.75_mm:.3f}; {force_ratio_heat_over_no_heat:.3f}", "0.854", "published, Fraser et al. 2015, length "
-     "of averaging not given; the long cut on a GPU, whose sums round differently, 0.838 too, with half the spacing 0.783", "missed"),
+     "of averaging not given; with half the spacing 0.783 in the long cut (e7fef21, a GPU)", "missed"),
     ("mean of the maximum interface temperature", "high_speed_machining", "{max_interface_temperature_C:.0f} C", "376 C",
      "published, the same", "missed"),
     ("drift of the energy sum, over the work of the tool", "high_speed_machining", "{energy_error_fraction:.0e}", "0",
