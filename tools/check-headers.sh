@@ -1,7 +1,6 @@
 #!/bin/sh
-# Every tm_*.h of src compiles without a warning:  check-headers.sh c|c++17|c++20|nvcc
-# Alone, and with pair arithmetic in single (TM_PAIR_SINGLE) or it says that it is double only; with nvcc, which takes a second for
-# each, all in one file.
+# Every tm_*.h of src compiles alone, without a warning:  check-headers.sh c|c++17|c++20|nvcc
+# So it does with pair arithmetic in single (TM_PAIR_SINGLE), or it says that it is double only.
 set -eu
 . "$(dirname -- "$0")/common.sh"
 
@@ -19,17 +18,13 @@ esac
 cd "$root"
 folders=$(find src -type d -printf ' -I%p')
 headers=$(find src -name 'tm_*.h' | sort)
+echo "$headers" | xargs -P "$jobs" -I{} sh -c "$compile $folders {} || { echo 'fails: {}'; exit 1; }"
 compile_single="$compile -DTM_PAIR_SINGLE $folders"
 if [ "$1" = nvcc ]; then
-  all=$(mktemp --suffix .cu)
-  trap 'rm -f "$all"' EXIT
-  echo "$headers" | sed 's/.*/#include "&"/' > "$all"
-  $compile -I. $folders "$all"
   $compile_single src/PAIR_SPH_TM/particle/tm_rates.h    # all that the GPU's loops in single include
 else
-  echo "$headers" | xargs -P "$jobs" -I{} sh -c "$compile $folders {} || { echo 'fails: {}'; exit 1; }"
   echo "$headers" | xargs -P "$jobs" -I{} sh -c "said=\$($compile_single -Wfatal-errors {} 2>&1) && exit 0
     case \$said in *'\"double only: '*) exit 0 ;; esac
     echo \"\$said\"; echo 'fails in single: {}'; exit 1"
 fi
-echo "$(echo "$headers" | wc -l) headers compile with $compile"
+echo "$(echo "$headers" | wc -l) headers compile alone with $compile"

@@ -80,6 +80,8 @@ static void surface(void)
 }
 
 /* --- clouds ---------------------------------------------------------------------------------------- */
+
+/* the gradient of the stored energy, momentum, angular momentum */
 static void forces(void)
 {
   for (int dim = 2; dim < 4; dim++) {
@@ -158,6 +160,7 @@ static void books(void)
                 (sizes ? 0.02 : 1e-6) * (fabs(change) + r.damping_power + r.friction_power));
     }
 }
+
 /* --- flat faces -------------------------------------------------------------------------------------- */
 
 /* two flat bodies of 2 layers that overlap by `deep`, moved along each other by (x, z) */
